@@ -1,0 +1,50 @@
+#pragma once
+
+#include "app/model/lesson_library.h"
+#include "sim/script.h"
+
+#include <QByteArray>
+#include <QString>
+
+#include <cstdint>
+#include <map>
+#include <stdexcept>
+
+namespace app {
+
+/// What a file, an argument or a parameter was refused for: one clear sentence with place and remedy.
+class Refusal : public std::runtime_error
+{
+public:
+    explicit Refusal(const QString &sentence) : std::runtime_error(sentence.toStdString()) {}
+    QString sentence() const { return QString::fromUtf8(what()); }
+};
+
+/// An experiment file (springstep-experiment/1): a step of a lesson, what is changed in it, and the input.
+struct Experiment
+{
+    QString lesson;
+    QString step;
+    std::int64_t frames = 300; ///< how many `trace` computes
+    sim::Script script;        ///< complete: presets filled in
+};
+
+constexpr qint64 largestExperiment = 64 << 20; ///< bytes
+constexpr std::int64_t mostFrames = 10'000'000;
+
+/// Reads an experiment. `name` is how messages call it.
+/// @throws Refusal: not JSON, wrong types, unknown or missing names, values out of range; with the line
+Experiment parseExperiment(const QByteArray &text, const QString &name, const LessonLibrary &library);
+/// @throws Refusal: as parseExperiment, or the file cannot be read or is larger than largestExperiment
+Experiment readExperiment(const QString &path, const LessonLibrary &library);
+
+/// The experiment as a file: what differs from the step's own is written, and nothing else.
+QByteArray experimentText(const Experiment &experiment, const LessonLibrary &library);
+/// Writes to a temporary file and renames it, so that a failure leaves the old file as it was.
+/// @throws Refusal when the file cannot be written
+void writeExperiment(const QString &path, const Experiment &experiment, const LessonLibrary &library);
+
+/// An untouched experiment of a step. @throws Refusal for names that are not there, listing what there is
+Experiment newExperiment(const QString &lesson, const QString &step, const LessonLibrary &library);
+
+}

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <QString>
+#include <QStringList>
+
+namespace lessons {
+
+/// A number (or a choice) that a learner sets. Declared once: panel, range, tooltip, file and command line all
+/// read this.
+struct Parameter
+{
+    QString id;     ///< in files and in the shown code
+    QString name;   ///< what a learner calls it
+    QString symbol; ///< as formulas write it; may be empty
+    QString unit;   ///< may be empty
+    QString help;   ///< one sentence: what it does
+    double preset = 0.0;
+    double min = 0.0; ///< the least and the most that files may give
+    double max = 1.0;
+    double sliderMin = 0.0; ///< the stretch that the slider covers
+    double sliderMax = 1.0;
+    int decimals = 2;    ///< shown after the point; 0: a whole number
+    QStringList choices; ///< ids; when not empty the value is a position in this list
+
+    bool isWhole() const { return decimals == 0; }
+};
+
+}

@@ -1,0 +1,26 @@
+#include "sim/effects/body_spring.h"
+
+#include "sim/effects/spring.h"
+
+namespace sim {
+
+std::vector<Region> BodySpring::regions(Directions) const
+{
+    return {{"sim/effects/spring.h", "spring"}};
+}
+
+void BodySpring::add(const State &state, Points movers, double scale, Directions, Eigen::ArrayX2d &into) const
+{
+    addPulls(m_links, state, movers, scale, into,
+             [&](const Link &link) { return spring(state.at(link.mover), state.at(link.anchor), m_k).pull; });
+}
+
+std::vector<Live> BodySpring::explain(const State &state, int mover, Directions) const
+{
+    return explainLinks(m_links, state, mover, [&](const Link &link) -> std::vector<Live> {
+        const SpringPull s = spring(state.at(link.mover), state.at(link.anchor), m_k);
+        return {{"d", s.d}, {"pull", s.pull}};
+    });
+}
+
+}

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "sim/effects/links.h"
+
+namespace sim {
+
+/// Springs from points to other points, wherever those are.
+class BodySpring : public Force
+{
+public:
+    /// k in 1/frame^2.
+    BodySpring(std::vector<Link> links, double k) : m_links(std::move(links)), m_k(k) {}
+
+    std::string id() const override { return "body_spring"; }
+    std::string title() const override { return SIM_TEXT("spring"); }
+    Kind kind() const override { return Kind::spring; }
+    std::vector<Region> regions(Directions directions) const override;
+    int count(const State &state, Points points) const override { return m_links.count(state, points); }
+    void add(const State &state, Points movers, double scale, Directions directions,
+             Eigen::ArrayX2d &into) const override;
+    std::vector<Live> explain(const State &state, int mover, Directions directions) const override;
+
+private:
+    Links m_links;
+    double m_k;
+};
+
+}

@@ -1,0 +1,43 @@
+#include "sim/effects/gravity.h"
+
+namespace sim {
+
+namespace {
+
+/// Published: Creatures I, step 19.
+//! [gravity]
+inline double fall(double gravity)
+{
+    const double pull = gravity; // the same for every point, and y points down
+    return pull;
+}
+//! [gravity]
+
+}
+
+std::vector<Region> Gravity::regions(Directions) const
+{
+    return {{"sim/effects/gravity.cpp", "gravity"}};
+}
+
+int Gravity::count(const State &state, Points points) const
+{
+    return static_cast<int>((state.inverseMass.segment(points.first, points.count) != 0.0).count());
+}
+
+void Gravity::add(const State &state, Points movers, double scale, Directions, Eigen::ArrayX2d &into) const
+{
+    for (int i = movers.first; i < movers.end(); ++i) {
+        if (state.feels(i))
+            into(i, 1) += scale * fall(m_gravity);
+    }
+}
+
+std::vector<Live> Gravity::explain(const State &state, int mover, Directions) const
+{
+    if (!state.feels(mover))
+        return {};
+    return {{"pull", Vec2{0.0, fall(m_gravity)}}};
+}
+
+}

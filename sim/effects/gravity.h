@@ -1,0 +1,27 @@
+#pragma once
+
+#include "sim/effect.h"
+
+namespace sim {
+
+/// The same pull straight down on every point, whatever its mass.
+class Gravity : public Force
+{
+public:
+    /// `gravity` in px/frame^2.
+    explicit Gravity(double gravity) : m_gravity(gravity) {}
+
+    std::string id() const override { return "gravity"; }
+    std::string title() const override { return SIM_TEXT("gravity"); }
+    Kind kind() const override { return Kind::gravity; }
+    std::vector<Region> regions(Directions directions) const override;
+    int count(const State &state, Points points) const override;
+    void add(const State &state, Points movers, double scale, Directions directions,
+             Eigen::ArrayX2d &into) const override;
+    std::vector<Live> explain(const State &state, int mover, Directions directions) const override;
+
+private:
+    double m_gravity;
+};
+
+}

@@ -1,0 +1,29 @@
+#include "sim/effects/offset_spring.h"
+
+#include "sim/effects/spring.h"
+
+namespace sim {
+
+std::vector<Region> OffsetSpring::regions(Directions) const
+{
+    return {{"sim/effects/offset_spring.h", "offset_target"}, {"sim/effects/spring.h", "spring"}};
+}
+
+void OffsetSpring::add(const State &state, Points movers, double scale, Directions,
+                       Eigen::ArrayX2d &into) const
+{
+    addPulls(m_links, state, movers, scale, into, [&](const Link &link) {
+        return spring(state.at(link.mover), offsetTarget(state.at(link.anchor), m_offset), m_k).pull;
+    });
+}
+
+std::vector<Live> OffsetSpring::explain(const State &state, int mover, Directions) const
+{
+    return explainLinks(m_links, state, mover, [&](const Link &link) -> std::vector<Live> {
+        const Vec2 target = offsetTarget(state.at(link.anchor), m_offset);
+        const SpringPull s = spring(state.at(link.mover), target, m_k);
+        return {{"target", target}, {"d", s.d}, {"pull", s.pull}};
+    });
+}
+
+}

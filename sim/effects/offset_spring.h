@@ -1,0 +1,41 @@
+#pragma once
+
+#include "sim/effects/links.h"
+
+namespace sim {
+
+/// A place beside a point. Published: Creatures I, step 6.
+//! [offset_target]
+inline Vec2 offsetTarget(Vec2 anchor, double offset)
+{
+    const Vec2 target = {anchor.x + offset, anchor.y};
+    return target;
+}
+//! [offset_target]
+
+/// Springs from points to places that lie `offset` pixels to the right of other points.
+class OffsetSpring : public Force
+{
+public:
+    /// k in 1/frame^2, offset in px.
+    OffsetSpring(std::vector<Link> links, double k, double offset)
+        : m_links(std::move(links)), m_k(k), m_offset(offset)
+    {
+    }
+
+    std::string id() const override { return "offset_spring"; }
+    std::string title() const override { return SIM_TEXT("spring"); }
+    Kind kind() const override { return Kind::spring; }
+    std::vector<Region> regions(Directions directions) const override;
+    int count(const State &state, Points points) const override { return m_links.count(state, points); }
+    void add(const State &state, Points movers, double scale, Directions directions,
+             Eigen::ArrayX2d &into) const override;
+    std::vector<Live> explain(const State &state, int mover, Directions directions) const override;
+
+private:
+    Links m_links;
+    double m_k;
+    double m_offset;
+};
+
+}

@@ -1,0 +1,35 @@
+#include "sim/effects/point_spring.h"
+
+#include "sim/effects/spring.h"
+
+namespace sim {
+
+std::vector<Region> PointSpring::regions(Directions) const
+{
+    return {{"sim/effects/spring.h", "spring"}};
+}
+
+int PointSpring::count(const State &state, Points points) const
+{
+    return points.contains(m_mover) && state.feels(m_mover) ? 1 : 0;
+}
+
+void PointSpring::add(const State &state, Points movers, double scale, Directions,
+                      Eigen::ArrayX2d &into) const
+{
+    if (count(state, movers) == 0)
+        return;
+    const Vec2 a = state.inverseMass[m_mover] * spring(state.at(m_mover), m_centre, m_k).pull;
+    into(m_mover, 0) += scale * a.x;
+    into(m_mover, 1) += scale * a.y;
+}
+
+std::vector<Live> PointSpring::explain(const State &state, int mover, Directions) const
+{
+    if (count(state, {mover, 1}) == 0)
+        return {};
+    const SpringPull s = spring(state.at(mover), m_centre, m_k);
+    return {{"d", s.d}, {"pull", s.pull}};
+}
+
+}

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "sim/effect.h"
+
+namespace sim {
+
+/// A spring from one point to a fixed place.
+class PointSpring : public Force
+{
+public:
+    /// k in 1/frame^2, centre in px.
+    PointSpring(int mover, Vec2 centre, double k) : m_mover(mover), m_centre(centre), m_k(k) {}
+
+    std::string id() const override { return "point_spring"; }
+    std::string title() const override { return SIM_TEXT("spring"); }
+    Kind kind() const override { return Kind::spring; }
+    std::vector<Region> regions(Directions directions) const override;
+    int count(const State &state, Points points) const override;
+    void add(const State &state, Points movers, double scale, Directions directions,
+             Eigen::ArrayX2d &into) const override;
+    std::vector<Live> explain(const State &state, int mover, Directions directions) const override;
+
+private:
+    int m_mover;
+    Vec2 m_centre;
+    double m_k;
+};
+
+}

@@ -1,0 +1,50 @@
+#include "sim/effects/radial_spring.h"
+
+namespace sim {
+
+std::vector<Region> RadialSpring::regions(Directions directions) const
+{
+    const std::string way = directions == Directions::published ? "published_direction" : "direction";
+    return {{"sim/effects/radial_spring.h", "radial_spring"},
+            {"sim/direction.h", way},
+            {"sim/effects/spring.h", "spring"}};
+}
+
+void RadialSpring::add(const State &state, Points movers, double scale, Directions directions,
+                       Eigen::ArrayX2d &into) const
+{
+    const auto addAll = [&](auto headingOf) {
+        addPulls(m_links, state, movers, scale, into, [&](const Link &link) {
+            const auto heading = [&](Vec2 d) { return headingOf(d, link); };
+            return radialSpring(state.at(link.mover), state.at(link.anchor), m_k, m_radius, heading).end.pull;
+        });
+    };
+    if (directions == Directions::published)
+        addAll([](Vec2 d, const Link &) { return publishedDirection(d).out; });
+    else
+        addAll([](Vec2 d, const Link &link) { return direction(d, link.anchor, link.mover).out; });
+}
+
+std::vector<Live> RadialSpring::explain(const State &state, int mover, Directions directions) const
+{
+    return explainLinks(m_links, state, mover, [&](const Link &link) {
+        std::vector<Live> heading;
+        const RadialPull s =
+            radialSpring(state.at(link.mover), state.at(link.anchor), m_k, m_radius, [&](Vec2 d) {
+                if (directions == Directions::published) {
+                    const PublishedHeading found = publishedDirection(d);
+                    heading = {{"angle", found.angle}, {"out", found.out}};
+                    return found.out;
+                }
+                const Heading found = direction(d, link.anchor, link.mover);
+                heading = {{"length", found.length}, {"out", found.out}};
+                return found.out;
+            });
+        std::vector<Live> all = {{"from", s.from}};
+        all.insert(all.end(), heading.begin(), heading.end());
+        all.insert(all.end(), {{"target", s.target}, {"d", s.end.d}, {"pull", s.end.pull}});
+        return all;
+    });
+}
+
+}

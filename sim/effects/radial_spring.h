@@ -1,0 +1,55 @@
+#pragma once
+
+#include "sim/effects/links.h"
+#include "sim/effects/spring.h"
+
+namespace sim {
+
+/// A radial spring's pull, with what it was found from.
+struct RadialPull
+{
+    Vec2 from;      ///< px, the anchor seen from which the mover lies along `heading`
+    Vec2 target;    ///< px
+    SpringPull end; ///< the plain spring to that target
+};
+
+/// A spring to the nearest place that is `radius` pixels away from `anchor`, in the direction in which `mover`
+/// already is. `headingOf(d)` gives that direction. k in 1/frame^2.
+/// Published: Creatures I, step 7.
+//! [radial_spring]
+template <class HeadingOf>
+inline RadialPull radialSpring(Vec2 mover, Vec2 anchor, double k, double radius, HeadingOf headingOf)
+{
+    const Vec2 from = mover - anchor;
+    const Vec2 out = headingOf(from);
+    const Vec2 target = anchor + radius * out;
+    return {from, target, spring(mover, target, k)};
+}
+//! [radial_spring]
+
+/// Springs that keep points at a distance from other points, in whatever direction they are.
+class RadialSpring : public Force
+{
+public:
+    /// k in 1/frame^2, radius (the rest length) in px.
+    RadialSpring(std::vector<Link> links, double k, double radius)
+        : m_links(std::move(links)), m_k(k), m_radius(radius)
+    {
+    }
+
+    std::string id() const override { return "radial_spring"; }
+    std::string title() const override { return SIM_TEXT("springs"); }
+    Kind kind() const override { return Kind::spring; }
+    std::vector<Region> regions(Directions directions) const override;
+    int count(const State &state, Points points) const override { return m_links.count(state, points); }
+    void add(const State &state, Points movers, double scale, Directions directions,
+             Eigen::ArrayX2d &into) const override;
+    std::vector<Live> explain(const State &state, int mover, Directions directions) const override;
+
+private:
+    Links m_links;
+    double m_k;
+    double m_radius;
+};
+
+}

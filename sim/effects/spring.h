@@ -1,0 +1,25 @@
+#pragma once
+
+#include "sim/vec2.h"
+
+namespace sim {
+
+/// A spring's pull, with the distance it comes from.
+struct SpringPull
+{
+    Vec2 d;    ///< px
+    Vec2 pull; ///< px/frame^2
+};
+
+/// Hooke's law: the pull on `mover` is k times its distance to `target`. k in 1/frame^2.
+/// Published: Creatures I, step 4.
+//! [spring]
+inline SpringPull spring(Vec2 mover, Vec2 target, double k)
+{
+    const Vec2 d = target - mover;
+    const Vec2 pull = k * d;
+    return {d, pull};
+}
+//! [spring]
+
+}

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "sim/effect.h"
+
+namespace sim {
+
+/// Where a room ends, and how much of its speed a body keeps when it bounces there.
+struct Room
+{
+    double left = 0.0;   ///< px
+    double right = 0.0;  ///< px
+    double floor = 0.0;  ///< px
+    double bounce = 1.0; ///< share of the speed across the wall that is kept, turned round
+};
+
+/// A point's position and velocity.
+struct Motion
+{
+    Vec2 x; ///< px
+    Vec2 v; ///< px/frame
+};
+
+/// Puts a body that is past a wall back to where its edge touches it, and turns its velocity round. `half` is
+/// half the body's width. Published: Creatures I, steps 17 and 18, in that order: right, left, floor.
+//! [walls]
+inline Motion walls(Vec2 x, Vec2 v, double half, const Room &room)
+{
+    if (x.x > room.right - half) {
+        x.x = room.right - half;
+        v.x *= -room.bounce;
+    }
+    if (x.x < room.left + half) {
+        x.x = room.left + half;
+        v.x *= -room.bounce;
+    }
+    if (x.y > room.floor - half) {
+        x.y = room.floor - half;
+        v.y *= -room.bounce;
+    }
+    return {x, v};
+}
+//! [walls]
+
+/// Two walls and a floor that bodies bounce off. There is no ceiling.
+class Walls : public Contact
+{
+public:
+    /// `half`: half of each point's width in px, one row per point.
+    Walls(Room room, Eigen::ArrayXd half) : m_room(room), m_half(std::move(half)) {}
+
+    std::string id() const override { return "walls"; }
+    std::string title() const override { return SIM_TEXT("walls"); }
+    Kind kind() const override { return Kind::contact; }
+    std::vector<Region> regions(Directions directions) const override;
+    int count(const State &state, Points points) const override;
+    void resolve(State &state, Points points) const override;
+
+private:
+    Room m_room;
+    Eigen::ArrayXd m_half;
+};
+
+}

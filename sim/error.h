@@ -1,0 +1,34 @@
+#pragma once
+
+#include <map>
+#include <stdexcept>
+#include <string>
+
+namespace sim {
+
+/// What composing or loading refuses. The program that shows it makes a sentence of `id` and `values`; what()
+/// is for developers.
+class Error : public std::runtime_error
+{
+public:
+    Error(std::string id, std::map<std::string, std::string> values)
+        : std::runtime_error(describe(id, values)), m_id(std::move(id)), m_values(std::move(values))
+    {
+    }
+    const std::string &id() const { return m_id; }
+    const std::map<std::string, std::string> &values() const { return m_values; }
+
+private:
+    static std::string describe(const std::string &id, const std::map<std::string, std::string> &values)
+    {
+        std::string text = id;
+        for (const auto &[name, value] : values)
+            text += " " + name + "=" + value;
+        return text;
+    }
+
+    std::string m_id;
+    std::map<std::string, std::string> m_values;
+};
+
+}

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "sim/scene.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace sim {
+
+/// One part of a step: the smallest stretch of time that a learner can stop after.
+struct Phase
+{
+    std::string id;    ///< the effect's id, or the method's own: "kick", "move"
+    std::string title; ///< in English; see SIM_TEXT
+    Kind kind = Kind::motion;
+    EffectPtr effect;            ///< whose work it is; null for the method's own
+    Points points;               ///< what it works on
+    int group = -1;              ///< which of the scene's groups; -1: all at once
+    std::vector<Region> regions; ///< its source, in the order in which it runs
+    std::function<void(State &)> run;
+    /// The numbers behind what the phase did to `point`, given the states around it.
+    std::function<std::vector<Live>(const State &before, const State &after, int point)> explain;
+};
+
+/// A time-stepping method: how a State gets from one step to the next. Knows no effect by name.
+class Method
+{
+public:
+    virtual ~Method() = default;
+    /// Names the method in files.
+    virtual std::string id() const = 0;
+    /// In English; see SIM_TEXT.
+    virtual std::string title() const = 0;
+    /// How the error shrinks with the step: as h^order.
+    virtual int order() const = 0;
+    /// What a scene must offer, as ids: "groups" (an update order). Empty: nothing beyond forces.
+    virtual std::vector<std::string> needs() const = 0;
+    /// How this method's effects find directions.
+    virtual Directions directions() const = 0;
+    /// Where the order of the phases is written down.
+    virtual Region region() const = 0;
+    /// Gives `state` the scratch that the phases use.
+    virtual void prepare(State &state) const = 0;
+    /// The phases of one step of `h` frames. What the scene does not list makes no phase.
+    /// @throws Error "method-does-not-fit" (method, effect) for an effect that the method cannot handle
+    virtual std::vector<Phase> phases(const Scene &scene, double h) const = 0;
+};
+
+using MethodPtr = std::shared_ptr<const Method>;
+
+}

@@ -1,0 +1,25 @@
+#include "sim/methods/methods.h"
+
+#include "sim/methods/published.h"
+#include "sim/methods/semi_implicit_euler.h"
+
+namespace sim {
+
+std::vector<MethodPtr> allMethods()
+{
+    return {
+        std::make_shared<Published>(),
+        std::make_shared<SemiImplicitEuler>(),
+    };
+}
+
+MethodPtr findMethod(const std::string &id)
+{
+    for (const MethodPtr &method : allMethods()) {
+        if (method->id() == id)
+            return method;
+    }
+    return nullptr;
+}
+
+}

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+
+namespace sim {
+
+/// Scrambles 64 bits so that neighbouring inputs give unrelated outputs.
+/// Source: Steele, Lea and Flood, "Fast splittable pseudorandom number generators" (SplitMix64), 2014.
+constexpr std::uint64_t scramble(std::uint64_t z)
+{
+    z += 0x9E3779B97F4A7C15u;
+    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
+    z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
+    return z ^ (z >> 31);
+}
+
+/// A random number in [0, 1) that depends on nothing but its arguments: no generator is stored, so going back
+/// in time meets the same numbers again.
+constexpr double uniform(std::uint64_t seed, std::uint64_t frame, std::uint64_t index)
+{
+    const std::uint64_t bits = scramble(scramble(scramble(seed) ^ frame) ^ index);
+    return static_cast<double>(bits >> 11) * 0x1.0p-53;
+}
+
+}

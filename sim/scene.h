@@ -1,0 +1,30 @@
+#pragma once
+
+#include "sim/effect.h"
+#include "sim/state.h"
+
+#include <string>
+#include <vector>
+
+namespace sim {
+
+/// Points that a sequential method (`published`) moves together, before the next group sees them.
+struct Group
+{
+    std::string title; ///< in English; see SIM_TEXT
+    Points points;
+};
+
+/// What is simulated: a start, the effects that act (no others are computed), and the published update order.
+struct Scene
+{
+    State start;
+    std::vector<std::string> names; ///< one a point; how files and events call it
+    std::vector<Group> groups;      ///< in update order; together they hold every point that can move
+    std::vector<EffectPtr> effects; ///< in the order in which they act
+
+    /// The number of the point called `name`, or -1.
+    int find(const std::string &name) const;
+};
+
+}

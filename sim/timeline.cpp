@@ -1,0 +1,128 @@
+#include "sim/timeline.h"
+
+#include <algorithm>
+
+namespace sim {
+
+Timeline::Timeline(Script script, std::size_t budget)
+    : m_track(std::move(script), budget / 2), m_budget(budget)
+{
+}
+
+void Timeline::seek(Cursor target)
+{
+    m_track.seek(target);
+    if (m_ghost)
+        m_ghost->seek({m_track.at().frame, 0});
+}
+
+void Timeline::stepPhase()
+{
+    seek({at().frame, at().phase + 1});
+}
+
+void Timeline::stepPhaseBack()
+{
+    if (at().phase > 0) {
+        seek({at().frame, at().phase - 1});
+    } else if (at().frame > 0) {
+        seek({at().frame - m_track.rowFrames(), 0});
+        seek({at().frame, m_track.phasesPerRow() - 1});
+    }
+}
+
+void Timeline::stepRow()
+{
+    seek({at().frame + m_track.rowFrames(), 0});
+}
+
+void Timeline::stepRowBack()
+{
+    seek({at().phase > 0 ? at().frame : at().frame - m_track.rowFrames(), 0});
+}
+
+int Timeline::openRow(std::int64_t frame)
+{
+    const int phase = at().phase;
+    m_track.seek({at().frame, 0});
+    if (computed() > at().frame)
+        becomeGhost(frame);
+    return phase;
+}
+
+void Timeline::becomeGhost(std::int64_t fork)
+{
+    m_ghost = m_track;
+    m_ghost->setBudget(m_budget / 2);
+    m_ghost->seek({at().frame, 0});
+    m_fork = fork;
+}
+
+void Timeline::hand(const std::variant<Grab, Move, Release> &what)
+{
+    const std::int64_t frame = at().frame + m_track.rowFrames();
+    const int phase = openRow(frame);
+    std::vector<Event> input = script().input;
+    std::erase_if(input, [&](const Event &event) { return event.frame > frame; });
+    const bool isMove = std::holds_alternative<Move>(what);
+    if (isMove && !input.empty() && input.back().frame == frame &&
+        std::holds_alternative<Move>(input.back().what))
+        input.pop_back();
+    input.push_back({frame, std::visit([](const auto &one) -> decltype(Event::what) { return one; }, what)});
+    m_track.replaceInput(std::move(input), frame);
+    seek({at().frame, phase});
+}
+
+void Timeline::set(const std::string &parameter, double value)
+{
+    if (at().frame == 0) {
+        Script changed = script();
+        changed.values.set(parameter, value);
+        replace(std::move(changed));
+        return;
+    }
+    Values values = this->values();
+    values.set(parameter, value);
+    compose(sceneOf(script(), values), *script().method, script().step);
+    const std::int64_t frame = at().frame + m_track.rowFrames();
+    const int phase = openRow(frame);
+    std::vector<Event> input = script().input;
+    std::erase_if(input, [&](const Event &event) {
+        const Set *set = std::get_if<Set>(&event.what);
+        return event.frame == frame && set && set->parameter == parameter;
+    });
+    input.push_back({frame, Set{parameter, value}});
+    sortByFrame(input);
+    m_track.replaceInput(std::move(input), frame);
+    seek({at().frame, phase});
+}
+
+void Timeline::replace(Script script)
+{
+    Track next(std::move(script), m_budget / 2);
+    const Cursor was = at();
+    if (computed() > 0)
+        becomeGhost(0);
+    m_track = std::move(next);
+    seek({was.frame, 0});
+    if (was.phase > 0)
+        seek({was.frame, std::min(was.phase, m_track.phasesPerRow() - 1)});
+}
+
+bool Timeline::hasPending() const
+{
+    if (at().phase != 0 || computed() > at().frame)
+        return false;
+    const std::int64_t frame = at().frame + m_track.rowFrames();
+    const std::vector<Event> &input = script().input;
+    return std::any_of(input.begin(), input.end(), [&](const Event &event) {
+        return event.frame <= frame && event.frame > at().frame - (at().frame == 0 ? 1 : 0);
+    });
+}
+
+void Timeline::forgetGhost()
+{
+    m_ghost.reset();
+}
+
+}

@@ -1,0 +1,68 @@
+#pragma once
+
+#include "sim/track.h"
+
+namespace sim {
+
+/// A run that a learner steers: a cursor that goes anywhere, input at the cursor, and the run as it was before
+/// the last change to its past, which goes on beside it as a ghost.
+class Timeline
+{
+public:
+    static constexpr std::size_t defaultBudget = std::size_t{256} << 20;
+
+    /// `budget`: memory for kept states in bytes, half of it for the ghost.
+    /// @throws Error when scene and method do not fit
+    explicit Timeline(Script script, std::size_t budget = defaultBudget);
+
+    const Script &script() const { return m_track.script(); }
+    const Track &track() const { return m_track; }
+    const State &now() const { return m_track.now(); }
+    Cursor at() const { return m_track.at(); }
+    std::int64_t computed() const { return m_track.computed(); }
+    const std::optional<Stop> &stop() const { return m_track.stop(); }
+    std::size_t keptBytes() const { return m_track.keptBytes() + (m_ghost ? m_ghost->keptBytes() : 0); }
+
+    void seek(Cursor target);
+    /// One phase on or back.
+    void stepPhase();
+    void stepPhaseBack();
+    /// One row on; to the start of this row if inside one, else one row back.
+    void stepRow();
+    void stepRowBack();
+
+    /// What a hand does now: it becomes input of the row at the cursor. Later input is forgotten: it belonged to
+    /// another future.
+    void hand(const std::variant<Grab, Move, Release> &what);
+    /// A parameter changes now: at the start of the run for the whole run, later from the row at the cursor on.
+    /// Later input stays, so that the two runs differ by this alone.
+    /// @throws Error when the scene does not compose with the new value; nothing has changed then
+    void set(const std::string &parameter, double value);
+    /// Another script (method, step, effects, starts), at the same frame.
+    /// @throws Error when its scene and method do not fit; nothing has changed then
+    void replace(Script script);
+
+    /// Whether input waits for the row at the cursor that has not been computed since.
+    bool hasPending() const;
+    /// The parameters in force for the row at the cursor.
+    const Values &values() const { return m_track.next()->values; }
+
+    /// The run as it was before the last change to its past, at the cursor's frame; null if there is none.
+    const Track *ghost() const { return m_ghost ? &*m_ghost : nullptr; }
+    /// The frame from which the ghost differs.
+    std::int64_t fork() const { return m_fork; }
+    void forgetGhost();
+
+private:
+    /// Before input from `frame` on changes: goes back to the start of the row, and makes a ghost of the run if
+    /// that has a future. Returns the phase to go back to.
+    int openRow(std::int64_t frame);
+    void becomeGhost(std::int64_t fork);
+
+    Track m_track;
+    std::optional<Track> m_ghost;
+    std::int64_t m_fork = 0;
+    std::size_t m_budget;
+};
+
+}

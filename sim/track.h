@@ -1,0 +1,123 @@
+#pragma once
+
+#include "sim/script.h"
+
+#include <compare>
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <optional>
+
+namespace sim {
+
+/// A moment of a run: `frame` frames are done, and `phase` phases of the next row.
+struct Cursor
+{
+    std::int64_t frame = 0;
+    int phase = 0;
+    friend auto operator<=>(const Cursor &, const Cursor &) = default;
+};
+
+/// A stretch of a run in which no parameter changes: the scene, composed.
+struct Segment
+{
+    Values values;
+    Scene scene;
+    Pipeline pipeline;
+};
+
+/// Why a run ends: after `frame` the numbers stop being finite.
+struct Stop
+{
+    std::int64_t frame = 0; ///< the last finite one
+    std::string phase;      ///< title of the phase that went first
+    std::string body;       ///< name of the point that went first
+};
+
+/// What one phase did to one point.
+struct Moment
+{
+    int phase = 0; ///< index into the pipeline's phases
+    std::vector<Live> live;
+};
+
+/// One run of a script, and a cursor in it. Going back is exact: the nearest kept state is restored and the rest
+/// is computed again. Kept states take at most `budget` bytes: when they are full, every second one is dropped.
+class Track
+{
+public:
+    /// With a budget of 0 only the start is kept.
+    /// @throws Error when scene and method do not fit
+    Track(Script script, std::size_t budget);
+
+    const Script &script() const { return m_script; }
+    const State &now() const { return m_now; }
+    Cursor at() const { return m_at; }
+    /// The last frame that was ever computed.
+    std::int64_t computed() const { return m_computed; }
+    const std::optional<Stop> &stop() const { return m_stop; }
+    int rowFrames() const { return m_script.step.rowFrames; }
+
+    /// The segment that the state at the cursor belongs to.
+    const Segment &shown() const { return *m_segment; }
+    /// The segment whose phases run next.
+    std::shared_ptr<const Segment> next() const { return segmentFor(m_at.frame + rowFrames()); }
+    int phasesPerRow() const { return next()->pipeline.phasesPerRow(); }
+
+    /// Goes to `target`. A frame between two rows is rounded down to a row; a phase past the row's last leads to
+    /// the next row; past the end of what is finite it goes to stop()->frame.
+    void seek(Cursor target);
+    /// The state at the cursor after the input that the next row begins with; `segment` is set to its segment.
+    State preview(std::shared_ptr<const Segment> &segment) const;
+    /// What the phases of the step under way (or, between rows, of the last step done) did to the point named.
+    std::vector<Moment> moments(const std::string &body) const;
+
+    /// Replaces the input, which may differ from `frame` on only, and forgets what was computed from there. The
+    /// cursor must stand between two rows, before `frame`.
+    void replaceInput(std::vector<Event> input, std::int64_t frame);
+    /// Limits the kept states to `budget` bytes from now on.
+    void setBudget(std::size_t budget);
+    std::size_t keptBytes() const { return m_keptBytes; }
+    std::size_t keptStates() const { return m_kept.size(); }
+
+private:
+    struct Change
+    {
+        std::int64_t frame;
+        Values values;
+    };
+
+    std::shared_ptr<const Segment> segmentFor(std::int64_t rowEnd) const;
+    void collectChanges();
+    void restore(std::int64_t frame);
+    /// Takes `state`, at the end of a row, into the row that ends at `rowEnd`: applies its input.
+    void begin(State &state, std::int64_t rowEnd) const;
+    void apply(State &state, const Scene &scene, const Event &event) const;
+    void runPhase();
+    void endRow();
+    void stopHere();
+    /// The state at the end of a row that was computed before, computed again from the nearest kept one.
+    State rowState(std::int64_t frame) const;
+    void keep();
+    void thin();
+    /// Drops the kept states of the frames for which `which(frame)` is true, never the start.
+    template <class Which>
+    void forget(Which &&which);
+
+    Script m_script;
+    std::vector<Change>
+        m_changes; ///< values in force from a row's end on, by frame; the first is the start's
+    mutable std::shared_ptr<const Segment> m_cached; ///< the segment last asked for
+    mutable std::int64_t m_cachedFrom = -1;
+    std::shared_ptr<const Segment> m_segment;
+    State m_now;
+    Cursor m_at;
+    std::int64_t m_computed = 0;
+    std::optional<Stop> m_stop;
+    std::map<std::int64_t, std::shared_ptr<const State>> m_kept; ///< by frame; 0 is never dropped
+    std::size_t m_keptBytes = 0;
+    std::size_t m_budget;
+    std::int64_t m_spacing = 1; ///< rows between two kept states
+};
+
+}
