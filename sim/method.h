@@ -19,6 +19,7 @@ struct Phase
     Points points;               ///< what it works on
     int group = -1;              ///< which of the scene's groups; -1: all at once
     std::vector<Region> regions; ///< its source, in the order in which it runs
+    bool moves = false;          ///< whether the gathered accelerations are spent after it
     std::function<void(State &)> run;
     /// The numbers behind what the phase did to `point`, given the states around it.
     std::function<std::vector<Live>(const State &before, const State &after, int point)> explain;

@@ -41,13 +41,13 @@ void Timeline::stepRowBack()
     seek({at().phase > 0 ? at().frame : at().frame - m_track.rowFrames(), 0});
 }
 
-int Timeline::openRow(std::int64_t frame)
+bool Timeline::openRow(std::int64_t frame)
 {
-    const int phase = at().phase;
     m_track.seek({at().frame, 0});
-    if (computed() > at().frame)
-        becomeGhost(frame);
-    return phase;
+    if (computed() == at().frame)
+        return false;
+    becomeGhost(frame);
+    return true;
 }
 
 void Timeline::becomeGhost(std::int64_t fork)
@@ -58,10 +58,11 @@ void Timeline::becomeGhost(std::int64_t fork)
     m_fork = fork;
 }
 
-void Timeline::hand(const std::variant<Grab, Move, Release> &what)
+bool Timeline::hand(const std::variant<Grab, Move, Release> &what)
 {
     const std::int64_t frame = at().frame + m_track.rowFrames();
-    const int phase = openRow(frame);
+    const int phase = at().phase;
+    const bool forked = openRow(frame);
     std::vector<Event> input = script().input;
     std::erase_if(input, [&](const Event &event) { return event.frame > frame; });
     const bool isMove = std::holds_alternative<Move>(what);
@@ -71,21 +72,22 @@ void Timeline::hand(const std::variant<Grab, Move, Release> &what)
     input.push_back({frame, std::visit([](const auto &one) -> decltype(Event::what) { return one; }, what)});
     m_track.replaceInput(std::move(input), frame);
     seek({at().frame, phase});
+    return forked;
 }
 
-void Timeline::set(const std::string &parameter, double value)
+bool Timeline::set(const std::string &parameter, double value)
 {
     if (at().frame == 0) {
         Script changed = script();
         changed.values.set(parameter, value);
-        replace(std::move(changed));
-        return;
+        return replace(std::move(changed));
     }
     Values values = this->values();
     values.set(parameter, value);
     compose(sceneOf(script(), values), *script().method, script().step);
     const std::int64_t frame = at().frame + m_track.rowFrames();
-    const int phase = openRow(frame);
+    const int phase = at().phase;
+    const bool forked = openRow(frame);
     std::vector<Event> input = script().input;
     std::erase_if(input, [&](const Event &event) {
         const Set *set = std::get_if<Set>(&event.what);
@@ -95,18 +97,21 @@ void Timeline::set(const std::string &parameter, double value)
     sortByFrame(input);
     m_track.replaceInput(std::move(input), frame);
     seek({at().frame, phase});
+    return forked;
 }
 
-void Timeline::replace(Script script)
+bool Timeline::replace(Script script)
 {
     Track next(std::move(script), m_budget / 2);
     const Cursor was = at();
-    if (computed() > 0)
+    const bool forked = computed() > 0;
+    if (forked)
         becomeGhost(0);
     m_track = std::move(next);
     seek({was.frame, 0});
     if (was.phase > 0)
         seek({was.frame, std::min(was.phase, m_track.phasesPerRow() - 1)});
+    return forked;
 }
 
 bool Timeline::hasPending() const

@@ -32,15 +32,15 @@ public:
     void stepRowBack();
 
     /// What a hand does now: it becomes input of the row at the cursor. Later input is forgotten: it belonged to
-    /// another future.
-    void hand(const std::variant<Grab, Move, Release> &what);
+    /// another future. Returns whether the run as it was became the ghost; so do the next two.
+    bool hand(const std::variant<Grab, Move, Release> &what);
     /// A parameter changes now: at the start of the run for the whole run, later from the row at the cursor on.
     /// Later input stays, so that the two runs differ by this alone.
     /// @throws Error when the scene does not compose with the new value; nothing has changed then
-    void set(const std::string &parameter, double value);
+    bool set(const std::string &parameter, double value);
     /// Another script (method, step, effects, starts), at the same frame.
     /// @throws Error when its scene and method do not fit; nothing has changed then
-    void replace(Script script);
+    bool replace(Script script);
 
     /// Whether input waits for the row at the cursor that has not been computed since.
     bool hasPending() const;
@@ -55,8 +55,8 @@ public:
 
 private:
     /// Before input from `frame` on changes: goes back to the start of the row, and makes a ghost of the run if
-    /// that has a future. Returns the phase to go back to.
-    int openRow(std::int64_t frame);
+    /// that has a future. Returns whether it did.
+    bool openRow(std::int64_t frame);
     void becomeGhost(std::int64_t fork);
 
     Track m_track;

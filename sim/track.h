@@ -60,6 +60,7 @@ public:
 
     /// The segment that the state at the cursor belongs to.
     const Segment &shown() const { return *m_segment; }
+    std::shared_ptr<const Segment> shownPtr() const { return m_segment; }
     /// The segment whose phases run next.
     std::shared_ptr<const Segment> next() const { return segmentFor(m_at.frame + rowFrames()); }
     int phasesPerRow() const { return next()->pipeline.phasesPerRow(); }

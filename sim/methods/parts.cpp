@@ -129,6 +129,7 @@ void addMovePhase(std::vector<Phase> &phases, const Scene &scene, Share share, d
     Phase phase;
     phase.id = "move";
     phase.title = SIM_TEXT("move");
+    phase.moves = true;
     phase.points = share.points;
     phase.group = share.group;
     phase.regions = {{here, "move"}};

@@ -1,0 +1,386 @@
+#include "app/model/session.h"
+
+#include "app/model/sentences.h"
+#include "sim/error.h"
+#include "sim/methods/methods.h"
+
+#include <QElapsedTimer>
+#include <QLocale>
+
+#include <algorithm>
+
+namespace app {
+
+namespace {
+
+constexpr qint64 sliceMilliseconds = 12;
+constexpr std::int64_t sliceSteps = 64;
+
+}
+
+Session::Session(const LessonLibrary &library, QObject *parent) : QObject(parent), m_library(library)
+{
+    connect(&m_player, &Player::due, this, &Session::advance);
+    start(step().script(), {});
+}
+
+const lessons::Step *Session::following() const
+{
+    if (m_step + 1 < lesson().steps.size())
+        return &lesson().steps[m_step + 1];
+    return m_lesson + 1 < m_library.lessons.size() ? &m_library.lessons[m_lesson + 1].steps.front() : nullptr;
+}
+
+const lessons::Step *Session::preceding() const
+{
+    if (m_step > 0)
+        return &lesson().steps[m_step - 1];
+    return m_lesson > 0 ? &m_library.lessons[m_lesson - 1].steps.back() : nullptr;
+}
+
+bool Session::isStepDone(const LessonEntry &lesson, const lessons::Step &step) const
+{
+    for (int i = 0; i < static_cast<int>(step.tries.size()); ++i) {
+        if (!m_progress.isDone(lesson.id, step.id, i))
+            return false;
+    }
+    return !step.tries.empty();
+}
+
+void Session::openStep(const QString &lessonId, const QString &stepId)
+{
+    for (std::size_t i = 0; i < m_library.lessons.size(); ++i) {
+        const LessonEntry &entry = m_library.lessons[i];
+        for (std::size_t j = 0; j < entry.steps.size(); ++j) {
+            if (entry.id != lessonId || entry.steps[j].id != stepId)
+                continue;
+            leave();
+            m_lesson = i;
+            m_step = j;
+            const auto left = m_left.find(keyOf(lessonId, stepId));
+            if (left != m_left.end())
+                start(left->second.script, left->second.at);
+            else
+                start(step().script(), {});
+            return;
+        }
+    }
+}
+
+void Session::openFollowing()
+{
+    if (!following())
+        return;
+    const bool same = m_step + 1 < lesson().steps.size();
+    openStep(same ? lesson().id : m_library.lessons[m_lesson + 1].id, following()->id);
+}
+
+void Session::openPreceding()
+{
+    if (!preceding())
+        return;
+    openStep(m_step > 0 ? lesson().id : m_library.lessons[m_lesson - 1].id, preceding()->id);
+}
+
+void Session::open(const Experiment &experiment)
+{
+    sim::Timeline trial(experiment.script); // throws before anything has changed
+    openStep(experiment.lesson, experiment.step);
+    start(experiment.script, {});
+}
+
+Experiment Session::experiment() const
+{
+    return {lesson().id, step().id, std::max<std::int64_t>(1, m_timeline->computed()), m_timeline->script()};
+}
+
+void Session::leave()
+{
+    pause();
+    letGo();
+    m_left.insert_or_assign(keyOf(lesson().id, step().id), Left{m_timeline->script(), m_timeline->at()});
+}
+
+void Session::start(sim::Script script, sim::Cursor at)
+{
+    m_goingTo.reset();
+    m_holding = false;
+    m_ghostName.clear();
+    m_timeline = std::make_unique<sim::Timeline>(std::move(script));
+    m_selected = QString::fromStdString(m_timeline->track().shown().scene.names.front());
+    emit stepOpened();
+    goTo(at);
+}
+
+void Session::setSpeed(double speed)
+{
+    m_player.setSpeed(speed);
+    emit playingChanged();
+}
+
+void Session::play()
+{
+    if (isPlaying())
+        return;
+    m_goingTo.reset();
+    m_player.play();
+    emit playingChanged();
+}
+
+void Session::pause()
+{
+    m_goingTo.reset();
+    if (!isPlaying())
+        return;
+    m_player.pause();
+    emit playingChanged();
+}
+
+void Session::togglePlaying()
+{
+    isPlaying() ? pause() : play();
+}
+
+void Session::frameForward()
+{
+    pause();
+    advance(1);
+}
+
+void Session::frameBack()
+{
+    pause();
+    m_timeline->stepRowBack();
+    checkTries();
+    emit moved();
+}
+
+void Session::phaseForward()
+{
+    pause();
+    m_timeline->stepPhase();
+    checkTries();
+    emit moved();
+}
+
+void Session::phaseBack()
+{
+    pause();
+    m_timeline->stepPhaseBack();
+    checkTries();
+    emit moved();
+}
+
+void Session::goTo(sim::Cursor cursor)
+{
+    m_goingTo = cursor.frame;
+    approach();
+    if (!m_goingTo && cursor.phase > 0)
+        m_timeline->seek({m_timeline->at().frame, cursor.phase});
+    checkTries();
+    emit moved();
+}
+
+void Session::approach()
+{
+    if (!m_goingTo)
+        return;
+    QElapsedTimer clock;
+    clock.start();
+    const int rowFrames = m_timeline->track().rowFrames();
+    const std::int64_t target = std::max<std::int64_t>(0, *m_goingTo);
+    const std::int64_t slice =
+        std::max<std::int64_t>(1, sliceSteps / m_timeline->script().step.perRow) * rowFrames;
+    // Frames that were computed before, and every way back, cost one seek at the most.
+    if (target <= m_timeline->computed())
+        m_timeline->seek({target, 0});
+    while (m_timeline->at().frame + rowFrames <= target && clock.elapsed() < sliceMilliseconds &&
+           !m_timeline->stop())
+        m_timeline->seek({std::min(target, m_timeline->at().frame + slice), 0});
+    if (m_timeline->at().frame + rowFrames > target || m_timeline->stop()) {
+        m_goingTo.reset();
+        return;
+    }
+    QTimer::singleShot(0, this, [this] {
+        approach();
+        checkTries();
+        emit moved();
+    });
+}
+
+void Session::rewind()
+{
+    pause();
+    goTo({});
+}
+
+void Session::startAfresh()
+{
+    pause();
+    start(step().script(), {});
+}
+
+void Session::advance(int frames)
+{
+    const bool wasStopped = m_timeline->stop().has_value();
+    for (int i = 0; i < frames; ++i) {
+        m_timeline->stepRow();
+        checkTries();
+    }
+    const std::optional<sim::Stop> &stop = m_timeline->stop();
+    if (stop && m_timeline->at().frame == stop->frame) {
+        if (isPlaying() || !wasStopped)
+            emit said(sentenceFor(*stop));
+        pause();
+    }
+    emit moved();
+}
+
+double Session::parameter(const QString &id) const
+{
+    return m_timeline->values()[id.toStdString()];
+}
+
+template <class Change>
+void Session::edit(const QString &before, Change &&change)
+{
+    m_goingTo.reset();
+    bool forked = false;
+    try {
+        forked = change(*m_timeline);
+    } catch (const sim::Error &error) {
+        emit said(sentenceFor(error));
+        return;
+    }
+    if (forked)
+        m_ghostName = before;
+    checkTries();
+    emit runChanged();
+    emit moved();
+}
+
+void Session::setParameter(const QString &id, double value)
+{
+    const lessons::Parameter *declared = step().parameter(id);
+    if (!declared)
+        return;
+    value = std::clamp(value, declared->min, declared->max);
+    if (declared->isWhole())
+        value = std::round(value);
+    const double was = parameter(id);
+    if (value == was)
+        return;
+    const QString before = tr("before: %1 %2").arg(id, QLocale::c().toString(was, 'g', 4));
+    edit(before, [&](sim::Timeline &timeline) { return timeline.set(id.toStdString(), value); });
+}
+
+void Session::resetParameters()
+{
+    for (const lessons::Parameter &one : step().parameters)
+        setParameter(one.id, one.preset);
+}
+
+void Session::setMethod(const QString &id)
+{
+    const sim::MethodPtr method = sim::findMethod(id.toStdString());
+    const sim::MethodPtr was = m_timeline->script().method;
+    if (!method || method->id() == was->id())
+        return;
+    edit(tr("before: %1").arg(phrase(was->title())), [&](sim::Timeline &timeline) {
+        sim::Script script = timeline.script();
+        script.method = method;
+        return timeline.replace(std::move(script));
+    });
+}
+
+void Session::setStepSize(double h)
+{
+    const double was = m_timeline->script().step.h;
+    edit(tr("before: step %1").arg(QLocale::c().toString(was, 'g', 4)), [&](sim::Timeline &timeline) {
+        sim::Script script = timeline.script();
+        script.step = sim::StepSize::of(h);
+        return script.step != timeline.script().step && timeline.replace(std::move(script));
+    });
+}
+
+void Session::grab(const QString &body)
+{
+    if (m_timeline->track().shown().scene.find(body.toStdString()) < 0)
+        return;
+    select(body);
+    m_holding = true;
+    edit(tr("before: your hand"),
+         [&](sim::Timeline &timeline) { return timeline.hand(sim::Grab{body.toStdString()}); });
+}
+
+void Session::moveHand(sim::Vec2 to)
+{
+    if (!m_holding || !std::isfinite(to.x) || !std::isfinite(to.y))
+        return;
+    edit(tr("before: your hand"), [&](sim::Timeline &timeline) { return timeline.hand(sim::Move{to}); });
+}
+
+void Session::letGo()
+{
+    if (!m_holding)
+        return;
+    m_holding = false;
+    edit(tr("before: your hand"), [](sim::Timeline &timeline) { return timeline.hand(sim::Release{}); });
+}
+
+Picture Session::pictureOf(std::shared_ptr<const sim::Segment> segment, sim::State state) const
+{
+    Picture picture;
+    picture.look = step().look(segment->scene, segment->values);
+    if (step().guides)
+        picture.guides = step().guides(segment->scene, state, segment->values);
+    picture.segment = std::move(segment);
+    picture.state = std::move(state);
+    return picture;
+}
+
+Picture Session::picture() const
+{
+    const sim::Track &track = m_timeline->track();
+    if (!m_timeline->hasPending())
+        return pictureOf(track.shownPtr(), track.now());
+    std::shared_ptr<const sim::Segment> segment;
+    sim::State state = track.preview(segment);
+    return pictureOf(std::move(segment), std::move(state));
+}
+
+std::optional<Picture> Session::ghost() const
+{
+    const sim::Track *track = m_timeline->ghost();
+    if (!track || track->at().frame != m_timeline->at().frame)
+        return std::nullopt;
+    return pictureOf(track->shownPtr(), track->now());
+}
+
+void Session::forgetGhost()
+{
+    m_timeline->forgetGhost();
+    m_ghostName.clear();
+    emit runChanged();
+    emit moved();
+}
+
+void Session::select(const QString &body)
+{
+    if (body == m_selected)
+        return;
+    m_selected = body;
+    emit selectionChanged();
+}
+
+void Session::checkTries()
+{
+    const std::vector<lessons::Try> &tries = step().tries;
+    for (int i = 0; i < static_cast<int>(tries.size()); ++i) {
+        if (!m_progress.isDone(lesson().id, step().id, i) &&
+            tries[static_cast<std::size_t>(i)].done(*m_timeline))
+            m_progress.markDone(lesson().id, step().id, i);
+    }
+}
+
+}

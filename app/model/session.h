@@ -1,0 +1,148 @@
+#pragma once
+
+#include "app/model/experiment.h"
+#include "app/model/player.h"
+#include "app/model/progress.h"
+#include "sim/gathered.h"
+#include "sim/timeline.h"
+
+#include <QObject>
+
+#include <map>
+#include <memory>
+#include <optional>
+
+namespace app {
+
+/// What there is to draw of one run at one moment.
+struct Picture
+{
+    std::shared_ptr<const sim::Segment> segment;
+    sim::State state;
+    lessons::Look look;
+    std::vector<lessons::Guide> guides;
+};
+
+/// The open step of a lesson and its run: all that the window shows and does. The widgets change nothing but
+/// this, and repaint when it says so.
+class Session : public QObject
+{
+    Q_OBJECT
+
+public:
+    /// Opens the first step of the first lesson. `library` must not be empty and must outlive the session.
+    explicit Session(const LessonLibrary &library, QObject *parent = nullptr);
+
+    // What is open
+    const LessonLibrary &library() const { return m_library; }
+    const LessonEntry &lesson() const { return m_library.lessons[m_lesson]; }
+    const lessons::Step &step() const { return lesson().steps[m_step]; }
+    /// The step after this one, in this lesson or the next; null after the last.
+    const lessons::Step *following() const;
+    const lessons::Step *preceding() const;
+    const sim::Timeline &timeline() const { return *m_timeline; }
+    Progress &progress() { return m_progress; }
+    bool isStepDone(const LessonEntry &lesson, const lessons::Step &step) const;
+
+    /// Opens a step as it was left, or new. Names that do not exist change nothing.
+    void openStep(const QString &lesson, const QString &step);
+    void openFollowing();
+    void openPreceding();
+    /// Opens an experiment in place of the step's run, at frame 0.
+    void open(const Experiment &experiment);
+    /// The run so far, as a file would keep it.
+    Experiment experiment() const;
+
+    // Time
+    bool isPlaying() const { return m_player.isPlaying(); }
+    double speed() const { return m_player.speed(); }
+    /// From 0.1 to 4 times 30 frames a second. Never changes the step.
+    void setSpeed(double speed);
+    void play();
+    void pause();
+    void togglePlaying();
+    /// Pauses, and goes where it says.
+    void frameForward();
+    void frameBack();
+    void phaseForward();
+    void phaseBack();
+    /// Goes to a moment. A far one is approached in slices, so that the window never waits; goingTo() tells.
+    void goTo(sim::Cursor cursor);
+    std::optional<std::int64_t> goingTo() const { return m_goingTo; }
+    /// Back to frame 0; the input and what was computed stay, so play repeats the run.
+    void rewind();
+    /// The step as it was when it was first opened: no input, presets, published start.
+    void startAfresh();
+
+    // Changes, at the cursor
+    double parameter(const QString &id) const;
+    /// Values outside the parameter's range are brought into it.
+    void setParameter(const QString &id, double value);
+    void resetParameters();
+    void setMethod(const QString &id);
+    void setStepSize(double h);
+    void grab(const QString &body);
+    void moveHand(sim::Vec2 to);
+    void letGo();
+    bool isHolding() const { return m_holding; }
+
+    // What is shown
+    Picture picture() const;
+    /// The old run at the cursor's frame, if there is one.
+    std::optional<Picture> ghost() const;
+    /// What the ghost differs by, for example "before: damp 0.85".
+    QString ghostName() const { return m_ghostName; }
+    void forgetGhost();
+    /// The body whose values are shown.
+    QString selected() const { return m_selected; }
+    void select(const QString &body);
+    /// What the phases of the step under way, or of the last one, did to the selected body.
+    std::vector<sim::Moment> moments() const { return m_timeline->track().moments(m_selected.toStdString()); }
+    /// Inside a frame: the accelerations so far.
+    std::vector<sim::Gathered> gathered() const { return sim::gathered(m_timeline->track()); }
+
+signals:
+    /// Another step is open: everything is new.
+    void stepOpened();
+    /// Parameters, method, step size, input or ghost changed: phases and code may be others.
+    void runChanged();
+    /// The cursor moved, or what is at it changed.
+    void moved();
+    void playingChanged();
+    void selectionChanged();
+    /// Something for the status line.
+    void said(const QString &sentence);
+
+private:
+    struct Left
+    {
+        sim::Script script;
+        sim::Cursor at;
+    };
+
+    Picture pictureOf(std::shared_ptr<const sim::Segment> segment, sim::State state) const;
+    void leave();
+    void start(sim::Script script, sim::Cursor at);
+    void advance(int frames);
+    void approach();
+    /// Runs `change` on the timeline. If a ghost came from it, it is called `before`; a refusal is said, and
+    /// changes nothing.
+    template <class Change>
+    void edit(const QString &before, Change &&change);
+    void checkTries();
+    QString keyOf(const QString &lesson, const QString &step) const { return lesson + '/' + step; }
+
+    const LessonLibrary &m_library;
+    std::size_t m_lesson = 0;
+    std::size_t m_step = 0;
+    std::unique_ptr<sim::Timeline> m_timeline;
+    Player m_player;
+    Progress m_progress;
+    QString m_selected;
+    QString m_ghostName;
+    bool m_holding = false;
+    std::optional<std::int64_t> m_goingTo;
+    std::map<QString, Left> m_left; ///< steps that were open before, as they were left
+};
+
+}

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <QColor>
+#include <QIcon>
+#include <QString>
+
+namespace app {
+
+/// The icon `name` (assets/icons/NAME.svg, 16 grid) drawn in `color`, sharp at every size; 40 % when disabled.
+/// An icon that does not exist is empty.
+QIcon iconOf(const QString &name, const QColor &color);
+
+}

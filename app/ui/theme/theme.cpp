@@ -1,0 +1,188 @@
+#include "app/ui/theme/theme.h"
+
+#include "app/ui/theme/icons.h"
+
+#include <QApplication>
+#include <QFile>
+#include <QFontDatabase>
+#include <QHash>
+#include <QPalette>
+#include <QRegularExpression>
+#include <QStyleFactory>
+
+namespace app {
+
+namespace {
+
+Tokens lightTokens()
+{
+    Tokens t;
+    t.win = "#F4F2ED", t.panel = "#FBFAF7", t.scene = "#FFFFFF";
+    t.sunk = "#ECE9E2", t.hover = "#E9E6DE";
+    t.line = "#E0DCD2", t.line2 = "#CFCABE", t.ctl = "#8B8880";
+    t.ink = "#22262B", t.ink2 = "#555B62", t.ink3 = "#6A6F75";
+    t.button = "#22262B", t.buttonText = "#FFFFFF";
+    t.now = "#F5B301", t.nowText = "#5C3F00", t.wash = "#FFF1C7", t.wash2 = "#FFF8E3";
+    t.link = "#1450A8", t.ok = "#1B7F5C", t.near = "#B25E00", t.past = "#C0262D";
+    t.body = "#2E3B4E", t.bodyInk = "#FFFFFF", t.ghost = "#8C929A", t.dots = "#E6E2D9";
+    t.keyword = "#7A3E9D", t.number = "#1D6F5B", t.type = "#2F5D8C", t.comment = "#6A7077",
+    t.chip = "#EFECE5";
+    t.spring = "#1450A8", t.gravity = "#A83200", t.damping = "#D058C4", t.contact = "#3A3E44";
+    t.driver = "#00A070", t.wind = "#6592A4", t.stick = "#A08C00";
+    return t;
+}
+
+Tokens darkTokens()
+{
+    Tokens t;
+    t.win = "#17191C", t.panel = "#1C1F22", t.scene = "#131518";
+    t.sunk = "#262A2E", t.hover = "#2A2E33";
+    t.line = "#2B2F34", t.line2 = "#3D4349", t.ctl = "#70767D";
+    t.ink = "#E9E7E2", t.ink2 = "#AEB2B6", t.ink3 = "#8D9399";
+    t.button = "#E9E7E2", t.buttonText = "#17191C";
+    t.now = "#FFC53D", t.nowText = "#2B1E00", t.wash = "#3B3116", t.wash2 = "#2A2516";
+    t.link = "#7FB8FF", t.ok = "#46C08F", t.near = "#F0A23C", t.past = "#FF6B66";
+    t.body = "#E8E3D6", t.bodyInk = "#17191C", t.ghost = "#7A8189", t.dots = "#24282C";
+    t.keyword = "#CBA6F0", t.number = "#8FD0B4", t.type = "#8FBCE8", t.comment = "#858B91",
+    t.chip = "#2A2E33";
+    t.spring = "#3F97FF", t.gravity = "#EE7A2B", t.damping = "#BC86C2", t.contact = "#E6EBEE";
+    t.driver = "#3BA878", t.wind = "#4FD4FF", t.stick = "#E8DE5A";
+    return t;
+}
+
+Tokens tokensOf(Scheme scheme)
+{
+    return scheme == Scheme::dark ? darkTokens() : lightTokens();
+}
+
+QFont font(const char *family, QFontDatabase::SystemFont fallback, double pixels)
+{
+    QFont font = QFontDatabase::hasFamily(family) ? QFont(family) : QFontDatabase::systemFont(fallback);
+    font.setPixelSize(qRound(pixels));
+    return font;
+}
+
+}
+
+Theme::Theme(Scheme scheme, QObject *parent) : QObject(parent), m_scheme(scheme), m_tokens(tokensOf(scheme))
+{
+}
+
+void Theme::setScheme(Scheme scheme)
+{
+    if (scheme == m_scheme)
+        return;
+    m_scheme = scheme;
+    m_tokens = tokensOf(scheme);
+    emit changed();
+}
+
+QColor Theme::kindColor(sim::Kind kind) const
+{
+    switch (kind) {
+    case sim::Kind::spring:
+        return m_tokens.spring;
+    case sim::Kind::gravity:
+        return m_tokens.gravity;
+    case sim::Kind::damping:
+        return m_tokens.damping;
+    case sim::Kind::contact:
+        return m_tokens.contact;
+    case sim::Kind::driver:
+        return m_tokens.driver;
+    case sim::Kind::wind:
+        return m_tokens.wind;
+    case sim::Kind::stick:
+        return m_tokens.stick;
+    case sim::Kind::motion:
+        break;
+    }
+    return m_tokens.ink3;
+}
+
+QFont Theme::ui(double pixels, QFont::Weight weight) const
+{
+    QFont result = font("Inter", QFontDatabase::GeneralFont, pixels);
+    result.setWeight(weight);
+    return result;
+}
+
+QFont Theme::mono(double pixels) const
+{
+    return font("Hack", QFontDatabase::FixedFont, pixels);
+}
+
+QIcon Theme::icon(const QString &name, const QColor &color) const
+{
+    return iconOf(name, color.isValid() ? color : m_tokens.ink2);
+}
+
+void Theme::apply(QApplication &application) const
+{
+    const Tokens &t = m_tokens;
+    application.setStyle(QStyleFactory::create("Fusion"));
+    application.setFont(ui());
+    QPalette p;
+    p.setColor(QPalette::Window, t.panel);
+    p.setColor(QPalette::WindowText, t.ink);
+    p.setColor(QPalette::Text, t.ink);
+    p.setColor(QPalette::ButtonText, t.ink);
+    p.setColor(QPalette::Button, t.panel);
+    p.setColor(QPalette::Base, t.scene);
+    p.setColor(QPalette::AlternateBase, t.panel);
+    p.setColor(QPalette::Highlight, t.sunk);
+    p.setColor(QPalette::HighlightedText, t.ink);
+    p.setColor(QPalette::ToolTipBase, t.panel);
+    p.setColor(QPalette::ToolTipText, t.ink);
+    p.setColor(QPalette::PlaceholderText, t.ink3);
+    p.setColor(QPalette::Link, t.link);
+    p.setColor(QPalette::Light, t.line);
+    p.setColor(QPalette::Mid, t.line2);
+    p.setColor(QPalette::Dark, t.line2);
+    for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
+        QColor pale = t.ink3;
+        pale.setAlphaF(0.6F);
+        p.setColor(QPalette::Disabled, role, pale);
+    }
+    application.setPalette(p);
+    application.setStyleSheet(styleSheet());
+}
+
+QString Theme::styleSheet() const
+{
+    QFile file(":/app/style.qss");
+    if (!file.open(QIODevice::ReadOnly))
+        return {};
+    QString text = QString::fromUtf8(file.readAll());
+    const Tokens &t = m_tokens;
+    const QHash<QString, QColor> colors = {
+        {"win", t.win},
+        {"panel", t.panel},
+        {"scene", t.scene},
+        {"sunk", t.sunk},
+        {"hover", t.hover},
+        {"line", t.line},
+        {"line2", t.line2},
+        {"ctl", t.ctl},
+        {"ink", t.ink},
+        {"ink2", t.ink2},
+        {"ink3", t.ink3},
+        {"button", t.button},
+        {"buttonText", t.buttonText},
+        {"now", t.now},
+        {"link", t.link},
+        {"ok", t.ok},
+    };
+    static const QRegularExpression name("@(\\w+)@");
+    QString result;
+    qsizetype end = 0;
+    for (auto found = name.globalMatch(text); found.hasNext();) {
+        const QRegularExpressionMatch match = found.next();
+        result += QStringView(text).mid(end, match.capturedStart() - end);
+        result += colors.value(match.captured(1)).name();
+        end = match.capturedEnd();
+    }
+    return result + text.mid(end);
+}
+
+}

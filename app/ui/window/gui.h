@@ -1,0 +1,31 @@
+#pragma once
+
+#include <QSize>
+#include <QString>
+
+#include <cstdint>
+
+class QApplication;
+
+namespace app {
+
+/// A picture of the window, as `springstep screenshot` makes it.
+struct ScreenshotRequest
+{
+    QString lesson;
+    QString step;
+    std::int64_t frame = 0;
+    int phase = 0; ///< phases done inside the frame
+    QSize size{1280, 800};
+    bool dark = false;
+    QString out; ///< a file name; its ending tells the format
+};
+
+/// Shows the window, with the experiment `file` unless that is empty, and runs until it is closed.
+/// Returns the exit code.
+int runWindow(QApplication &application, const QString &file);
+
+/// Draws the window without showing it. Returns the exit code; says on stderr what is wrong.
+int takeScreenshot(QApplication &application, const ScreenshotRequest &request);
+
+}

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "sim/track.h"
+
+#include <vector>
+
+namespace sim {
+
+/// What one effect has gathered on all points: px/frame^2, one row per point.
+struct Gathered
+{
+    EffectPtr effect;
+    Eigen::ArrayX2d acceleration;
+};
+
+/// The accelerations that the phases done of the step under way have gathered and that no move has spent yet, one
+/// entry per effect in the order in which they ran. Empty between two rows.
+std::vector<Gathered> gathered(const Track &track);
+
+}

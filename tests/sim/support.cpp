@@ -1,0 +1,211 @@
+#include "support.h"
+
+#include "sim/effects/body_spring.h"
+#include "sim/effects/damping.h"
+#include "sim/effects/gravity.h"
+#include "sim/effects/offset_spring.h"
+#include "sim/effects/point_spring.h"
+#include "sim/effects/radial_spring.h"
+#include "sim/effects/walls.h"
+#include "sim/methods/methods.h"
+
+#include <stdexcept>
+
+namespace support {
+
+namespace {
+
+using sim::Values;
+using std::make_shared;
+
+Values values(std::initializer_list<std::pair<const char *, double>> numbers)
+{
+    Values all;
+    for (const auto &[id, value] : numbers)
+        all.set(id, value);
+    return all;
+}
+
+sim::Scene springToPoint(const Values &v)
+{
+    sim::Scene scene;
+    scene.start = sim::State::ofPoints(1);
+    scene.start.place(0, {90.0, -30.0});
+    scene.names = {"foot"};
+    scene.groups = {{"foot", {0, 1}}};
+    scene.effects = {make_shared<sim::PointSpring>(0, sim::Vec2{270.0, 200.0}, v["k"]),
+                     make_shared<sim::Damping>(v["damp"])};
+    return scene;
+}
+
+sim::Scene beside(const Values &v)
+{
+    sim::Scene scene = pointsOf(1);
+    scatter(scene.start, 3, 150.0);
+    scene.start.inverseMass[1] = 0.0; // a handle
+    scene.groups.pop_back();
+    scene.effects = {make_shared<sim::OffsetSpring>(std::vector<sim::Link>{{0, 1}}, v["k"], v["offset"]),
+                     make_shared<sim::Damping>(v["damp"])};
+    return scene;
+}
+
+sim::Scene creature(const Values &v)
+{
+    const int feet = v.whole("feet");
+    sim::Scene scene = pointsOf(feet);
+    if (v["spread"] > 0.0)
+        scatter(scene.start, v.seed, v["spread"]);
+    Eigen::ArrayXd half = Eigen::ArrayXd::Constant(feet + 1, 5.0);
+    half[feet] = 15.0;
+    scene.effects = {make_shared<sim::RadialSpring>(legs(feet), v["k"], v["radius"]),
+                     make_shared<sim::Gravity>(v["gravity"]), make_shared<sim::Damping>(v["damp"]),
+                     make_shared<sim::Walls>(sim::Room{20.0, 520.0, 380.0, 1.0}, half)};
+    return scene;
+}
+
+sim::Scene heavyPair(const Values &v)
+{
+    sim::Scene scene = pointsOf(1);
+    scatter(scene.start, 11, 200.0);
+    scene.start.inverseMass << 0.5, 0.1;
+    scene.effects = {make_shared<sim::BodySpring>(legs(1), v["k"]), make_shared<sim::Damping>(v["damp"])};
+    return scene;
+}
+
+}
+
+const std::vector<Sample> &samples()
+{
+    static const std::vector<Sample> all = {
+        {"spring to a point", springToPoint, values({{"k", 0.2}, {"damp", 0.9}})},
+        {"beside a handle", beside, values({{"k", 0.2}, {"damp", 0.9}, {"offset", 50.0}})},
+        {"heavy pair", heavyPair, values({{"k", 0.3}, {"damp", 0.95}})},
+        {"creature in a room", creature,
+         values({{"k", 0.2}, {"damp", 0.85}, {"radius", 50.0}, {"gravity", 0.5}, {"feet", 5}, {"spread", 300.0}})},
+        {"creature from one place", creature,
+         values({{"k", 0.1}, {"damp", 0.9}, {"radius", 50.0}, {"gravity", 0.0}, {"feet", 3}, {"spread", 0.0}})},
+    };
+    return all;
+}
+
+const Sample &sample(const std::string &name)
+{
+    for (const Sample &one : samples()) {
+        if (one.name == name)
+            return one;
+    }
+    throw std::out_of_range(name);
+}
+
+sim::Script script(const Sample &sample, const std::string &method, double h)
+{
+    sim::Script script;
+    script.build = sample.build;
+    script.values = sample.values;
+    script.method = sim::findMethod(method);
+    script.step = sim::StepSize::of(h);
+    return script;
+}
+
+sim::Script script(const sim::Scene &scene, const std::string &method, double h)
+{
+    return script(Sample{{}, [scene](const Values &) { return scene; }, {}}, method, h);
+}
+
+sim::Scene pointsOf(int feet)
+{
+    sim::Scene scene;
+    scene.start = sim::State::ofPoints(feet + 1);
+    scene.start.position.col(0) = 270.0;
+    scene.start.position.col(1) = 200.0;
+    for (int i = 0; i < feet; ++i)
+        scene.names.push_back("foot" + std::to_string(i));
+    scene.names.push_back("body");
+    scene.groups = {{"feet", {0, feet}}, {"body", {feet, 1}}};
+    return scene;
+}
+
+std::vector<sim::Link> legs(int feet)
+{
+    std::vector<sim::Link> links;
+    for (int i = 0; i < feet; ++i)
+        links.push_back({i, feet});
+    for (int i = 0; i < feet; ++i)
+        links.push_back({feet, i});
+    return links;
+}
+
+void scatter(sim::State &state, std::uint64_t seed, double side)
+{
+    Dice dice(seed);
+    for (int i = 0; i < state.points(); ++i) {
+        const double x = 270.0 + dice.real(-0.5, 0.5) * side;
+        const double y = 200.0 + dice.real(-0.5, 0.5) * side;
+        state.place(i, {x, y});
+    }
+}
+
+sim::State plainRun(const sim::Scene &scene, const std::string &method, double h, int frames)
+{
+    const sim::MethodPtr rule = sim::findMethod(method);
+    const sim::Pipeline pipeline = sim::compose(scene, *rule, sim::StepSize::of(h));
+    sim::State state = scene.start;
+    rule->prepare(state);
+    for (int frame = 0; frame < frames; frame += pipeline.step.rowFrames) {
+        for (int i = 0; i < pipeline.phasesPerRow(); ++i)
+            pipeline.phaseAt(i).run(state);
+    }
+    return state;
+}
+
+double Dice::real(double low, double high)
+{
+    // Not std::uniform_real_distribution: its numbers differ from one standard library to the next.
+    return low + (high - low) * (static_cast<double>(m_engine() >> 11) * 0x1.0p-53);
+}
+
+int Dice::whole(int low, int high)
+{
+    return low + static_cast<int>(m_engine() % static_cast<std::uint64_t>(high - low + 1));
+}
+
+std::string seekMismatch(const sim::Script &script, std::size_t budget, int frames, int cursors,
+                         std::uint64_t seed)
+{
+    std::vector<std::pair<sim::Cursor, sim::State>> straight;
+    sim::Track plain(script, 0);
+    while (plain.at().frame < frames) {
+        straight.emplace_back(plain.at(), plain.now());
+        plain.seek({plain.at().frame, plain.at().phase + 1});
+    }
+    sim::Track track(script, budget);
+    Dice dice(seed);
+    for (int i = 0; i < cursors; ++i) {
+        const auto &[cursor, state] = straight[static_cast<std::size_t>(
+            dice.whole(0, static_cast<int>(straight.size()) - 1))];
+        track.seek(cursor);
+        const std::string found = difference(track.now(), state);
+        if (track.at() != cursor || !found.empty()) {
+            return "seek " + std::to_string(i) + " to frame " + std::to_string(cursor.frame) + " phase " +
+                   std::to_string(cursor.phase) + ": " + found;
+        }
+    }
+    return {};
+}
+
+std::string difference(const sim::State &a, const sim::State &b)
+{
+    if (sim::sameBits(a, b))
+        return {};
+    if (a.points() != b.points())
+        return std::to_string(a.points()) + " points, not " + std::to_string(b.points());
+    for (int i = 0; i < a.points(); ++i) {
+        if (a.at(i) != b.at(i) || a.speed(i) != b.speed(i))
+            return "point " + std::to_string(i) + " at (" + std::to_string(a.at(i).x) + ", " +
+                   std::to_string(a.at(i).y) + "), not (" + std::to_string(b.at(i).x) + ", " +
+                   std::to_string(b.at(i).y) + ")";
+    }
+    return "mass, hold or scratch";
+}
+
+}
