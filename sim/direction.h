@@ -33,12 +33,13 @@ struct Heading
     Vec2 out;
 };
 
-/// The direction of the distance `d` from point `from` to point `to`.
+/// The direction of the distance `d` from point `from` to point `to`. Points closer than 1e-150 px count as in one
+/// place: the square of a smaller distance loses digits and then vanishes, so its direction would not have length 1.
 //! [direction]
 inline Heading direction(Vec2 d, int from, int to)
 {
     const double length = std::sqrt(d.x * d.x + d.y * d.y);
-    if (length == 0.0)
+    if (length < 1e-150)
         return {length, partingDirection(from, to)};
     const Vec2 out = {d.x / length, d.y / length};
     return {length, out};

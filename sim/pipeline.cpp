@@ -2,9 +2,27 @@
 
 #include "sim/error.h"
 
+#include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace sim {
+
+namespace {
+
+/// An effect that has something to do but got no phase is one that the method cannot handle: leaving it out
+/// silently would show a run of another scene.
+void checkFit(const Scene &scene, const Method &method, const std::vector<Phase> &phases)
+{
+    for (const EffectPtr &effect : scene.effects) {
+        const bool runs = std::any_of(phases.begin(), phases.end(),
+                                      [&](const Phase &phase) { return phase.effect == effect; });
+        if (!runs && effect->count(scene.start, {0, scene.start.points()}) > 0)
+            throw Error("method-does-not-fit", {{"method", method.id()}, {"effect", effect->id()}});
+    }
+}
+
+}
 
 StepSize StepSize::of(double h)
 {
@@ -16,12 +34,15 @@ StepSize StepSize::of(double h)
         if (h < 1.0 && std::abs(1.0 / h - parts) <= 1e-9 * parts)
             return {1.0 / parts, static_cast<int>(parts), 1};
     }
-    throw Error("step-size", {{"h", std::to_string(h)}});
+    std::ostringstream given;
+    given << h; // not std::to_string, which writes 5e-7 as 0.000000
+    throw Error("step-size", {{"h", given.str()}});
 }
 
 Pipeline compose(const Scene &scene, const Method &method, StepSize step)
 {
     Pipeline pipeline{method.phases(scene, step.h), step};
+    checkFit(scene, method, pipeline.phases);
     if (pipeline.phases.empty())
         throw Error("nothing-moves", {{"method", method.id()}});
     return pipeline;

@@ -49,12 +49,14 @@ std::size_t memoryOf(const State &state)
 int firstNotFinite(const State &state)
 {
     // x - x is 0 for every finite x and NaN for the others: one pass that vectorises, then a search if needed.
-    const bool finite =
-        ((state.position - state.position) == 0.0).all() && ((state.velocity - state.velocity) == 0.0).all();
-    if (finite)
+    const auto finite = [](const Eigen::ArrayX2d &numbers) { return ((numbers - numbers) == 0.0).all(); };
+    if (finite(state.position) && finite(state.velocity) && finite(state.acceleration))
         return -1;
+    const auto finiteAt = [](const Eigen::ArrayX2d &numbers, int point) {
+        return numbers.rows() == 0 || numbers.row(point).isFinite().all();
+    };
     for (int i = 0; i < state.points(); ++i) {
-        if (!state.position.row(i).isFinite().all() || !state.velocity.row(i).isFinite().all())
+        if (!finiteAt(state.position, i) || !finiteAt(state.velocity, i) || !finiteAt(state.acceleration, i))
             return i;
     }
     return -1;

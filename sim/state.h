@@ -61,7 +61,7 @@ bool sameBits(const State &a, const State &b);
 /// How much memory a copy of `state` takes, in bytes.
 std::size_t memoryOf(const State &state);
 
-/// The first point whose position or velocity is not a finite number, or -1.
+/// The first point whose position, velocity or gathered acceleration is not a finite number, or -1.
 int firstNotFinite(const State &state);
 
 }

@@ -82,20 +82,18 @@ bool Timeline::set(const std::string &parameter, double value)
         changed.values.set(parameter, value);
         return replace(std::move(changed));
     }
-    Values values = this->values();
-    values.set(parameter, value);
-    compose(sceneOf(script(), values), *script().method, script().step);
+    Script changed = script();
     const std::int64_t frame = at().frame + m_track.rowFrames();
-    const int phase = at().phase;
-    const bool forked = openRow(frame);
-    std::vector<Event> input = script().input;
-    std::erase_if(input, [&](const Event &event) {
+    std::erase_if(changed.input, [&](const Event &event) {
         const Set *set = std::get_if<Set>(&event.what);
         return event.frame == frame && set && set->parameter == parameter;
     });
-    input.push_back({frame, Set{parameter, value}});
-    sortByFrame(input);
-    m_track.replaceInput(std::move(input), frame);
+    changed.input.push_back({frame, Set{parameter, value}});
+    sortByFrame(changed.input);
+    Track::check(changed, frame);
+    const int phase = at().phase;
+    const bool forked = openRow(frame);
+    m_track.replaceInput(std::move(changed.input), frame);
     seek({at().frame, phase});
     return forked;
 }

@@ -1,41 +1,13 @@
 #include "sim/track.h"
 
+#include "sim/carry_over.h"
+
 #include <algorithm>
 #include <iterator>
 
 namespace sim {
 
 namespace {
-
-/// Carries what `state` of scene `from` has over to scene `to`: bodies of the same name go on as they are, new
-/// ones stand where `to` starts them, shifted by as much as the others have moved on the average.
-State carryOver(const State &state, const Scene &from, const Scene &to)
-{
-    State next = to.start;
-    Vec2 shift;
-    int common = 0;
-    for (int i = 0; i < next.points(); ++i) {
-        const int old = from.find(to.names[static_cast<std::size_t>(i)]);
-        if (old < 0)
-            continue;
-        shift = shift + (state.at(old) - to.start.at(i));
-        ++common;
-    }
-    for (int i = 0; i < next.points(); ++i) {
-        const int old = from.find(to.names[static_cast<std::size_t>(i)]);
-        if (old >= 0) {
-            next.place(i, state.at(old));
-            next.push(i, state.speed(old));
-            if (state.hold.point == old)
-                next.hold = {i, state.hold.hand};
-        } else if (common > 0) {
-            next.place(i, next.at(i) + (1.0 / common) * shift);
-        }
-    }
-    if (next.hold.point >= 0)
-        next.inverseMass[next.hold.point] = 0.0;
-    return next;
-}
 
 /// The memory of a kept state, with the map's node, the pointer's counters and the allocator's headers.
 std::size_t costOf(const State &state)
@@ -48,25 +20,35 @@ std::size_t costOf(const State &state)
 
 Track::Track(Script script, std::size_t budget) : m_script(std::move(script)), m_budget(budget)
 {
-    collectChanges();
+    m_changes = changesOf(m_script);
+    check(m_script, 0);
     m_segment = segmentFor(0);
     m_now = m_segment->scene.start;
     keep();
 }
 
-void Track::collectChanges()
+std::vector<Track::Change> Track::changesOf(const Script &script)
 {
-    m_changes = {{0, m_script.values}};
-    for (const Event &event : m_script.input) {
+    std::vector<Change> changes = {{0, script.values}};
+    const std::int64_t rowFrames = script.step.rowFrames;
+    for (const Event &event : script.input) {
         const Set *set = std::get_if<Set>(&event.what);
         if (!set)
             continue;
-        const std::int64_t row = std::max<std::int64_t>(1, (event.frame + rowFrames() - 1) / rowFrames());
-        if (m_changes.back().frame != row * rowFrames())
-            m_changes.push_back({row * rowFrames(), m_changes.back().values});
-        m_changes.back().values.set(set->parameter, set->value);
+        const std::int64_t row = std::max<std::int64_t>(1, (event.frame + rowFrames - 1) / rowFrames);
+        if (changes.back().frame != row * rowFrames)
+            changes.push_back({row * rowFrames, changes.back().values});
+        changes.back().values.set(set->parameter, set->value);
     }
-    m_cachedFrom = -1;
+    return changes;
+}
+
+void Track::check(const Script &script, std::int64_t frame)
+{
+    for (const Change &change : changesOf(script)) {
+        if (change.frame >= frame)
+            compose(sceneOf(script, change.values), *script.method, script.step);
+    }
 }
 
 std::shared_ptr<const Segment> Track::segmentFor(std::int64_t rowEnd) const
@@ -87,13 +69,20 @@ void Track::seek(Cursor target)
 {
     target.frame = std::max<std::int64_t>(0, target.frame) / rowFrames() * rowFrames();
     target.phase = std::max(0, target.phase);
-    if (m_stop && target.frame >= m_stop->frame)
+    if (m_stop && target.frame > m_stop->frame)
         target = {m_stop->frame, 0};
+    else if (m_stop && target.frame == m_stop->frame)
+        target.phase = std::min(target.phase, m_stop->phases);
     const auto kept = std::prev(m_kept.upper_bound(target.frame));
     if (target < m_at || kept->first > m_at.frame)
         restore(kept->first);
-    while (m_at < target && !(m_stop && m_at.frame >= m_stop->frame))
-        runPhase();
+    bool goesOn = true;
+    // Inside a row the numbers are looked at only where the cursor stops: where they are not finite, the rest of
+    // the row tells whether the run ends here.
+    while (goesOn && (m_at < target || (m_at.phase > 0 && firstNotFinite(m_now) >= 0)))
+        goesOn = runPhase();
+    if (!goesOn)
+        seek(target); // now that the end is known
 }
 
 void Track::restore(std::int64_t frame)
@@ -148,7 +137,7 @@ void Track::apply(State &state, const Scene &scene, const Event &event) const
     }
 }
 
-void Track::runPhase()
+bool Track::runPhase()
 {
     if (m_at.phase == 0) {
         begin(m_now, m_at.frame + rowFrames());
@@ -156,19 +145,19 @@ void Track::runPhase()
     }
     const Pipeline &pipeline = m_segment->pipeline;
     pipeline.phaseAt(m_at.phase).run(m_now);
-    if (++m_at.phase == pipeline.phasesPerRow())
-        endRow();
+    return ++m_at.phase < pipeline.phasesPerRow() || endRow();
 }
 
-void Track::endRow()
+bool Track::endRow()
 {
     if (firstNotFinite(m_now) >= 0) {
         stopHere();
-        return;
+        return false;
     }
     m_at = {m_at.frame + rowFrames(), 0};
     m_computed = std::max(m_computed, m_at.frame);
     keep();
+    return true;
 }
 
 void Track::stopHere()
@@ -177,16 +166,18 @@ void Track::stopHere()
     m_now = rowState(last);
     m_at = {last, 0};
     m_segment = segmentFor(last);
-    Stop stop{last, {}, {}};
     const std::shared_ptr<const Segment> segment = segmentFor(last + rowFrames());
+    Stop stop{last, 0, {}, {}};
     State state = m_now;
     begin(state, last + rowFrames());
     int guilty = firstNotFinite(state);
-    for (int phase = 0; phase < segment->pipeline.phasesPerRow() && guilty < 0; ++phase) {
-        const Phase &next = segment->pipeline.phaseAt(phase);
+    while (guilty < 0 && stop.phases < segment->pipeline.phasesPerRow()) {
+        const Phase &next = segment->pipeline.phaseAt(stop.phases);
         next.run(state);
-        stop.phase = next.title;
         guilty = firstNotFinite(state);
+        stop.phase = next.title;
+        if (guilty < 0)
+            ++stop.phases;
     }
     if (guilty >= 0)
         stop.body = segment->scene.names[static_cast<std::size_t>(guilty)];
@@ -220,7 +211,11 @@ void Track::thin()
 {
     while (m_kept.size() > 1 && m_keptBytes > m_budget) {
         m_spacing *= 2;
-        forget([this](std::int64_t frame) { return frame / rowFrames() % m_spacing != 0; });
+        std::erase_if(m_kept, [this](const auto &kept) {
+            const bool goes = kept.first / rowFrames() % m_spacing != 0;
+            m_keptBytes -= goes ? costOf(*kept.second) : 0;
+            return goes;
+        });
     }
 }
 
@@ -274,22 +269,15 @@ std::vector<Moment> Track::moments(const std::string &body) const
 void Track::replaceInput(std::vector<Event> input, std::int64_t frame)
 {
     m_script.input = std::move(input);
-    collectChanges();
-    forget([frame](std::int64_t kept) { return kept >= frame; });
+    m_changes = changesOf(m_script);
+    m_cachedFrom = -1;
+    while (m_kept.rbegin()->first >= frame) { // from the end: a hand edits there, many times a second
+        m_keptBytes -= costOf(*m_kept.rbegin()->second);
+        m_kept.erase(std::prev(m_kept.end()));
+    }
     m_computed = std::min(m_computed, m_at.frame);
     m_stop.reset();
     m_segment = segmentFor(m_at.frame);
-}
-
-template <class Which>
-void Track::forget(Which &&which)
-{
-    std::erase_if(m_kept, [&](const auto &kept) {
-        if (kept.first == 0 || !which(kept.first))
-            return false;
-        m_keptBytes -= costOf(*kept.second);
-        return true;
-    });
 }
 
 }

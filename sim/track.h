@@ -30,6 +30,7 @@ struct Segment
 struct Stop
 {
     std::int64_t frame = 0; ///< the last finite one
+    int phases = 0;         ///< how many phases of the row after it leave finite numbers
     std::string phase;      ///< title of the phase that went first
     std::string body;       ///< name of the point that went first
 };
@@ -47,7 +48,7 @@ class Track
 {
 public:
     /// With a budget of 0 only the start is kept.
-    /// @throws Error when scene and method do not fit
+    /// @throws Error when scene and method do not fit, with any of the values that the input sets
     Track(Script script, std::size_t budget);
 
     const Script &script() const { return m_script; }
@@ -66,13 +67,17 @@ public:
     int phasesPerRow() const { return next()->pipeline.phasesPerRow(); }
 
     /// Goes to `target`. A frame between two rows is rounded down to a row; a phase past the row's last leads to
-    /// the next row; past the end of what is finite it goes to stop()->frame.
+    /// the next row; past the end of what is finite it goes to stop()->frame, from inside the row in which the
+    /// numbers end to the last phase that leaves finite ones.
     void seek(Cursor target);
     /// The state at the cursor after the input that the next row begins with; `segment` is set to its segment.
     State preview(std::shared_ptr<const Segment> &segment) const;
     /// What the phases of the step under way (or, between rows, of the last step done) did to the point named.
     std::vector<Moment> moments(const std::string &body) const;
 
+    /// Composes each scene that `script` comes to from `frame` on, so that no step meets one that does not fit.
+    /// @throws Error when one does not
+    static void check(const Script &script, std::int64_t frame);
     /// Replaces the input, which may differ from `frame` on only, and forgets what was computed from there. The
     /// cursor must stand between two rows, before `frame`.
     void replaceInput(std::vector<Event> input, std::int64_t frame);
@@ -87,23 +92,21 @@ private:
         std::int64_t frame;
         Values values;
     };
+    static std::vector<Change> changesOf(const Script &script);
 
     std::shared_ptr<const Segment> segmentFor(std::int64_t rowEnd) const;
-    void collectChanges();
     void restore(std::int64_t frame);
     /// Takes `state`, at the end of a row, into the row that ends at `rowEnd`: applies its input.
     void begin(State &state, std::int64_t rowEnd) const;
     void apply(State &state, const Scene &scene, const Event &event) const;
-    void runPhase();
-    void endRow();
+    /// These two return whether the run goes on: false when its numbers stopped being finite.
+    bool runPhase();
+    bool endRow();
     void stopHere();
     /// The state at the end of a row that was computed before, computed again from the nearest kept one.
     State rowState(std::int64_t frame) const;
     void keep();
     void thin();
-    /// Drops the kept states of the frames for which `which(frame)` is true, never the start.
-    template <class Which>
-    void forget(Which &&which);
 
     Script m_script;
     std::vector<Change>

@@ -60,7 +60,8 @@ void addPulls(const Links &links, const State &state, Points movers, double scal
     });
 }
 
-/// What the links of `mover` compute: every number when it is one link, only the sum when there are several.
+/// What the links of `mover` compute: every number when it is one link, only the sum when there are several. The
+/// last number is what addPulls() adds: a mass takes its share of it.
 template <class ExplainLink>
 std::vector<Live> explainLinks(const Links &links, const State &state, int mover, ExplainLink &&explainLink)
 {
@@ -69,7 +70,9 @@ std::vector<Live> explainLinks(const Links &links, const State &state, int mover
     int count = 0;
     links.forEach(state, {mover, 1}, [&](const Link &link) {
         last = explainLink(link);
-        sum = sum + std::get<Vec2>(last.back().value);
+        Vec2 &pull = std::get<Vec2>(last.back().value);
+        pull = state.inverseMass[mover] * pull;
+        sum = sum + pull;
         ++count;
     });
     if (count > 1)

@@ -29,7 +29,7 @@ std::vector<Live> PointSpring::explain(const State &state, int mover, Directions
     if (count(state, {mover, 1}) == 0)
         return {};
     const SpringPull s = spring(state.at(mover), m_centre, m_k);
-    return {{"d", s.d}, {"pull", s.pull}};
+    return {{"d", s.d}, {"pull", state.inverseMass[mover] * s.pull}};
 }
 
 }

@@ -81,9 +81,15 @@ const std::vector<Sample> &samples()
         {"beside a handle", beside, values({{"k", 0.2}, {"damp", 0.9}, {"offset", 50.0}})},
         {"heavy pair", heavyPair, values({{"k", 0.3}, {"damp", 0.95}})},
         {"creature in a room", creature,
-         values({{"k", 0.2}, {"damp", 0.85}, {"radius", 50.0}, {"gravity", 0.5}, {"feet", 5}, {"spread", 300.0}})},
+         values({{"k", 0.2},
+                 {"damp", 0.85},
+                 {"radius", 50.0},
+                 {"gravity", 0.5},
+                 {"feet", 5},
+                 {"spread", 300.0}})},
         {"creature from one place", creature,
-         values({{"k", 0.1}, {"damp", 0.9}, {"radius", 50.0}, {"gravity", 0.0}, {"feet", 3}, {"spread", 0.0}})},
+         values(
+             {{"k", 0.1}, {"damp", 0.9}, {"radius", 50.0}, {"gravity", 0.0}, {"feet", 3}, {"spread", 0.0}})},
     };
     return all;
 }
@@ -181,8 +187,8 @@ std::string seekMismatch(const sim::Script &script, std::size_t budget, int fram
     sim::Track track(script, budget);
     Dice dice(seed);
     for (int i = 0; i < cursors; ++i) {
-        const auto &[cursor, state] = straight[static_cast<std::size_t>(
-            dice.whole(0, static_cast<int>(straight.size()) - 1))];
+        const auto &[cursor, state] =
+            straight[static_cast<std::size_t>(dice.whole(0, static_cast<int>(straight.size()) - 1))];
         track.seek(cursor);
         const std::string found = difference(track.now(), state);
         if (track.at() != cursor || !found.empty()) {

@@ -1,0 +1,118 @@
+// Reaching any frame of a ten-minute run that was computed once, against computing it from the start.
+
+#include "claims.h"
+#include "support.h"
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace {
+
+constexpr int tenMinutes = 18'000; // frames, at 30 a second
+constexpr std::size_t tinyBudget = 64 << 10;
+
+sim::Script creature()
+{
+    return support::script(support::sample("creature in a room"), "published");
+}
+
+void seekAnywhere(benchmark::State &run, std::size_t budget)
+{
+    using Clock = std::chrono::steady_clock;
+    sim::Timeline timeline(creature(), budget);
+    timeline.seek({tenMinutes, 0});
+    support::Dice dice(1);
+    std::vector<double> microseconds;
+    for (auto _ : run) {
+        const int frame = dice.whole(0, tenMinutes);
+        const auto start = Clock::now();
+        timeline.seek({frame, 0});
+        microseconds.push_back(std::chrono::duration<double, std::micro>(Clock::now() - start).count());
+    }
+    std::sort(microseconds.begin(), microseconds.end());
+    run.counters["median_us"] = microseconds[microseconds.size() / 2];
+    run.counters["worst_us"] = microseconds.back();
+    run.counters["kept_bytes"] = static_cast<double>(timeline.keptBytes());
+    run.counters["kept_states"] = static_cast<double>(timeline.track().keptStates());
+}
+
+void seekDefaultBudget(benchmark::State &run)
+{
+    seekAnywhere(run, sim::Timeline::defaultBudget);
+}
+void seekTinyBudget(benchmark::State &run)
+{
+    seekAnywhere(run, tinyBudget);
+}
+
+/// What reaching a random frame costs without a history: half the run on the average.
+void computeStraight(benchmark::State &run)
+{
+    support::Dice dice(1);
+    for (auto _ : run) {
+        sim::Track fresh(creature(), 0);
+        fresh.seek({dice.whole(0, tenMinutes), 0});
+        benchmark::DoNotOptimize(fresh.now().position.data());
+    }
+}
+
+/// The live values beside the code, which the window asks for after each frame.
+void liveValues(benchmark::State &run)
+{
+    sim::Timeline timeline(creature());
+    timeline.seek({1000, 0});
+    for (auto _ : run)
+        benchmark::DoNotOptimize(timeline.track().moments("body"));
+}
+
+/// A frame on, as playing does.
+void playFrame(benchmark::State &run)
+{
+    sim::Timeline timeline(creature());
+    for (auto _ : run) {
+        timeline.stepRow();
+        if (timeline.at().frame == tenMinutes) {
+            run.PauseTiming();
+            timeline = sim::Timeline(creature());
+            run.ResumeTiming();
+        }
+    }
+}
+
+/// A hand that moves a body while the run goes on.
+void dragFrame(benchmark::State &run)
+{
+    sim::Timeline timeline(creature());
+    timeline.hand(sim::Grab{"foot0"});
+    for (auto _ : run) {
+        const double x = 200.0 + static_cast<double>(timeline.at().frame % 100);
+        timeline.hand(sim::Move{{x, 100.0}});
+        timeline.stepRow();
+        if (timeline.at().frame == 1000) {
+            run.PauseTiming();
+            timeline = sim::Timeline(creature());
+            timeline.hand(sim::Grab{"foot0"});
+            run.ResumeTiming();
+        }
+    }
+}
+
+BENCHMARK(seekDefaultBudget);
+BENCHMARK(seekTinyBudget);
+BENCHMARK(computeStraight);
+BENCHMARK(liveValues);
+BENCHMARK(playFrame);
+BENCHMARK(dragFrame);
+
+const int claimed[] = {
+    bench::claim({"any frame of ten minutes, default budget / computed straight", "seekDefaultBudget",
+                  "computeStraight"}),
+    bench::claim({"any frame of ten minutes, 64 KiB of history / computed straight", "seekTinyBudget",
+                  "computeStraight"}),
+    bench::claim({"live values of a body / a frame played", "liveValues", "playFrame"}),
+    bench::claim({"a frame with a body in the hand / a frame played", "dragFrame", "playFrame"}),
+};
+
+}

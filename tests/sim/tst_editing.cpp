@@ -1,0 +1,211 @@
+// Changing the past: ghosts, what happens to later input, and what an edit does to the bodies.
+
+#include "support.h"
+
+#include "sim/error.h"
+
+#include <QTest>
+
+using namespace sim;
+using support::Dice;
+
+namespace {
+
+Script creature(double h = 1.0)
+{
+    return support::script(support::sample("creature in a room"), "published", h);
+}
+
+}
+
+class TestEditing : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void theGhostIsExactlyTheOldRun()
+    {
+        for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+            Dice dice(seed);
+            Timeline timeline(creature(dice.chance(0.5) ? 1.0 : 0.5), 30'000);
+            timeline.seek({dice.whole(20, 60), 0});
+            const Script old = timeline.script();
+            timeline.seek({dice.whole(1, 15), dice.whole(0, 5)});
+            const std::int64_t frame = timeline.at().frame;
+            dice.chance(0.5) ? timeline.set("k", 0.1) : timeline.hand(Grab{"foot0"});
+            QVERIFY(timeline.ghost());
+            QCOMPARE(timeline.fork(), frame + 1);
+            Track straight(old, 0);
+            for (int i = 0; i < 30; ++i) {
+                timeline.seek({dice.whole(0, 100), 0}); // it goes on past what was computed of it
+                straight.seek(timeline.at());
+                QCOMPARE(support::difference(timeline.ghost()->now(), straight.now()), std::string());
+                if (timeline.at().frame < timeline.fork())
+                    QVERIFY(sameBits(timeline.ghost()->now(), timeline.now()));
+            }
+        }
+    }
+
+    void anEditAtTheEndOfTheRunMakesNoGhost()
+    {
+        Timeline timeline(creature());
+        timeline.seek({30, 0});
+        timeline.hand(Grab{"foot0"});
+        timeline.set("k", 0.1);
+        QVERIFY(!timeline.ghost());
+    }
+
+    void aDragIsOneForkNotOneAFrame()
+    {
+        Timeline timeline(creature());
+        timeline.seek({100, 0});
+        timeline.seek({30, 0});
+        timeline.hand(Grab{"foot0"});
+        for (int i = 0; i < 10; ++i) {
+            timeline.hand(Move{{100.0 + i, 100.0}});
+            timeline.hand(Move{{100.0 + 2 * i, 100.0}}); // takes the place of the one before
+            timeline.stepRow();
+        }
+        QCOMPARE(timeline.fork(), std::int64_t(31));
+        QCOMPARE(timeline.script().input.size(), std::size_t(11));
+        timeline.forgetGhost();
+        QVERIFY(!timeline.ghost());
+    }
+
+    void handsForgetLaterInputAndParametersKeepIt()
+    {
+        Timeline timeline(creature());
+        timeline.seek({50, 0});
+        timeline.hand(Grab{"foot0"});
+        timeline.seek({60, 0});
+        timeline.hand(Release{});
+        timeline.seek({20, 0});
+        timeline.set("k", 0.1);
+        QCOMPARE(timeline.script().input.size(), std::size_t(3));
+        QVERIFY(std::holds_alternative<Set>(timeline.script().input.front().what));
+        timeline.seek({55, 0});
+        QCOMPARE(timeline.now().hold.point, 0);
+        timeline.seek({30, 0});
+        timeline.hand(Grab{"body"});
+        QCOMPARE(timeline.script().input.size(), std::size_t(2));
+    }
+
+    void aParameterSetTwiceAtOneFrameIsSetOnce()
+    {
+        Timeline timeline(creature());
+        timeline.seek({20, 0});
+        for (const double k : {0.1, 0.11, 0.12})
+            timeline.set("k", k);
+        QCOMPARE(timeline.script().input.size(), std::size_t(1));
+        QCOMPARE(timeline.values()["k"], 0.12);
+        timeline.seek({0, 0});
+        timeline.set("k", 0.3); // at the start it is no event
+        QCOMPARE(timeline.script().input.size(), std::size_t(1));
+        QCOMPARE(timeline.values()["k"], 0.3);
+    }
+
+    void anotherNumberOfBodiesKeepsTheRest()
+    {
+        Timeline timeline(creature());
+        timeline.seek({20, 0});
+        timeline.set("gravity", 0.0);
+        const State before = timeline.now();
+        timeline.set("feet", 3);
+        timeline.set("radius", 0.0);
+        std::shared_ptr<const Segment> segment;
+        const State fewer = timeline.track().preview(segment);
+        QCOMPARE(fewer.points(), 4);
+        const int body = 3;
+        for (int i = 0; i < 3; ++i)
+            QVERIFY(fewer.at(i) == before.at(i) && fewer.speed(i) == before.speed(i));
+        QVERIFY(fewer.at(body) == before.at(5) && fewer.speed(body) == before.speed(5));
+        timeline.set("feet", 5);
+        timeline.seek({21, 0});
+        timeline.set("feet", 4);
+        timeline.seek({22, 0});
+        QCOMPARE(timeline.now().points(), 5);
+    }
+
+    void aHeldBodyStaysInTheHandWhenBodiesCome()
+    {
+        Timeline timeline(creature());
+        timeline.seek({10, 0});
+        timeline.hand(Grab{"body"});
+        timeline.hand(Move{{111, 122}});
+        timeline.seek({12, 0});
+        timeline.set("feet", 2);
+        timeline.seek({14, 0});
+        QCOMPARE(timeline.now().hold.point, 2);
+        QVERIFY(timeline.now().at(2) == (Vec2{111, 122}));
+        timeline.set("feet", 5);
+        timeline.seek({16, 0});
+        QVERIFY(timeline.now().at(5) == (Vec2{111, 122}));
+        QVERIFY(!timeline.now().feels(5) && timeline.now().feels(2));
+    }
+
+    void aHeldBodyThatGoesIsLetGo()
+    {
+        Timeline timeline(creature());
+        timeline.hand(Grab{"foot4"});
+        timeline.seek({5, 0});
+        timeline.set("feet", 2);
+        timeline.seek({8, 0});
+        QCOMPARE(timeline.now().hold.point, -1);
+    }
+
+    void inputWaitsUntilItsRowIsComputed()
+    {
+        Timeline timeline(creature());
+        QVERIFY(!timeline.hasPending());
+        timeline.hand(Grab{"foot0"});
+        QVERIFY(timeline.hasPending());
+        timeline.stepRow();
+        QVERIFY(!timeline.hasPending());
+        timeline.seek({0, 0});
+        QVERIFY(!timeline.hasPending());
+    }
+
+    void whatDoesNotComposeChangesNothing()
+    {
+        Script script = creature();
+        const auto build = script.build;
+        script.build = [build](const Values &values) {
+            Scene scene = build(values);
+            if (values["k"] > 1.0)
+                scene.start.inverseMass.setZero(); // nothing moves
+            return scene;
+        };
+        Timeline timeline(script);
+        timeline.seek({20, 0});
+        timeline.seek({10, 2});
+        const State before = timeline.now();
+        QVERIFY_EXCEPTION_THROWN(timeline.set("k", 2.0), Error);
+        timeline.seek({0, 0});
+        QVERIFY_EXCEPTION_THROWN(timeline.set("k", 2.0), Error);
+        timeline.seek({10, 2});
+        QVERIFY(sameBits(timeline.now(), before));
+        QVERIFY(timeline.script().input.empty() && !timeline.ghost());
+    }
+
+    void inputThatDoesNotComposeIsRefusedBeforeTheRun()
+    {
+        Script script = creature();
+        const auto build = script.build;
+        script.build = [build](const Values &values) {
+            Scene scene = build(values);
+            if (values["k"] > 1.0 && values["damp"] > 0.9)
+                scene.start.inverseMass.setZero();
+            return scene;
+        };
+        script.input = {{30, Set{"k", 2.0}}};
+        Timeline timeline(script); // fine as it is
+        timeline.seek({10, 0});
+        QVERIFY_EXCEPTION_THROWN(timeline.set("damp", 0.95), Error); // not together with what comes later
+        timeline.seek({40, 0});
+        script.input.push_back({40, Set{"damp", 0.95}});
+        QVERIFY_EXCEPTION_THROWN(Timeline(script, 1000), Error); // stepping never throws
+    }
+};
+
+QTEST_APPLESS_MAIN(TestEditing)
+#include "tst_editing.moc"

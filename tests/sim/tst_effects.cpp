@@ -1,0 +1,245 @@
+// Each effect against its closed form, computed in another way than the effect does.
+
+#include "support.h"
+
+#include "sim/effects/body_spring.h"
+#include "sim/effects/damping.h"
+#include "sim/effects/gravity.h"
+#include "sim/effects/offset_spring.h"
+#include "sim/effects/point_spring.h"
+#include "sim/effects/radial_spring.h"
+#include "sim/effects/walls.h"
+
+#include <QTest>
+
+#include <complex>
+
+using namespace sim;
+using support::Dice;
+
+namespace {
+
+constexpr int feet = 3; // and a body: four points
+constexpr double k = 0.23;
+
+using ForcePtr = std::shared_ptr<const Force>;
+
+State randomState(Dice &dice)
+{
+    State state = State::ofPoints(feet + 1);
+    for (int i = 0; i <= feet; ++i) {
+        state.place(i, {dice.real(-1000, 1000), dice.real(-1000, 1000)});
+        state.push(i, {dice.real(-20, 20), dice.real(-20, 20)});
+        state.inverseMass[i] = dice.chance(0.3) ? 0.0 : dice.chance(0.5) ? 1.0 : dice.real(0.1, 3.0);
+    }
+    return state;
+}
+
+Eigen::ArrayX2d added(const Force &force, const State &state, double scale, Directions directions)
+{
+    Eigen::ArrayX2d into = Eigen::ArrayX2d::Zero(state.points(), 2);
+    force.add(state, {0, state.points()}, scale, directions, into);
+    return into;
+}
+
+bool near(Vec2 a, Vec2 b, double tolerance)
+{
+    return length(a - b) <= tolerance;
+}
+
+}
+
+Q_DECLARE_METATYPE(ForcePtr)
+Q_DECLARE_METATYPE(Directions)
+
+class TestEffects : public QObject
+{
+    Q_OBJECT
+
+private:
+    static void addForceRows()
+    {
+        QTest::addColumn<ForcePtr>("force");
+        QTest::addColumn<Directions>("directions");
+        const std::vector<std::pair<const char *, ForcePtr>> forces = {
+            {"spring to a point", std::make_shared<PointSpring>(1, Vec2{270, 200}, k)},
+            {"spring to a body", std::make_shared<BodySpring>(std::vector<Link>{{0, feet}}, k)},
+            {"springs to every foot", std::make_shared<BodySpring>(support::legs(feet), k)},
+            {"spring with an offset", std::make_shared<OffsetSpring>(support::legs(feet), k, 50)},
+            {"radial springs", std::make_shared<RadialSpring>(support::legs(feet), k, 50)},
+            {"radial spring without a length",
+             std::make_shared<RadialSpring>(std::vector<Link>{{2, 1}}, k, 0)},
+            {"gravity", std::make_shared<Gravity>(0.5)},
+        };
+        for (const auto &[name, force] : forces) {
+            QTest::addRow("%s, apart", name) << force << Directions::apart;
+            QTest::addRow("%s, as published", name) << force << Directions::published;
+        }
+    }
+
+private slots:
+    void pullsAreHookesLaw_data()
+    {
+        QTest::addColumn<ForcePtr>("force");
+        QTest::addColumn<std::function<Vec2(const State &)>>("target");
+        using Target = std::function<Vec2(const State &)>;
+        const std::vector<Link> link = {{1, 2}};
+        QTest::newRow("to a point") << ForcePtr(std::make_shared<PointSpring>(1, Vec2{270, 200}, k))
+                                    << Target([](const State &) {
+                                           return Vec2{270, 200};
+                                       });
+        QTest::newRow("to a body") << ForcePtr(std::make_shared<BodySpring>(link, k))
+                                   << Target([](const State &s) { return s.at(2); });
+        QTest::newRow("beside a body")
+            << ForcePtr(std::make_shared<OffsetSpring>(link, k, -35.5)) << Target([](const State &s) {
+                   return s.at(2) + Vec2{-35.5, 0};
+               });
+    }
+    void pullsAreHookesLaw()
+    {
+        QFETCH(ForcePtr, force);
+        QFETCH(std::function<Vec2(const State &)>, target);
+        Dice dice(1);
+        for (int run = 0; run < 2000; ++run) {
+            const State state = randomState(dice);
+            const Eigen::ArrayX2d into = added(*force, state, 1.0, Directions::apart);
+            const std::complex<double> from(state.at(1).x, state.at(1).y);
+            const std::complex<double> to(target(state).x, target(state).y);
+            const std::complex<double> expected = (to - from) * (k * state.inverseMass[1]);
+            QVERIFY(near({into(1, 0), into(1, 1)}, {expected.real(), expected.imag()}, 1e-12 * 1000));
+            QVERIFY((into.row(0) == 0.0).all() && (into.row(2) == 0.0).all() && (into.row(3) == 0.0).all());
+        }
+    }
+
+    void radialPullHasTheLengthOfTheStretch_data()
+    {
+        QTest::addColumn<Directions>("directions");
+        QTest::newRow("apart") << Directions::apart;
+        QTest::newRow("as published") << Directions::published;
+    }
+    void radialPullHasTheLengthOfTheStretch()
+    {
+        QFETCH(Directions, directions);
+        Dice dice(2);
+        for (int run = 0; run < 5000; ++run) {
+            const double radius = dice.real(0, 200);
+            const RadialSpring force({{0, 1}}, k, radius);
+            State state = randomState(dice);
+            state.inverseMass[0] = 1.0;
+            const Eigen::ArrayX2d into = added(force, state, 1.0, directions);
+            const Vec2 d = state.at(1) - state.at(0);
+            const double pull = k * (1.0 - radius / std::hypot(d.x, d.y));
+            QVERIFY(near({into(0, 0), into(0, 1)}, pull * d, 1e-10));
+        }
+    }
+    void radialPullIsTheSameFromEitherDirection()
+    {
+        Dice dice(3);
+        const RadialSpring force(support::legs(feet), k, 50);
+        for (int run = 0; run < 5000; ++run) {
+            const State state = randomState(dice);
+            const Eigen::ArrayX2d a = added(force, state, 1.0, Directions::apart);
+            const Eigen::ArrayX2d b = added(force, state, 1.0, Directions::published);
+            QVERIFY(((a - b).abs() < 1e-10).all());
+        }
+    }
+
+    void gravityIsTheSameForEveryMass()
+    {
+        Dice dice(4);
+        const State state = randomState(dice);
+        const Eigen::ArrayX2d into = added(Gravity(0.7), state, 2.0, Directions::apart);
+        for (int i = 0; i < state.points(); ++i) {
+            QCOMPARE(into(i, 0), 0.0);
+            QCOMPARE(into(i, 1), state.feels(i) ? 2.0 * 0.7 : 0.0);
+        }
+    }
+
+    void dampingTakesItsShareAtAnyStep_data()
+    {
+        QTest::addColumn<double>("damp");
+        for (const double damp : {0.0, 0.5, 0.85, 0.9, 1.0})
+            QTest::addRow("damp %g", damp) << damp;
+    }
+    void dampingTakesItsShareAtAnyStep()
+    {
+        QFETCH(double, damp);
+        const Damping drag(damp);
+        QCOMPARE(drag.keep(1.0), damp); // bit for bit: the published rule depends on it
+        for (const double h : {0.001, 0.25, 1.0 / 3, 2.0, 10.0}) {
+            const double closed = damp == 0.0 ? 0.0 : std::exp(h * std::log(damp));
+            QVERIFY(std::abs(drag.keep(h) - closed) <= 1e-15);
+            QVERIFY(std::abs(drag.keep(h) * drag.keep(h) - drag.keep(2 * h)) <= 1e-15);
+        }
+    }
+
+    void explainedPullIsWhatIsAdded_data() { addForceRows(); }
+    void explainedPullIsWhatIsAdded()
+    {
+        QFETCH(ForcePtr, force);
+        QFETCH(Directions, directions);
+        Dice dice(5);
+        for (int run = 0; run < 500; ++run) {
+            const State state = randomState(dice);
+            const Eigen::ArrayX2d into = added(*force, state, 1.0, directions);
+            for (int i = 0; i < state.points(); ++i) {
+                const std::vector<Live> live = force->explain(state, i, directions);
+                if (live.empty()) {
+                    QVERIFY((into.row(i) == 0.0).all());
+                    continue;
+                }
+                QCOMPARE(live.back().name, std::string("pull"));
+                const Vec2 pull = std::get<Vec2>(live.back().value);
+                QVERIFY2(pull == (Vec2{into(i, 0), into(i, 1)}),
+                         qPrintable(QString("mass %1").arg(1.0 / state.inverseMass[i])));
+            }
+        }
+    }
+
+    void whatFeelsNothingGetsNothing_data() { addForceRows(); }
+    void whatFeelsNothingGetsNothing()
+    {
+        QFETCH(ForcePtr, force);
+        QFETCH(Directions, directions);
+        Dice dice(6);
+        State state = randomState(dice);
+        state.inverseMass.setZero();
+        QVERIFY((added(*force, state, 1.0, directions) == 0.0).all());
+        QCOMPARE(force->count(state, {0, state.points()}), 0);
+        for (int i = 0; i < state.points(); ++i)
+            QVERIFY(force->explain(state, i, directions).empty());
+    }
+
+    void onlyMoversAreMovedAndScaleIsAFactor_data() { addForceRows(); }
+    void onlyMoversAreMovedAndScaleIsAFactor()
+    {
+        QFETCH(ForcePtr, force);
+        QFETCH(Directions, directions);
+        Dice dice(7);
+        const State state = randomState(dice);
+        Eigen::ArrayX2d into = Eigen::ArrayX2d::Zero(state.points(), 2);
+        force->add(state, {1, 2}, 0.5, directions, into);
+        const Eigen::ArrayX2d all = added(*force, state, 0.5, directions);
+        QVERIFY((into.row(0) == 0.0).all() && (into.row(3) == 0.0).all());
+        QVERIFY((into.middleRows(1, 2) == all.middleRows(1, 2)).all());
+        const Eigen::ArrayX2d whole = added(*force, state, 1.0, directions);
+        QVERIFY((0.5 * whole - all).abs().maxCoeff() <= 1e-12); // halving is exact, but not sums of pulls
+    }
+
+    void pullsCountWhatTheyCompute_data() { addForceRows(); }
+    void pullsCountWhatTheyCompute()
+    {
+        QFETCH(ForcePtr, force);
+        QFETCH(Directions, directions);
+        State state = State::ofPoints(feet + 1);
+        int parts = 0;
+        for (int i = 0; i <= feet; ++i)
+            parts += force->count(state, {i, 1});
+        QCOMPARE(parts, force->count(state, {0, feet + 1}));
+        QVERIFY(parts > 0);
+        QVERIFY(!force->regions(directions).empty());
+    }
+};
+
+QTEST_APPLESS_MAIN(TestEffects)
+#include "tst_effects.moc"

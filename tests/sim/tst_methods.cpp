@@ -1,0 +1,224 @@
+// The methods against closed forms and against each other.
+
+#include "support.h"
+
+#include "sim/effects/damping.h"
+#include "sim/effects/gravity.h"
+#include "sim/effects/point_spring.h"
+#include "sim/effects/radial_spring.h"
+#include "sim/methods/methods.h"
+
+#include <QTest>
+
+#include <complex>
+
+using namespace sim;
+
+namespace {
+
+/// The slope of log2(error) over log2(h) between the two smallest steps.
+double slope(const std::vector<double> &errors)
+{
+    return std::log2(errors[errors.size() - 2] / errors.back());
+}
+
+double distance(const State &a, const State &b)
+{
+    return std::max((a.position - b.position).abs().maxCoeff(), (a.velocity - b.velocity).abs().maxCoeff());
+}
+
+/// A body with five feet in the air: nothing in it jumps, so all methods have their order.
+Scene smoothScene()
+{
+    Scene scene = support::pointsOf(5);
+    support::scatter(scene.start, 42, 400.0);
+    scene.effects = {std::make_shared<RadialSpring>(support::legs(5), 0.1, 50.0),
+                     std::make_shared<Gravity>(0.5), std::make_shared<Damping>(0.9)};
+    return scene;
+}
+
+Scene oscillator(double k, double damp)
+{
+    Scene scene;
+    scene.start = State::ofPoints(1);
+    scene.start.place(0, {100.0, -40.0});
+    scene.start.push(0, {3.0, 8.0});
+    scene.names = {"foot"};
+    scene.groups = {{"foot", {0, 1}}};
+    scene.effects = {std::make_shared<PointSpring>(0, Vec2{0, 0}, k), std::make_shared<Damping>(damp)};
+    return scene;
+}
+
+/// x'' = -k x - c x' with c = -ln(damp), solved by its two roots (which may be complex).
+double closedForm(double x0, double v0, double k, double damp, double t)
+{
+    using Complex = std::complex<double>;
+    const double c = -std::log(damp);
+    const Complex root = std::sqrt(Complex(c * c / 4 - k, 0.0));
+    const Complex r1 = -c / 2 + root, r2 = -c / 2 - root;
+    const Complex a = (v0 - r2 * x0) / (r1 - r2);
+    return (a * std::exp(r1 * t) + (x0 - a) * std::exp(r2 * t)).real();
+}
+
+}
+
+class TestMethods : public QObject
+{
+    Q_OBJECT
+
+private:
+    static void addMethodRows()
+    {
+        QTest::addColumn<QString>("method");
+        for (const MethodPtr &method : allMethods())
+            QTest::newRow(method->title().c_str()) << QString::fromStdString(method->id());
+    }
+
+private slots:
+    void methodsConvergeToEachOtherWithOrderOne()
+    {
+        const Scene scene = smoothScene();
+        std::vector<double> errors;
+        for (int n = 4; n <= 10; ++n) {
+            const double h = std::ldexp(1.0, -n);
+            errors.push_back(distance(support::plainRun(scene, "published", h, 20),
+                                      support::plainRun(scene, "semi_implicit_euler", h, 20)));
+        }
+        QVERIFY2(errors.back() > 1e-9, "the two methods compute the same: nothing is measured");
+        QVERIFY2(std::abs(slope(errors) - 1.0) < 0.1, qPrintable(QString::number(slope(errors))));
+    }
+
+    void methodsConvergeToTheDampedOscillator_data()
+    {
+        QTest::addColumn<QString>("method");
+        QTest::addColumn<double>("k");
+        QTest::addColumn<double>("damp");
+        for (const MethodPtr &method : allMethods()) {
+            const QString id = QString::fromStdString(method->id());
+            const std::string title = method->title();
+            QTest::addRow("%s, swinging", title.c_str()) << id << 0.2 << 0.9;
+            QTest::addRow("%s, creeping", title.c_str()) << id << 0.05 << 0.5;
+            QTest::addRow("%s, undamped", title.c_str()) << id << 0.2 << 1.0;
+        }
+    }
+    void methodsConvergeToTheDampedOscillator()
+    {
+        QFETCH(QString, method);
+        QFETCH(double, k);
+        QFETCH(double, damp);
+        const Scene scene = oscillator(k, damp);
+        const double exact = closedForm(100.0, 3.0, k, damp, 10.0);
+        std::vector<double> errors;
+        for (int n = 4; n <= 10; ++n) {
+            const State end = support::plainRun(scene, method.toStdString(), std::ldexp(1.0, -n), 10);
+            errors.push_back(std::abs(end.at(0).x - exact));
+        }
+        QVERIFY2(errors.back() < 0.1, qPrintable(QString::number(errors.back())));
+        QVERIFY2(std::abs(slope(errors) - 1.0) < 0.1, qPrintable(QString::number(slope(errors))));
+    }
+
+    void dampingWithoutForceIsExactAtAnyStep_data() { addMethodRows(); }
+    void dampingWithoutForceIsExactAtAnyStep()
+    {
+        QFETCH(QString, method);
+        Scene scene = oscillator(0.2, 0.9);
+        scene.effects.erase(scene.effects.begin());
+        for (const double h : {0.001, 0.125, 1.0 / 3, 1.0, 2.0, 10.0}) {
+            const State end = support::plainRun(scene, method.toStdString(), h, 30);
+            const double kept = std::pow(0.9, 30);
+            // Each of the 30/h products rounds once, and keep itself is wrong by half a bit in each.
+            const double tolerance = 1.2e-16 * 2 * (30 / h);
+            QVERIFY2(std::abs(end.speed(0).x / (3.0 * kept) - 1.0) < tolerance,
+                     qPrintable(QString::number(h)));
+            QVERIFY(std::abs(end.speed(0).y / (8.0 * kept) - 1.0) < tolerance);
+        }
+    }
+
+    void semiImplicitKeepsTheEnergyOfASpring_data()
+    {
+        QTest::addColumn<double>("k");
+        QTest::newRow("soft") << 0.01;
+        QTest::newRow("as in the lessons") << 0.2;
+        QTest::newRow("stiff") << 2.0;
+        QTest::newRow("near the limit of 4") << 3.9;
+    }
+    void semiImplicitKeepsTheEnergyOfASpring()
+    {
+        QFETCH(double, k);
+        Scene scene = oscillator(k, 1.0);
+        scene.effects.pop_back();
+        const Pipeline frame = compose(scene, *findMethod("semi_implicit_euler"), StepSize::of(1.0));
+        State state = scene.start;
+        findMethod("semi_implicit_euler")->prepare(state);
+        // Semi-implicit Euler keeps v^2 + k x^2 - h k x v to rounding, and the energy within a factor that this
+        // form sets: Hairer, Lubich and Wanner, "Geometric numerical integration", section IX.3.
+        const auto kept = [&] {
+            const Vec2 x = state.at(0), v = state.speed(0);
+            return v.x * v.x + k * x.x * x.x - k * x.x * v.x;
+        };
+        const double start = kept();
+        const double root = std::sqrt(k);
+        for (int i = 0; i < 100'000; ++i) {
+            for (const Phase &phase : frame.phases)
+                phase.run(state);
+            const Vec2 x = state.at(0), v = state.speed(0);
+            const double energy = v.x * v.x + k * x.x * x.x;
+            QVERIFY(energy >= start / (1 + root / 2) * (1 - 1e-10));
+            QVERIFY(energy <= start / (1 - root / 2) * (1 + 1e-10));
+        }
+        QVERIFY2(std::abs(kept() / start - 1.0) < 1e-10, qPrintable(QString::number(kept() / start - 1.0)));
+    }
+
+    void semiImplicitKeepsTheMomentumOfACreature()
+    {
+        Scene scene = smoothScene();
+        scene.effects = {std::make_shared<RadialSpring>(support::legs(5), 0.1, 50.0)};
+        for (int i = 0; i < scene.start.points(); ++i)
+            scene.start.push(i, {1.0 + i, -0.5 * i});
+        const State end = support::plainRun(scene, "semi_implicit_euler", 1.0, 10'000);
+        const double largest = end.velocity.abs().maxCoeff();
+        for (int axis = 0; axis < 2; ++axis) {
+            const double drift = end.velocity.col(axis).sum() - scene.start.velocity.col(axis).sum();
+            // Twelve roundings a frame that add up like a random walk: 1e-16 * 12 * sqrt(10^4), with room.
+            QVERIFY2(std::abs(drift) < 1e-12 * largest, qPrintable(QString::number(drift)));
+        }
+    }
+
+    void publishedPairPropelsItself()
+    {
+        // Known of the published order: at k = 0.3, damp = 0.9 the pair flies off, all at once it stays.
+        Scene scene = support::pointsOf(1);
+        scene.start.place(0, {300, 230});
+        scene.effects = {std::make_shared<RadialSpring>(support::legs(1), 0.3, 50.0),
+                         std::make_shared<Damping>(0.9)};
+        QVERIFY(support::plainRun(scene, "published", 1.0, 2000).velocity.matrix().norm() > 10.0);
+        QVERIFY(support::plainRun(scene, "semi_implicit_euler", 1.0, 2000).velocity.matrix().norm() < 1e-6);
+    }
+
+    void massTakesItsShareOfAPull()
+    {
+        Scene scene = support::script(support::sample("heavy pair"), "published")
+                          .build(support::sample("heavy pair").values);
+        scene.effects.pop_back();
+        const State end = support::plainRun(scene, "semi_implicit_euler", 0.25, 200);
+        const auto momentum = [&](const State &s, int axis) {
+            return (s.velocity.col(axis) / s.inverseMass).sum();
+        };
+        for (int axis = 0; axis < 2; ++axis)
+            QVERIFY(std::abs(momentum(end, axis)) < 1e-10);
+    }
+
+    void whatMethodsClaimIsInOrder()
+    {
+        QCOMPARE(allMethods().size(), std::size_t(2));
+        for (const MethodPtr &method : allMethods()) {
+            QCOMPARE(findMethod(method->id())->title(), method->title());
+            QCOMPARE(method->order(), 1);
+            QVERIFY(!method->region().file.empty());
+        }
+        QVERIFY(!findMethod("no such method"));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestMethods)
+#include "tst_methods.moc"

@@ -1,0 +1,254 @@
+// How a scene and a method become the phases of a frame.
+
+#include "support.h"
+
+#include "sim/effects/body_spring.h"
+#include "sim/effects/damping.h"
+#include "sim/effects/gravity.h"
+#include "sim/effects/offset_spring.h"
+#include "sim/effects/point_spring.h"
+#include "sim/effects/radial_spring.h"
+#include "sim/effects/walls.h"
+#include "sim/error.h"
+#include "sim/methods/methods.h"
+
+#include <QTest>
+
+#include <limits>
+
+using namespace sim;
+
+namespace {
+
+constexpr int feet = 2;
+
+/// One of each effect that there is.
+std::vector<EffectPtr> allEffects()
+{
+    return {
+        std::make_shared<PointSpring>(feet, Vec2{250, 150}, 0.1),
+        std::make_shared<BodySpring>(std::vector<Link>{{0, 1}}, 0.1),
+        std::make_shared<OffsetSpring>(std::vector<Link>{{1, feet}}, 0.1, 50.0),
+        std::make_shared<RadialSpring>(support::legs(feet), 0.2, 50.0),
+        std::make_shared<Gravity>(0.5),
+        std::make_shared<Damping>(0.85),
+        std::make_shared<Walls>(Room{20, 520, 380, 0.5}, Eigen::ArrayXd::Constant(feet + 1, 5.0)),
+    };
+}
+
+/// An effect of a kind that no method knows.
+class Foreign : public Effect
+{
+public:
+    std::string id() const override { return "foreign"; }
+    std::string title() const override { return "foreign"; }
+    Kind kind() const override { return Kind::wind; }
+    std::vector<Region> regions(Directions) const override { return {}; }
+    int count(const State &, Points points) const override { return points.count; }
+};
+
+std::string ids(const Scene &scene, const std::string &method)
+{
+    std::string all;
+    for (const Phase &phase : compose(scene, *findMethod(method), StepSize::of(1.0)).phases) {
+        all += all.empty() ? "" : " ";
+        all += phase.id + (phase.group < 0 ? "" : ":" + scene.groups[std::size_t(phase.group)].title);
+    }
+    return all;
+}
+
+Scene roomScene()
+{
+    Scene scene = support::pointsOf(feet);
+    scene.effects = {allEffects()[3], allEffects()[4], allEffects()[5], allEffects()[6]};
+    return scene;
+}
+
+template <class Call>
+std::string errorOf(Call &&call)
+{
+    try {
+        call();
+    } catch (const Error &error) {
+        return error.id() + " " + (error.values().contains("effect") ? error.values().at("effect") : "");
+    }
+    return {};
+}
+
+}
+
+class TestPipeline : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void publishedMovesOneGroupAfterTheOther()
+    {
+        QCOMPARE(ids(roomScene(), "published"),
+                 std::string("radial_spring:feet gravity:feet damping:feet move:feet walls:feet "
+                             "radial_spring:body gravity:body damping:body move:body walls:body"));
+    }
+
+    void semiImplicitMovesAllAtOnce()
+    {
+        QCOMPARE(ids(roomScene(), "semi_implicit_euler"),
+                 std::string("radial_spring gravity kick damping move walls"));
+    }
+
+    void whatIsNotListedMakesNoPhase()
+    {
+        Scene scene = roomScene();
+        scene.effects.erase(scene.effects.begin() + 1); // gravity
+        for (const char *method : {"published", "semi_implicit_euler"})
+            QVERIFY(ids(scene, method).find("gravity") == std::string::npos);
+        scene.effects.clear();
+        QCOMPARE(ids(scene, "published"), std::string("move:feet move:body"));
+        QCOMPARE(ids(scene, "semi_implicit_euler"), std::string("move"));
+    }
+
+    void effectsThatConcernOneGroupMakeOnePhase()
+    {
+        Scene scene = support::pointsOf(feet);
+        scene.effects = {std::make_shared<BodySpring>(std::vector<Link>{{0, 2}, {1, 2}}, 0.2)};
+        QCOMPARE(ids(scene, "published"), std::string("body_spring:feet move:feet move:body"));
+    }
+
+    void aHandleHasNoPhasesOfItsOwn()
+    {
+        Scene scene = support::pointsOf(1);
+        scene.start.inverseMass[1] = 0.0;
+        scene.effects = {std::make_shared<Gravity>(0.5), std::make_shared<Damping>(0.9)};
+        QCOMPARE(ids(scene, "published"), std::string("gravity:feet damping:feet move:feet"));
+    }
+
+    void aSceneInWhichNothingMovesIsRefused()
+    {
+        Scene scene = support::pointsOf(1);
+        scene.start.inverseMass.setZero();
+        scene.effects = {std::make_shared<Gravity>(0.5)};
+        for (const MethodPtr &method : allMethods())
+            QCOMPARE(errorOf([&] { compose(scene, *method, StepSize::of(1.0)); }),
+                     std::string("nothing-moves "));
+    }
+
+    void anEffectThatNoMethodHandlesIsRefusedByName()
+    {
+        Scene scene = roomScene();
+        scene.effects.push_back(std::make_shared<Foreign>());
+        for (const MethodPtr &method : allMethods())
+            QCOMPARE(errorOf([&] { compose(scene, *method, StepSize::of(1.0)); }),
+                     std::string("method-does-not-fit foreign"));
+    }
+
+    void publishedNeedsAnUpdateOrder()
+    {
+        Scene scene = roomScene();
+        scene.groups.clear();
+        QCOMPARE(errorOf([&] { compose(scene, *findMethod("published"), StepSize::of(1.0)); }),
+                 std::string("method-does-not-fit radial_spring"));
+        QVERIFY(
+            errorOf([&] { compose(scene, *findMethod("semi_implicit_euler"), StepSize::of(1.0)); }).empty());
+    }
+
+    void everyPhaseSaysWhatItIs()
+    {
+        Scene scene = roomScene();
+        scene.effects = allEffects();
+        for (const MethodPtr &method : allMethods()) {
+            for (const Phase &phase : compose(scene, *method, StepSize::of(1.0)).phases) {
+                QVERIFY(!phase.id.empty() && !phase.title.empty() && !phase.regions.empty());
+                QVERIFY(phase.points.count > 0 && phase.run && phase.explain);
+                QCOMPARE(phase.effect == nullptr, phase.kind == Kind::motion);
+            }
+        }
+    }
+
+    void stepsThatFillFramesAreAccepted_data()
+    {
+        QTest::addColumn<double>("h");
+        QTest::addColumn<int>("perRow");
+        QTest::addColumn<int>("rowFrames");
+        QTest::newRow("one frame") << 1.0 << 1 << 1;
+        QTest::newRow("a quarter") << 0.25 << 4 << 1;
+        QTest::newRow("a third") << 1.0 / 3 << 3 << 1;
+        QTest::newRow("a third, as typed") << 0.3333333333333 << 3 << 1;
+        QTest::newRow("a millionth") << 1e-6 << 1'000'000 << 1;
+        QTest::newRow("two frames") << 2.0 << 1 << 2;
+        QTest::newRow("a hundred frames") << 100.0 << 1 << 100;
+        QTest::newRow("nearly one") << 1.0 - 1e-12 << 1 << 1;
+    }
+    void stepsThatFillFramesAreAccepted()
+    {
+        QFETCH(double, h);
+        QFETCH(int, perRow);
+        QFETCH(int, rowFrames);
+        const StepSize step = StepSize::of(h);
+        QCOMPARE(step.perRow, perRow);
+        QCOMPARE(step.rowFrames, rowFrames);
+        QCOMPARE(step.h, perRow > 1 ? 1.0 / perRow : double(rowFrames)); // exactly
+    }
+
+    void everyPartOfAFrameIsAccepted()
+    {
+        for (int n = 1; n <= 1'000'000; n += n < 1000 ? 1 : 997)
+            QCOMPARE(StepSize::of(1.0 / n).perRow, n);
+    }
+
+    void otherStepsAreRefused_data()
+    {
+        QTest::addColumn<double>("h");
+        for (const double h : {0.0, -1.0, 0.3, 0.4, 0.75, 1.5, 99.5, 101.0, 5e-7, 1e-300, 1e300})
+            QTest::addRow("%g", h) << h;
+        QTest::newRow("infinite") << std::numeric_limits<double>::infinity();
+        QTest::newRow("not a number") << std::numeric_limits<double>::quiet_NaN();
+    }
+    void otherStepsAreRefused()
+    {
+        QFETCH(double, h);
+        QCOMPARE(errorOf([&] { StepSize::of(h); }), std::string("step-size "));
+    }
+
+    void aRefusedStepIsNamedAsItWasGiven()
+    {
+        try {
+            StepSize::of(5e-7);
+            QFAIL("accepted");
+        } catch (const Error &error) {
+            QCOMPARE(error.values().at("h"), std::string("5e-07"));
+        }
+    }
+
+    void everySetOfEffectsRunsWithEveryMethod_data()
+    {
+        QTest::addColumn<QString>("method");
+        QTest::addColumn<double>("h");
+        for (const MethodPtr &method : allMethods()) {
+            for (const double h : {0.25, 1.0, 2.0})
+                QTest::addRow("%s, h = %g", method->id().c_str(), h)
+                    << QString::fromStdString(method->id()) << h;
+        }
+    }
+    void everySetOfEffectsRunsWithEveryMethod()
+    {
+        QFETCH(QString, method);
+        QFETCH(double, h);
+        const std::vector<EffectPtr> effects = allEffects();
+        for (unsigned subset = 0; subset < 1u << effects.size(); ++subset) {
+            Scene scene = support::pointsOf(feet);
+            support::scatter(scene.start, subset, 200.0);
+            std::string expected;
+            for (std::size_t i = 0; i < effects.size(); ++i) {
+                if (subset >> i & 1u)
+                    scene.effects.push_back(effects[i]);
+            }
+            const std::string found = ids(scene, method.toStdString());
+            for (std::size_t i = 0; i < effects.size(); ++i)
+                QCOMPARE(found.find(effects[i]->id()) != std::string::npos, bool(subset >> i & 1u));
+            const State end = support::plainRun(scene, method.toStdString(), h, 100);
+            QCOMPARE(firstNotFinite(end), -1);
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(TestPipeline)
+#include "tst_pipeline.moc"

@@ -1,0 +1,132 @@
+// The published rule, v = (v + a) damp; x += v in turn, written out by hand and compared bit for bit.
+
+#include "support.h"
+
+#include "sim/effects/damping.h"
+#include "sim/effects/gravity.h"
+#include "sim/effects/radial_spring.h"
+#include "sim/effects/walls.h"
+
+#include <QTest>
+
+#include <cmath>
+
+using namespace sim;
+using support::Dice;
+
+namespace {
+
+struct Numbers
+{
+    int feet = 5;
+    double k = 0.2, damp = 0.85, radius = 50, gravity = 0.5, bounce = 1.0;
+};
+
+struct Body
+{
+    double x, y, vx, vy, half;
+};
+
+void pull(Body &mover, const Body &anchor, const Numbers &n)
+{
+    const double angle = std::atan2(mover.y - anchor.y, mover.x - anchor.x);
+    mover.vx += (anchor.x + n.radius * std::cos(angle) - mover.x) * n.k;
+    mover.vy += (anchor.y + n.radius * std::sin(angle) - mover.y) * n.k;
+}
+
+void moveOn(Body &body, const Numbers &n)
+{
+    body.vy += n.gravity;
+    body.vx *= n.damp;
+    body.vy *= n.damp;
+    body.x += body.vx;
+    body.y += body.vy;
+    if (body.x > 520 - body.half) {
+        body.x = 520 - body.half;
+        body.vx *= -n.bounce;
+    }
+    if (body.x < 20 + body.half) {
+        body.x = 20 + body.half;
+        body.vx *= -n.bounce;
+    }
+    if (body.y > 380 - body.half) {
+        body.y = 380 - body.half;
+        body.vy *= -n.bounce;
+    }
+}
+
+void frameByHand(std::vector<Body> &bodies, const Numbers &n)
+{
+    Body &body = bodies.back();
+    for (int i = 0; i < n.feet; ++i) {
+        pull(bodies[std::size_t(i)], body, n);
+        moveOn(bodies[std::size_t(i)], n);
+    }
+    for (int i = 0; i < n.feet; ++i)
+        pull(body, bodies[std::size_t(i)], n);
+    moveOn(body, n);
+}
+
+Numbers randomNumbers(Dice &dice)
+{
+    Numbers n;
+    n.feet = dice.whole(1, 12);
+    n.k = dice.real(0.01, 0.4);
+    n.damp = dice.real(0.6, 1.0);
+    n.radius = dice.real(0, 120);
+    n.gravity = dice.chance(0.3) ? 0.0 : dice.real(-0.5, 2.0);
+    n.bounce = dice.chance(0.5) ? 1.0 : dice.real(0.0, 1.2);
+    return n;
+}
+
+Scene sceneWith(const Numbers &n, std::uint64_t seed, bool onePlace)
+{
+    Scene scene = support::pointsOf(n.feet);
+    if (!onePlace)
+        support::scatter(scene.start, seed, 600.0);
+    Eigen::ArrayXd half = Eigen::ArrayXd::Constant(n.feet + 1, 5.0);
+    half[n.feet] = 15.0;
+    scene.effects = {std::make_shared<RadialSpring>(support::legs(n.feet), n.k, n.radius),
+                     std::make_shared<Gravity>(n.gravity), std::make_shared<Damping>(n.damp),
+                     std::make_shared<Walls>(Room{20, 520, 380, n.bounce}, half)};
+    return scene;
+}
+
+}
+
+class TestPublishedRule : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void anyCreatureIsComputedAsPrinted_data()
+    {
+        QTest::addColumn<int>("seed");
+        for (int seed = 1; seed <= 60; ++seed)
+            QTest::addRow("creature %d", seed) << seed;
+    }
+    void anyCreatureIsComputedAsPrinted()
+    {
+        QFETCH(int, seed);
+        Dice dice(static_cast<std::uint64_t>(seed));
+        const Numbers n = randomNumbers(dice);
+        const Scene scene = sceneWith(n, std::uint64_t(seed), seed % 10 == 0);
+        std::vector<Body> bodies;
+        for (int i = 0; i <= n.feet; ++i)
+            bodies.push_back({scene.start.at(i).x, scene.start.at(i).y, 0, 0, i == n.feet ? 15.0 : 5.0});
+        Track track(support::script(scene, "published"), 0);
+        for (int frame = 1; frame <= 400; ++frame) {
+            frameByHand(bodies, n);
+            track.seek({frame, 0});
+            QVERIFY(!track.stop());
+            for (int i = 0; i <= n.feet; ++i) {
+                const Body &b = bodies[std::size_t(i)];
+                QVERIFY2(track.now().at(i) == (Vec2{b.x, b.y}), qPrintable(QString("frame %1").arg(frame)));
+                QVERIFY(track.now().speed(i) == (Vec2{b.vx, b.vy}));
+            }
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(TestPublishedRule)
+#include "tst_published_rule.moc"

@@ -1,0 +1,81 @@
+// Sums are rounded after every operation, on every machine and in every build.
+
+#include "rounding.h"
+#include "support.h"
+
+#include "sim/methods/parts.h"
+
+#include <QTest>
+
+#include <cstring>
+
+using namespace sim;
+
+namespace {
+
+/// A number that the compiler cannot compute with beforehand.
+double opaque(double value)
+{
+    volatile double hidden = value;
+    return hidden;
+}
+
+/// FNV-1a over the bits of a state.
+std::uint64_t hashOf(const State &state)
+{
+    std::uint64_t hash = 0xcbf29ce484222325u;
+    visitMemory(state, [&](const void *data, std::size_t bytes) {
+        const auto *byte = static_cast<const unsigned char *>(data);
+        for (std::size_t i = 0; i < bytes; ++i)
+            hash = (hash ^ byte[i]) * 0x100000001b3u;
+    });
+    return hash;
+}
+
+}
+
+class TestRounding : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void productsAreRoundedBeforeTheyAreSubtracted()
+    {
+        if (!canRunFused())
+            QSKIP("this processor has no fused multiply-add");
+        const double a = opaque(1.0 + 0x1.0p-30);
+        const double rounded = opaque(a * a);
+        QCOMPARE(productMinus(a, a, rounded), 0.0);
+        QVERIFY(std::fma(a, a, -rounded) != 0.0); // what contraction would make of it
+    }
+
+    void phasesRoundTheirProducts()
+    {
+        const double a = opaque(1.0 + 0x1.0p-30);
+        const double rounded = opaque(a * a);
+        QCOMPARE(move({-rounded, 0}, {a, 0}, a).x, 0.0);
+        QCOMPARE(kick({-rounded, 0}, {a, 0}, a).x, 0.0);
+    }
+
+    void aRunHasTheSameBitsInEveryBuild_data()
+    {
+        QTest::addColumn<double>("h");
+        QTest::addColumn<quint64>("hash");
+        QTest::newRow("one step a frame") << 1.0 << quint64(0x6257527ffe5ee167);
+        QTest::newRow("two steps a frame") << 0.5 << quint64(0xe3cf4f0d05337274);
+    }
+    void aRunHasTheSameBitsInEveryBuild()
+    {
+        QFETCH(double, h);
+        QFETCH(quint64, hash);
+        support::Sample sample = support::sample("creature in a room");
+        sample.values.set("damp",
+                          0.25); // a power that every mathematics library takes exactly, at both steps
+        const Scene scene = sample.build(sample.values);
+        QCOMPARE(QString::number(hashOf(support::plainRun(scene, "semi_implicit_euler", h, 200)), 16),
+                 QString::number(hash, 16));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestRounding)
+#include "tst_rounding.moc"

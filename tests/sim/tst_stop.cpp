@@ -1,0 +1,199 @@
+// When numbers stop being finite: the run ends at the last finite frame and says what went first.
+
+#include "support.h"
+
+#include "sim/effects/body_spring.h"
+#include "sim/methods/methods.h"
+
+#include <QTest>
+
+using namespace sim;
+
+namespace {
+
+/// Two springs far too stiff for their step, so that the numbers grow without end.
+support::Sample explosive()
+{
+    support::Sample sample;
+    sample.values.set("k", 5000.0);
+    sample.build = [](const Values &values) {
+        Scene scene = support::pointsOf(1);
+        scene.start.place(0, {300, 230});
+        scene.effects = {std::make_shared<BodySpring>(support::legs(1), values["k"])};
+        return scene;
+    };
+    return sample;
+}
+
+/// What goes first after frame `last`: the title of the phase and the name of the body, found by a plain loop.
+std::pair<std::string, std::string> firstToGo(const Script &script, int last)
+{
+    const Scene scene = script.build(script.values);
+    const Pipeline pipeline = compose(scene, *script.method, script.step);
+    State state = support::plainRun(scene, script.method->id(), script.step.h, last);
+    for (int i = 0; i < pipeline.phasesPerRow(); ++i) {
+        pipeline.phaseAt(i).run(state);
+        for (int point = 0; point < state.points(); ++point) {
+            for (const Eigen::ArrayX2d *numbers : {&state.position, &state.velocity, &state.acceleration}) {
+                if (numbers->rows() > 0 && !numbers->row(point).isFinite().all())
+                    return {pipeline.phaseAt(i).title, scene.names[static_cast<std::size_t>(point)]};
+            }
+        }
+    }
+    return {};
+}
+
+/// Whether the numbers are finite `phase` phases after frame `last`.
+bool finiteAfter(const Script &script, int last, int phase)
+{
+    const Scene scene = script.build(script.values);
+    const Pipeline pipeline = compose(scene, *script.method, script.step);
+    State state = support::plainRun(scene, script.method->id(), script.step.h, last);
+    for (int i = 0; i < std::min(phase, pipeline.phasesPerRow()); ++i)
+        pipeline.phaseAt(i).run(state);
+    return firstNotFinite(state) < 0;
+}
+
+/// The last finite frame, found without a Track.
+int lastFinite(const Script &script)
+{
+    const Scene scene = script.build(script.values);
+    int frame = 0;
+    const auto at = [&](int end) {
+        return support::plainRun(scene, script.method->id(), script.step.h, end);
+    };
+    while (firstNotFinite(at(frame + script.step.rowFrames)) < 0)
+        frame += script.step.rowFrames;
+    return frame;
+}
+
+}
+
+class TestStop : public QObject
+{
+    Q_OBJECT
+
+private:
+    static void addRunRows()
+    {
+        QTest::addColumn<QString>("method");
+        QTest::addColumn<double>("h");
+        for (const MethodPtr &method : allMethods()) {
+            for (const double h : {0.5, 1.0, 2.0})
+                QTest::addRow("%s, h = %g", method->id().c_str(), h)
+                    << QString::fromStdString(method->id()) << h;
+        }
+    }
+    static Script scriptOf(const QString &method, double h)
+    {
+        return support::script(explosive(), method.toStdString(), h);
+    }
+
+private slots:
+    void aRunStopsOnItsLastFiniteFrame_data() { addRunRows(); }
+    void aRunStopsOnItsLastFiniteFrame()
+    {
+        QFETCH(QString, method);
+        QFETCH(double, h);
+        const Script script = scriptOf(method, h);
+        const int last = lastFinite(script);
+        Track track(script, 5000);
+        track.seek({10'000, 0});
+        QVERIFY(track.stop());
+        QCOMPARE(track.stop()->frame, std::int64_t(last));
+        QVERIFY(track.at() == (Cursor{last, 0}));
+        QCOMPARE(track.computed(), std::int64_t(last));
+        QCOMPARE(firstNotFinite(track.now()), -1);
+        const State expected = support::plainRun(script.build(script.values), method.toStdString(), h, last);
+        QCOMPARE(support::difference(track.now(), expected), std::string());
+    }
+
+    void theEffectAndTheBodyThatWentFirstAreNamed_data() { addRunRows(); }
+    void theEffectAndTheBodyThatWentFirstAreNamed()
+    {
+        QFETCH(QString, method);
+        QFETCH(double, h);
+        const Script script = scriptOf(method, h);
+        Track track(script, 5000);
+        track.seek({10'000, 0});
+        QVERIFY(track.stop());
+        const auto [phase, body] = firstToGo(script, static_cast<int>(track.stop()->frame));
+        QCOMPARE(track.stop()->phase, phase);
+        QCOMPARE(track.stop()->body, body);
+        QCOMPARE(phase, std::string("spring")); // its pull overflows before anything else does
+    }
+
+    void noCursorShowsNumbersThatAreNotFinite_data() { addRunRows(); }
+    void noCursorShowsNumbersThatAreNotFinite()
+    {
+        QFETCH(QString, method);
+        QFETCH(double, h);
+        const Script script = scriptOf(method, h);
+        const int last = lastFinite(script);
+        const int phases = Track(script, 0).phasesPerRow();
+        Track stopped(script, 5000);
+        stopped.seek({last + 10, 0});
+        for (int phase = 0; phase <= phases + 1; ++phase) {
+            Track fresh(script, 5000);
+            fresh.seek({last, phase});
+            QCOMPARE(firstNotFinite(fresh.now()), -1);
+            QCOMPARE(fresh.at().frame, std::int64_t(last));
+            QVERIFY(fresh.at().phase == phase || !finiteAfter(script, last, phase));
+            stopped.seek({last, phase}); // the same, whether the end is known or not
+            QVERIFY(stopped.at() == fresh.at());
+            QCOMPARE(support::difference(stopped.now(), fresh.now()), std::string());
+        }
+    }
+
+    void seekingBeyondTheEndStaysThere_data() { addRunRows(); }
+    void seekingBeyondTheEndStaysThere()
+    {
+        QFETCH(QString, method);
+        QFETCH(double, h);
+        Timeline timeline(scriptOf(method, h));
+        timeline.seek({10'000, 0});
+        const Cursor end = timeline.at();
+        const State state = timeline.now();
+        for (const std::int64_t beyond : {std::int64_t{1}, std::int64_t{2}, std::int64_t{1'000'000'000}}) {
+            timeline.seek({end.frame + beyond * 2, 1});
+            QVERIFY(timeline.at() == end);
+            QVERIFY(sameBits(timeline.now(), state));
+        }
+        timeline.stepRow();
+        QVERIFY(timeline.at() == end);
+        timeline.stepRowBack();
+        QVERIFY(timeline.at().frame == end.frame - timeline.track().rowFrames());
+        timeline.seek({10'000, 0});
+        QVERIFY(timeline.at() == end && sameBits(timeline.now(), state));
+    }
+
+    void anEditBeforeTheEndLetsTheRunGoOn()
+    {
+        Timeline timeline(scriptOf("published", 1.0));
+        timeline.seek({10'000, 0});
+        QVERIFY(timeline.stop());
+        timeline.seek({5, 0});
+        timeline.set("k", 0.1);
+        QVERIFY(!timeline.stop());
+        timeline.seek({2000, 0});
+        QVERIFY(!timeline.stop());
+        QCOMPARE(timeline.at().frame, std::int64_t(2000));
+        QVERIFY(timeline.ghost() && timeline.ghost()->stop()); // the old run still ends where it ended
+        QCOMPARE(timeline.ghost()->at().frame, timeline.ghost()->stop()->frame);
+    }
+
+    void anEditAtTheEndLetsTheRunGoOn()
+    {
+        Timeline timeline(scriptOf("published", 1.0));
+        timeline.seek({10'000, 0});
+        const std::int64_t end = timeline.at().frame;
+        timeline.hand(Grab{"foot0"});
+        timeline.set("k", 0.0);
+        QVERIFY(!timeline.stop());
+        timeline.seek({end + 1, 0});
+        QCOMPARE(timeline.at().frame, end + 1);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestStop)
+#include "tst_stop.moc"

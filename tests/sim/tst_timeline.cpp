@@ -1,0 +1,223 @@
+// Going anywhere in time gives the bits of a straight run.
+
+#include "support.h"
+
+#include "sim/effects/damping.h"
+#include "sim/effects/gravity.h"
+#include "sim/methods/methods.h"
+
+#include <QTest>
+
+using namespace sim;
+
+namespace {
+
+constexpr std::size_t tinyBudget = 4000; // a few states
+
+/// Breaks the rule that effects have no memory of their own: pulls harder each time it is asked.
+class Forgetful : public Force
+{
+public:
+    std::string id() const override { return "forgetful"; }
+    std::string title() const override { return "forgetful"; }
+    Kind kind() const override { return Kind::wind; }
+    std::vector<Region> regions(Directions) const override { return {}; }
+    int count(const State &, Points points) const override { return points.count; }
+    void add(const State &, Points movers, double scale, Directions, Eigen::ArrayX2d &into) const override
+    {
+        into.middleRows(movers.first, movers.count) += scale * 1e-9 * ++m_asked;
+    }
+    std::vector<Live> explain(const State &, int, Directions) const override { return {}; }
+
+private:
+    mutable int m_asked = 0;
+};
+
+/// A run with a hand in it: a body is carried, thrown, and a parameter changes on the way.
+Script handled(Script script)
+{
+    const std::string body = script.build(script.values).names.front();
+    script.input = {{3, Grab{body}},       {3, Move{{120, 90}}}, {5, Move{{160, 110}}},
+                    {9, Move{{200, 100}}}, {10, Set{"k", 0.25}}, {14, Release{}},
+                    {14, Grab{body}},      {15, Release{}},      {21, Set{"damp", 0.7}},
+                    {21, Set{"k", 0.1}},   {22, Grab{"body"}},   {23, Move{{50, 60}}}};
+    return script;
+}
+
+}
+
+class TestTimeline : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void anyCursorHasTheBitsOfAStraightRun_data()
+    {
+        QTest::addColumn<QString>("scene");
+        QTest::addColumn<QString>("method");
+        QTest::addColumn<double>("h");
+        for (const support::Sample &sample : support::samples()) {
+            for (const MethodPtr &method : allMethods()) {
+                for (const double h : {1.0, 0.25, 1.0 / 3, 2.0, 10.0})
+                    QTest::addRow("%s, %s, h = %.3g", sample.name.c_str(), method->id().c_str(), h)
+                        << QString::fromStdString(sample.name) << QString::fromStdString(method->id()) << h;
+            }
+        }
+    }
+    void anyCursorHasTheBitsOfAStraightRun()
+    {
+        QFETCH(QString, scene);
+        QFETCH(QString, method);
+        QFETCH(double, h);
+        const Script plain = support::script(support::sample(scene.toStdString()), method.toStdString(), h);
+        for (const Script &script : {plain, handled(plain)}) {
+            for (const std::size_t budget : {std::size_t{0}, tinyBudget, Timeline::defaultBudget}) {
+                const std::string found = support::seekMismatch(script, budget, h > 2 ? 200 : 60, 500, 1);
+                QVERIFY2(found.empty(), found.c_str());
+            }
+        }
+    }
+
+    void aStraightRunIsThePhasesAndNothingElse_data() { anyCursorHasTheBitsOfAStraightRun_data(); }
+    void aStraightRunIsThePhasesAndNothingElse()
+    {
+        QFETCH(QString, scene);
+        QFETCH(QString, method);
+        QFETCH(double, h);
+        const Script script = support::script(support::sample(scene.toStdString()), method.toStdString(), h);
+        Track track(script, tinyBudget);
+        track.seek({100, 0});
+        const State expected =
+            support::plainRun(script.build(script.values), method.toStdString(), h, int(track.at().frame));
+        QCOMPARE(support::difference(track.now(), expected), std::string());
+    }
+
+    void aMemoryInAnEffectIsNoticed_data()
+    {
+        QTest::addColumn<QString>("method");
+        for (const MethodPtr &method : allMethods())
+            QTest::newRow(method->title().c_str()) << QString::fromStdString(method->id());
+    }
+    void aMemoryInAnEffectIsNoticed()
+    {
+        QFETCH(QString, method);
+        support::Sample sample = support::sample("creature in a room");
+        const auto build = sample.build;
+        sample.build = [build](const Values &values) {
+            Scene scene = build(values);
+            scene.effects.push_back(std::make_shared<Forgetful>());
+            return scene;
+        };
+        const Script script = support::script(sample, method.toStdString());
+        QVERIFY(!support::seekMismatch(script, tinyBudget, 60, 500, 1).empty());
+    }
+
+    void phasesGoOnAndBack_data()
+    {
+        QTest::addColumn<double>("h");
+        for (const double h : {1.0, 0.5, 3.0})
+            QTest::addRow("h = %g", h) << h;
+    }
+    void phasesGoOnAndBack()
+    {
+        QFETCH(double, h);
+        Timeline timeline(handled(support::script(support::sample("creature in a room"), "published", h)));
+        std::vector<std::pair<Cursor, State>> way;
+        while (timeline.at().frame < 30) {
+            way.emplace_back(timeline.at(), timeline.now());
+            timeline.stepPhase();
+        }
+        for (; !way.empty(); way.pop_back()) {
+            timeline.stepPhaseBack();
+            QVERIFY(timeline.at() == way.back().first);
+            QCOMPARE(support::difference(timeline.now(), way.back().second), std::string());
+        }
+        timeline.stepPhaseBack();
+        QVERIFY(timeline.at() == (Cursor{0, 0}));
+    }
+
+    void rowsGoOnAndBack()
+    {
+        Timeline timeline(support::script(support::sample("creature in a room"), "published", 2.0));
+        timeline.seek({7, 0});
+        QVERIFY(timeline.at() == (Cursor{6, 0})); // rounded down to a row
+        timeline.stepRow();
+        QVERIFY(timeline.at() == (Cursor{8, 0}));
+        timeline.stepPhase();
+        timeline.stepPhase();
+        timeline.stepRowBack();
+        QVERIFY(timeline.at() == (Cursor{8, 0})); // to the start of this row first
+        timeline.stepRowBack();
+        QVERIFY(timeline.at() == (Cursor{6, 0}));
+        timeline.stepPhase();
+        timeline.stepRow();
+        QVERIFY(timeline.at() == (Cursor{8, 0}));
+        timeline.seek({-5, -5});
+        timeline.stepRowBack();
+        QVERIFY(timeline.at() == (Cursor{0, 0}));
+    }
+
+    void aPhasePastTheLastLeadsToTheNextRow()
+    {
+        Timeline timeline(support::script(support::sample("spring to a point"), "published"));
+        timeline.seek({5, 1000});
+        QVERIFY(timeline.at() == (Cursor{6, 0}));
+        timeline.seek({5, timeline.track().phasesPerRow()});
+        QVERIFY(timeline.at() == (Cursor{6, 0}));
+        timeline.seek({2, 1000});
+        QVERIFY(timeline.at() == (Cursor{3, 0}));
+    }
+
+    void liveValuesEndAtTheState_data()
+    {
+        QTest::addColumn<QString>("scene");
+        QTest::addColumn<QString>("method");
+        for (const support::Sample &sample : support::samples()) {
+            for (const MethodPtr &method : allMethods())
+                QTest::addRow("%s, %s", sample.name.c_str(), method->id().c_str())
+                    << QString::fromStdString(sample.name) << QString::fromStdString(method->id());
+        }
+    }
+    void liveValuesEndAtTheState()
+    {
+        QFETCH(QString, scene);
+        QFETCH(QString, method);
+        Track track(support::script(support::sample(scene.toStdString()), method.toStdString(), 0.5),
+                    tinyBudget);
+        QVERIFY(track.moments("foot0").empty());
+        const std::string name = track.shown().scene.names.front();
+        for (int i = 0; i < 200; ++i) {
+            track.seek({track.at().frame, track.at().phase + 1});
+            const State before = track.now();
+            const std::vector<Moment> moments = track.moments(name);
+            QCOMPARE(support::difference(track.now(), before), std::string());
+            const int phases = track.next()->pipeline.phasesPerStep();
+            const int done = track.at().phase % phases == 0 ? phases : track.at().phase % phases;
+            QCOMPARE(int(moments.size()), done);
+            for (const Moment &moment : moments) {
+                for (const Live &live : moment.live) {
+                    if (live.name == "x" && moment.phase + 1 == done)
+                        QVERIFY(std::get<Vec2>(live.value) == before.at(0));
+                }
+            }
+        }
+        QVERIFY(track.moments("nobody").empty());
+    }
+
+    void previewShowsTheRowsInputBeforeItRuns()
+    {
+        Script script = support::script(support::sample("creature in a room"), "published");
+        script.input = {{4, Grab{"foot0"}}, {4, Move{{77, 88}}}};
+        Track track(script, tinyBudget);
+        track.seek({3, 0});
+        std::shared_ptr<const Segment> segment;
+        const State shown = track.preview(segment);
+        QVERIFY(shown.at(0) == (Vec2{77, 88}));
+        QVERIFY(track.now().at(0) != (Vec2{77, 88}));
+        track.seek({3, 1});
+        QVERIFY(support::difference(track.preview(segment), track.now()).empty());
+    }
+};
+
+QTEST_APPLESS_MAIN(TestTimeline)
+#include "tst_timeline.moc"
