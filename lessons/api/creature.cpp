@@ -1,18 +1,51 @@
 #include "lessons/api/creature.h"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
 namespace lessons {
+
+namespace {
+
+/// `points` points at rest in the middle of the stage.
+sim::Scene pointsInTheMiddle(int points)
+{
+    sim::Scene scene;
+    scene.start = sim::State::ofPoints(points);
+    scene.start.position.col(0) = 270.0;
+    scene.start.position.col(1) = 200.0;
+    return scene;
+}
+
+}
 
 sim::Scene creature(int feet)
 {
-    sim::Scene scene;
-    scene.start = sim::State::ofPoints(feet + 1);
-    scene.start.position.col(0) = 270.0;
-    scene.start.position.col(1) = 200.0;
+    sim::Scene scene = creatureWithFeet(feet);
+    if (feet == 1) {
+        scene.names.front() = "foot";
+        scene.groups.front().title = SIM_TEXT("foot");
+    }
+    return scene;
+}
+
+sim::Scene creatureWithFeet(int feet)
+{
+    sim::Scene scene = pointsInTheMiddle(feet + 1);
     for (int i = 0; i < feet; ++i)
-        scene.names.push_back(feet == 1 ? "foot" : "foot" + std::to_string(i));
+        scene.names.push_back("foot" + std::to_string(i));
     scene.names.push_back("body");
-    scene.groups = {{feet == 1 ? SIM_TEXT("foot") : SIM_TEXT("feet"), {0, feet}},
-                    {SIM_TEXT("body"), {feet, 1}}};
+    scene.groups = {{SIM_TEXT("feet"), {0, feet}}, {SIM_TEXT("body"), {feet, 1}}};
+    return scene;
+}
+
+sim::Scene loneFoot()
+{
+    sim::Scene scene = pointsInTheMiddle(1);
+    scene.names = {"foot"};
+    scene.groups = {{SIM_TEXT("foot"), {0, 1}}};
     return scene;
 }
 
@@ -24,10 +57,24 @@ sim::Scene creatureOnHandle()
     return scene;
 }
 
+void placeFeet(sim::Scene &scene, const std::vector<sim::Vec2> &places)
+{
+    const int feet = scene.start.points() - 1;
+    const int placed = std::min(feet, static_cast<int>(places.size()));
+    for (int i = 0; i < placed; ++i)
+        scene.start.place(i, places[static_cast<std::size_t>(i)]);
+    const sim::Vec2 body = scene.start.at(feet);
+    for (int i = placed; i < feet; ++i) {
+        const double angle = 2.0 * std::numbers::pi * (i - placed) / (feet - placed);
+        scene.start.place(i, body + spareDistance * sim::Vec2{std::cos(angle), std::sin(angle)});
+    }
+}
+
 Eigen::ArrayXd halfWidths(const sim::Scene &scene)
 {
     Eigen::ArrayXd half = Eigen::ArrayXd::Constant(scene.start.points(), footWidth / 2);
-    half.tail(1) = bodyWidth / 2;
+    if (scene.names.back() == "body")
+        half.tail(1) = bodyWidth / 2;
     return half;
 }
 

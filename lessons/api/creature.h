@@ -3,6 +3,10 @@
 #include "lessons/api/look.h"
 #include "sim/scene.h"
 
+#include <memory>
+#include <utility>
+#include <vector>
+
 namespace lessons {
 
 /// Widths in px, as published: Creatures I, step 17 (half of them counts at a wall).
@@ -15,6 +19,24 @@ sim::Scene creature(int feet);
 
 /// The same with a body that a hand can carry but no force moves.
 sim::Scene creatureOnHandle();
+
+/// The same with feet that are numbered even when there is only one: "foot0".
+sim::Scene creatureWithFeet(int feet);
+
+/// One point, "foot", at (270, 200), and no body.
+sim::Scene loneFoot();
+
+/// Adds an effect to those that act in `scene`, after the ones added before.
+template <class Effect, class... Arguments>
+void add(sim::Scene &scene, Arguments &&...arguments)
+{
+    scene.effects.push_back(std::make_shared<const Effect>(std::forward<Arguments>(arguments)...));
+}
+
+/// Puts foot 0, 1, 2... where `places` says (px), and the feet beyond those evenly on a circle round the body,
+/// `spareDistance` px away from it.
+constexpr double spareDistance = 60.0;
+void placeFeet(sim::Scene &scene, const std::vector<sim::Vec2> &places);
 
 /// Half of each point's width: feet, then the body.
 Eigen::ArrayXd halfWidths(const sim::Scene &scene);

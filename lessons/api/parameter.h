@@ -19,10 +19,11 @@ struct Parameter
     double max = 1.0;
     double sliderMin = 0.0; ///< the stretch that the slider covers
     double sliderMax = 1.0;
-    int decimals = 2;    ///< shown after the point; 0: a whole number
+    int decimals = 2;    ///< shown after the point
     QStringList choices; ///< ids; when not empty the value is a position in this list
+    bool whole = false;  ///< a count: nothing between two whole numbers
 
-    bool isWhole() const { return decimals == 0; }
+    bool isWhole() const { return whole; }
 };
 
 }

@@ -11,9 +11,10 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(Parameters)
 };
 
-Parameter wall(const char *id, const QString &name, const QString &help, double preset)
+/// A coordinate on the stage, which is `sliderMax` px wide or high.
+Parameter place(const char *id, const QString &name, const QString &help, double preset, double sliderMax)
 {
-    return {id, name, {}, Text::tr("px"), help, preset, -1e6, 1e6, 0.0, 540.0, 0, {}};
+    return {id, name, {}, Text::tr("px"), help, preset, -1e6, 1e6, 0.0, sliderMax, 0, {}};
 }
 
 }
@@ -66,6 +67,22 @@ Parameter radius(double preset)
             {}};
 }
 
+Parameter offset(double preset)
+{
+    return {"offset",
+            Text::tr("Offset"),
+            {},
+            Text::tr("px"),
+            Text::tr("How far to the right of the body the spring ends. Below 0: to the left."),
+            preset,
+            -1e6,
+            1e6,
+            -150.0,
+            150.0,
+            0,
+            {}};
+}
+
 Parameter feet(int preset)
 {
     return {"feet",
@@ -79,7 +96,8 @@ Parameter feet(int preset)
             1.0,
             24.0,
             0,
-            {}};
+            {},
+            true};
 }
 
 Parameter gravity(double preset)
@@ -114,11 +132,18 @@ Parameter bounce(double preset)
             {}};
 }
 
+std::vector<Parameter> centre()
+{
+    return {
+        place("centre_x", Text::tr("Centre x"), Text::tr("How far to the right the cross is."), 270.0, 540.0),
+        place("centre_y", Text::tr("Centre y"), Text::tr("How far down the cross is."), 200.0, 400.0)};
+}
+
 std::vector<Parameter> room()
 {
-    return {wall("left", Text::tr("Left wall"), Text::tr("Where the left wall stands."), 20.0),
-            wall("right", Text::tr("Right wall"), Text::tr("Where the right wall stands."), 520.0),
-            wall("floor", Text::tr("Floor"), Text::tr("How far down the floor lies."), 380.0)};
+    return {place("left", Text::tr("Left wall"), Text::tr("Where the left wall stands."), 20.0, 540.0),
+            place("right", Text::tr("Right wall"), Text::tr("Where the right wall stands."), 520.0, 540.0),
+            place("floor", Text::tr("Floor"), Text::tr("How far down the floor lies."), 380.0, 400.0)};
 }
 
 }

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "lessons/api/hand.h"
+#include "sim/timeline.h"
+
+#include <cstdint>
+#include <string>
+
+/// What the checks of "things to try" are made of. Each looks at the moment of the cursor, and at what was done up
+/// to there; none of them remembers anything.
+namespace lessons {
+
+/// Where the body called `name` is, in px; NaN when there is none.
+sim::Vec2 placeOf(const sim::Timeline &timeline, const std::string &name);
+/// How far apart two bodies are, in px.
+double distance(const sim::Timeline &timeline, const std::string &a, const std::string &b);
+/// The middle of all points, in px, and the sum of their velocities, in px/frame: the momentum, with masses of 1.
+sim::Vec2 middle(const sim::Timeline &timeline);
+sim::Vec2 momentum(const sim::Timeline &timeline);
+/// Whether a place is on the stage of 540 x 400 px.
+bool onStage(sim::Vec2 place);
+
+/// Whether nothing moves: over the next two frames no point would come `stillness` px far in either. (One frame
+/// is not enough: what swings stops for a moment where it turns.) Only between frames.
+constexpr double stillness = 0.05;
+bool isStill(const sim::Timeline &timeline);
+
+/// How many frames the parameter `id` has had the value that it has at the cursor.
+std::int64_t framesSinceSet(const sim::Timeline &timeline, const std::string &id);
+/// Whether `id` is `value`, to half of what its last shown place can be (0.005).
+bool isSetTo(const sim::Timeline &timeline, const std::string &id, double value);
+
+/// Whether the hand let go of `body` (of anything, if empty) while it moved at least `leastSpeed` px/frame.
+bool wasThrown(const sim::Timeline &timeline, const std::string &body = {}, double leastSpeed = 5.0);
+
+/// The phase that was done last, inside a frame; null between two frames.
+const sim::Phase *lastPhase(const sim::Timeline &timeline);
+/// Whether a point of the scene's group `group` (any, if -1) has moved in the step under way, inside a frame.
+bool hasMoved(const sim::Timeline &timeline, int group = -1);
+/// Whether the cursor stands inside a frame where a spring has pulled and nothing has moved.
+bool springPulledNothingMoved(const sim::Timeline &timeline);
+
+/// Whether the run is at least ten frames past the place where it parted from its ghost, which has another value
+/// of `id` there.
+bool comparesWithGhost(const sim::Timeline &timeline, const std::string &id);
+
+/// Whether the run goes on with the method called `id`.
+bool usesMethod(const sim::Timeline &timeline, const std::string &id);
+
+}

@@ -1,0 +1,19 @@
+#include "lessons/api/lesson.h"
+#include "steps.h"
+
+#include <QObject>
+
+class GravityWalls : public QObject, public lessons::Lesson
+{
+    Q_OBJECT
+    Q_PLUGIN_METADATA(IID SpringstepLesson_iid FILE "lesson.json")
+    Q_INTERFACES(lessons::Lesson)
+
+public:
+    std::vector<lessons::Step> steps() const override
+    {
+        return {gravity_walls::wallsStep(), gravity_walls::gravityStep()};
+    }
+};
+
+#include "lesson.moc"

@@ -1,0 +1,83 @@
+#include "steps.h"
+
+#include "lessons/api/creature.h"
+#include "lessons/api/parameters.h"
+#include "scenes.h"
+#include "tries.h"
+
+#include <QCoreApplication>
+
+using namespace lessons;
+
+namespace gravity_walls {
+
+namespace {
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(GravityWalls)
+};
+
+Look inTheRoom(const sim::Scene &scene, const sim::Values &values)
+{
+    Look look = creatureLookWithLegs(scene);
+    look.room = sim::Room{values["left"], values["right"], values["floor"], values["bounce"]};
+    return look;
+}
+
+Step stepCalled(const char *id, const QString &title)
+{
+    Step step;
+    step.id = id;
+    step.title = title;
+    step.setUp = {"lessons/gravity_walls/scenes.cpp", id};
+    step.look = inTheRoom;
+    return step;
+}
+
+void addParameters(Step &step, const std::vector<Parameter> &more)
+{
+    step.parameters.insert(step.parameters.end(), more.begin(), more.end());
+}
+
+}
+
+Step wallsStep()
+{
+    Step step = stepCalled("walls", Text::tr("Walls"));
+    addParameters(step, {stiffness(), damping(0.85), radius(), feet(5), bounce()});
+    addParameters(step, room());
+    step.narration = Text::tr(
+        "Two walls and a floor. After each move they ask: **is an edge past me?** A place is the middle of "
+        "a disc, so half its width counts: 15 px for the body, 5 px for a foot.\n\n"
+        "What went too far is put back until its edge touches the wall. Then its velocity across the wall "
+        "is turned round: times −1, and times **bounce**, the share that it keeps. At 0 it stays at the "
+        "wall.\n\n"
+        "A body in your hand meets no wall, and there is no ceiling.\n\n"
+        "(The tutorial behind this lesson calls the wall at 20 px “right” and the one at 520 px “left”. "
+        "Here left is left.)");
+    step.tries = wallsTries();
+    step.scene = walls::setUp;
+    return step;
+}
+
+Step gravityStep()
+{
+    Step step = stepCalled("gravity", Text::tr("Gravity"));
+    addParameters(step, {stiffness(), damping(0.85), radius(), feet(4), lessons::gravity(), bounce()});
+    addParameters(step, room());
+    step.narration = Text::tr(
+        "**Gravity** is one more pull that adds up: straight down, and the same for everything. y points "
+        "down, so it adds to the y of the velocity.\n\n"
+        "It comes **before damping**, beside the springs. So what hangs still has pulls that cancel: a foot "
+        "hangs where its spring pulls up as much as gravity pulls down, **whatever the damping**. Were "
+        "gravity added after damping, more damping would mean hanging lower.\n\n"
+        "On the floor nothing holds the feet: they slide apart, and the body comes down between them. Its "
+        "velocity there is not 0: in each frame gravity pulls it into the floor and the floor turns "
+        "it round.");
+    step.tries = gravityTries();
+    step.scene = gravity::setUp;
+    return step;
+}
+
+}

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "sim/scene.h"
+#include "sim/values.h"
+
+/// One scene a step, each set up by the same function name, so that the code of two steps differs only in what is
+/// new. The feet are points 0, 1, 2..., the body comes last.
+namespace multi_foot {
+
+namespace two_feet {
+sim::Scene setUp(const sim::Values &values);
+}
+namespace any_number {
+sim::Scene setUp(const sim::Values &values);
+}
+namespace grown_feet {
+sim::Scene setUp(const sim::Values &values);
+}
+
+}

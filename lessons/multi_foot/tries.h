@@ -1,0 +1,13 @@
+#pragma once
+
+#include "lessons/api/step.h"
+
+#include <vector>
+
+namespace multi_foot {
+
+std::vector<lessons::Try> twoFeetTries();
+std::vector<lessons::Try> anyNumberTries();
+std::vector<lessons::Try> grownFeetTries();
+
+}

@@ -1,0 +1,74 @@
+#include "guides.h"
+
+#include "scenes.h"
+#include "sim/direction.h"
+#include "sim/effects/offset_spring.h"
+#include "sim/effects/spring.h"
+
+#include <QCoreApplication>
+
+#include <numbers>
+
+using lessons::Guide;
+
+namespace single_spring {
+
+namespace {
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(SingleSpring)
+};
+
+/// A number as prose writes it, with a real minus sign.
+QString number(double value, int decimals)
+{
+    QString text = QString::number(value, 'f', decimals);
+    return text.replace(u'-', u'−');
+}
+
+sim::Vec2 centreOf(const sim::Values &values)
+{
+    return {values["centre_x"], values["centre_y"]};
+}
+
+Guide guide(Guide::Shape shape, sim::Vec2 a, sim::Vec2 b = {}, double size = 0.0, const QString &label = {})
+{
+    return {shape, a, b, size, label};
+}
+
+}
+
+std::vector<Guide> pullToCome(const sim::Scene &, const sim::State &state, const sim::Values &values)
+{
+    const sim::Vec2 centre = centreOf(values);
+    const sim::Vec2 pull = sim::spring(state.at(foot), centre, values["k"]).pull;
+    return {guide(Guide::Shape::cross, centre),
+            guide(Guide::Shape::arrow, state.at(foot), pull, 0.0, Text::tr("pull to come"))};
+}
+
+std::vector<Guide> centreCross(const sim::Scene &, const sim::State &, const sim::Values &values)
+{
+    return {guide(Guide::Shape::cross, centreOf(values))};
+}
+
+std::vector<Guide> offsetCross(const sim::Scene &, const sim::State &state, const sim::Values &values)
+{
+    return {guide(Guide::Shape::cross, sim::offsetTarget(state.at(body), values["offset"]))};
+}
+
+std::vector<Guide> ringAndAngle(const sim::Scene &, const sim::State &state, const sim::Values &values)
+{
+    const sim::Vec2 centre = state.at(body);
+    const sim::Vec2 end = state.at(foot);
+    const sim::Vec2 corner = {end.x, centre.y};
+    const double angle = sim::publishedDirection(end - centre).angle;
+    const QString label =
+        Text::tr("%1° = %2 rad").arg(number(angle * 180.0 / std::numbers::pi, 1), number(angle, 3));
+    return {guide(Guide::Shape::ring, centre, {}, values["radius"]),
+            guide(Guide::Shape::line, centre, corner, 0.0, QStringLiteral("dx")),
+            guide(Guide::Shape::line, corner, end, 0.0, QStringLiteral("dy")),
+            guide(Guide::Shape::angle, centre, {}, angle, label)};
+}
+
+}

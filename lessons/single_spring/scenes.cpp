@@ -1,0 +1,115 @@
+#include "scenes.h"
+
+#include "lessons/api/creature.h"
+#include "sim/effects/body_spring.h"
+#include "sim/effects/damping.h"
+#include "sim/effects/offset_spring.h"
+#include "sim/effects/point_spring.h"
+#include "sim/effects/radial_spring.h"
+
+using namespace sim;
+using namespace lessons;
+
+namespace single_spring {
+
+namespace drag {
+
+//! [drag]
+Scene setUp(const Values &values)
+{
+    Scene scene = loneFoot();
+    scene.start.place(foot, {420, 120});
+
+    const double damp = values["damp"];
+    add<Damping>(scene, damp);
+    return scene;
+}
+//! [drag]
+
+}
+
+namespace fixed_centre {
+
+//! [fixed_centre]
+Scene setUp(const Values &values)
+{
+    Scene scene = loneFoot();
+    scene.start.place(foot, {420, 120});
+
+    Vec2 centre;
+    centre.x = values["centre_x"];
+    centre.y = values["centre_y"];
+    const double k = values["k"];
+    add<PointSpring>(scene, foot, centre, k);
+
+    const double damp = values["damp"];
+    add<Damping>(scene, damp);
+    return scene;
+}
+//! [fixed_centre]
+
+}
+
+namespace moving_body {
+
+//! [moving_body]
+Scene setUp(const Values &values)
+{
+    Scene scene = creatureOnHandle();
+    scene.start.place(foot, {100, 300});
+
+    const std::vector<Link> links = {{foot, body}};
+    const double k = values["k"];
+    add<BodySpring>(scene, links, k);
+
+    const double damp = values["damp"];
+    add<Damping>(scene, damp);
+    return scene;
+}
+//! [moving_body]
+
+}
+
+namespace offset {
+
+//! [offset]
+Scene setUp(const Values &values)
+{
+    Scene scene = creatureOnHandle();
+    scene.start.place(foot, {100, 300});
+
+    const std::vector<Link> links = {{foot, body}};
+    const double k = values["k"];
+    const double offset = values["offset"];
+    add<OffsetSpring>(scene, links, k, offset);
+
+    const double damp = values["damp"];
+    add<Damping>(scene, damp);
+    return scene;
+}
+//! [offset]
+
+}
+
+namespace radial {
+
+//! [radial]
+Scene setUp(const Values &values)
+{
+    Scene scene = creatureOnHandle();
+    scene.start.place(foot, {300, 230});
+
+    const std::vector<Link> links = {{foot, body}};
+    const double k = values["k"];
+    const double radius = values["radius"];
+    add<RadialSpring>(scene, links, k, radius);
+
+    const double damp = values["damp"];
+    add<Damping>(scene, damp);
+    return scene;
+}
+//! [radial]
+
+}
+
+}

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "lessons/api/step.h"
+
+#include <vector>
+
+namespace single_spring {
+
+std::vector<lessons::Try> dragTries();
+std::vector<lessons::Try> fixedCentreTries();
+std::vector<lessons::Try> movingBodyTries();
+std::vector<lessons::Try> offsetTries();
+std::vector<lessons::Try> radialTries();
+
+}

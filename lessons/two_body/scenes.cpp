@@ -1,0 +1,67 @@
+#include "scenes.h"
+
+#include "lessons/api/creature.h"
+#include "sim/effects/damping.h"
+#include "sim/effects/radial_spring.h"
+
+using namespace sim;
+using namespace lessons;
+
+namespace two_body {
+
+namespace mutual {
+
+//! [mutual]
+Scene setUp(const Values &values)
+{
+    Scene scene = creature(1);
+    scene.start.place(foot, {330, 260});
+
+    const std::vector<Link> links = {{foot, body}, {body, foot}};
+    const double k = values["k"];
+    const double radius = values["radius"];
+    add<RadialSpring>(scene, links, k, radius);
+
+    const double damp = values["damp"];
+    add<Damping>(scene, damp);
+    return scene;
+}
+
+Look look(const Scene &scene)
+{
+    Look look = creatureLook(scene);
+    return look;
+}
+//! [mutual]
+
+}
+
+namespace leg_line {
+
+//! [leg_line]
+Scene setUp(const Values &values)
+{
+    Scene scene = creature(1);
+    scene.start.place(foot, {330, 260});
+
+    const std::vector<Link> links = {{foot, body}, {body, foot}};
+    const double k = values["k"];
+    const double radius = values["radius"];
+    add<RadialSpring>(scene, links, k, radius);
+
+    const double damp = values["damp"];
+    add<Damping>(scene, damp);
+    return scene;
+}
+
+Look look(const Scene &scene)
+{
+    Look look = creatureLook(scene);
+    look.legs.push_back({body, foot});
+    return look;
+}
+//! [leg_line]
+
+}
+
+}

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "lessons/api/look.h"
+#include "sim/scene.h"
+#include "sim/values.h"
+
+/// One scene and one look a step, each under the same function name, so that the code of two steps differs only in
+/// what is new. Point 0 is the foot, point 1 the body.
+namespace two_body {
+
+constexpr int foot = 0;
+constexpr int body = 1;
+
+namespace mutual {
+sim::Scene setUp(const sim::Values &values);
+lessons::Look look(const sim::Scene &scene);
+}
+namespace leg_line {
+sim::Scene setUp(const sim::Values &values);
+lessons::Look look(const sim::Scene &scene);
+}
+
+}

@@ -1,0 +1,65 @@
+#include "tests/lessons/attempts.h"
+
+namespace support {
+
+std::vector<Attempt> attempts()
+{
+    return {
+        {"two_feet", 0, "a foot pulled out",
+         [](Player &p) {
+             p.drag("foot0", {420, 300}, 20);
+             p.playUntilDone(600);
+         }},
+        {"two_feet", 1, "the body carried",
+         [](Player &p) {
+             p.grab("body");
+             p.carryTo({500, 200}, 20);
+         }},
+        {"two_feet", 2, "flown off",
+         [](Player &p) {
+             p.set("damp", 0.9);
+             p.playUntilDone(900);
+         }},
+        {"any_number", 0, "a foot pulled out",
+         [](Player &p) {
+             p.drag("foot3", {100, 190}, 20);
+             p.playUntilDone(600);
+         }},
+        {"any_number", 1, "twelve feet",
+         [](Player &p) {
+             p.play(40);
+             p.set("feet", 12.0);
+             p.playUntilDone(201);
+         }},
+        {"any_number", 2, "a ghost",
+         [](Player &p) {
+             p.play(90);
+             p.goTo(30);
+             p.set("damp", 0.7);
+             p.play(30);
+         }},
+        {"grown_feet", 0, "sixteen feet, all at once",
+         [](Player &p) {
+             p.play(50);
+             p.set("feet", 16.0);
+             p.play(100);
+             p.useMethod("semi_implicit_euler");
+             p.playUntilDone(900);
+         }},
+        {"grown_feet", 1, "sixty feet",
+         [](Player &p) {
+             p.set("feet", 60.0);
+             p.playUntilDone(900);
+         }},
+        {"grown_feet", 2, "sixty feet in half frames, after the explosion",
+         [](Player &p) {
+             p.set("feet", 60.0);
+             p.play(600);
+             p.reset();
+             p.useStep(0.5);
+             p.playUntilDone(600);
+         }},
+    };
+}
+
+}

@@ -1,0 +1,102 @@
+#include "tests/lessons/player.h"
+
+#include "sim/methods/methods.h"
+
+namespace support {
+
+Player::Player(const lessons::Step &step, std::size_t wanted)
+    : m_run(step.script()), m_check(step.tries.at(wanted).done)
+{
+    look();
+}
+
+void Player::look()
+{
+    m_done = m_done || m_check(m_run);
+}
+
+void Player::play(int frames)
+{
+    for (int i = 0; i < frames; ++i) {
+        m_run.stepRow();
+        look();
+    }
+}
+
+void Player::playUntilDone(int frames)
+{
+    for (int i = 0; i < frames && !m_done; ++i)
+        play(1);
+}
+
+void Player::grab(const std::string &body)
+{
+    m_held = body;
+    m_run.hand(sim::Grab{body});
+    look();
+}
+
+void Player::carryTo(sim::Vec2 to, int frames)
+{
+    const sim::Vec2 from = at(m_held);
+    for (int i = 1; i <= frames; ++i) {
+        m_run.hand(sim::Move{from + (double(i) / frames) * (to - from)});
+        play(1);
+    }
+}
+
+void Player::letGo()
+{
+    m_run.hand(sim::Release{});
+    look();
+}
+
+void Player::drag(const std::string &body, sim::Vec2 to, int frames)
+{
+    grab(body);
+    carryTo(to, frames);
+    letGo();
+}
+
+void Player::set(const std::string &parameter, double value)
+{
+    m_run.set(parameter, value);
+    look();
+}
+
+void Player::useMethod(const std::string &id)
+{
+    sim::Script script = m_run.script();
+    script.method = sim::findMethod(id);
+    m_run.replace(std::move(script));
+    look();
+}
+
+void Player::useStep(double h)
+{
+    sim::Script script = m_run.script();
+    script.step = sim::StepSize::of(h);
+    m_run.replace(std::move(script));
+    look();
+}
+
+void Player::goTo(std::int64_t frame)
+{
+    m_run.seek({frame, 0});
+    look();
+}
+
+void Player::stepPhases(int count)
+{
+    for (int i = 0; i < count; ++i) {
+        m_run.stepPhase();
+        look();
+    }
+}
+
+sim::Vec2 Player::at(const std::string &body) const
+{
+    return m_run.now().at(m_run.track().shown().scene.find(body));
+}
+
+}

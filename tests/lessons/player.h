@@ -1,0 +1,47 @@
+#pragma once
+
+#include "lessons/api/step.h"
+
+#include <cstdint>
+#include <string>
+
+namespace support {
+
+/// A learner at a step: does what a hand can do in the app and looks at one "thing to try" after each frame and
+/// each change, as the app does.
+class Player
+{
+public:
+    /// `wanted`: the number of the try to look at.
+    Player(const lessons::Step &step, std::size_t wanted);
+
+    void play(int frames);
+    /// Plays until the try is done, for at most `frames` frames.
+    void playUntilDone(int frames);
+    void grab(const std::string &body);
+    /// Moves the hand to `to` in equal parts, one a frame, from where the held body is.
+    void carryTo(sim::Vec2 to, int frames);
+    void letGo();
+    /// Grabs, carries and lets go: a throw, if `frames` is small.
+    void drag(const std::string &body, sim::Vec2 to, int frames);
+    void set(const std::string &parameter, double value);
+    void useMethod(const std::string &id);
+    void useStep(double h);
+    void goTo(std::int64_t frame);
+    void reset() { goTo(0); }
+    void stepPhases(int count);
+
+    bool done() const { return m_done; }
+    const sim::Timeline &run() const { return m_run; }
+    sim::Vec2 at(const std::string &body) const;
+
+private:
+    void look();
+
+    sim::Timeline m_run;
+    std::function<bool(const sim::Timeline &)> m_check;
+    std::string m_held;
+    bool m_done = false;
+};
+
+}

@@ -1,0 +1,262 @@
+#include "tests/lessons/support.h"
+
+#include "sim/methods/methods.h"
+
+#include <QJsonArray>
+#include <QRegularExpression>
+#include <QSet>
+#include <QTest>
+
+#include <random>
+
+using namespace support;
+
+/// What holds for every step of every lesson, found by walking the plugins: a new lesson is tested here at once.
+class EveryLesson : public QObject
+{
+    Q_OBJECT
+
+    static void addStepRows()
+    {
+        QTest::addColumn<QString>("lesson");
+        QTest::addColumn<QString>("id");
+        for (const QString &lesson : lessonIds()) {
+            for (const lessons::Step &step : loadLesson(lesson).steps)
+                QTest::addRow("%s/%s", qPrintable(lesson), qPrintable(step.id)) << lesson << step.id;
+        }
+    }
+
+    static void addStepAndMethodRows()
+    {
+        QTest::addColumn<QString>("lesson");
+        QTest::addColumn<QString>("id");
+        QTest::addColumn<QString>("method");
+        for (const QString &lesson : lessonIds()) {
+            for (const lessons::Step &step : loadLesson(lesson).steps) {
+                for (const sim::MethodPtr &method : sim::allMethods()) {
+                    const QString name = QString::fromStdString(method->id());
+                    QTest::addRow("%s/%s with %s", qPrintable(lesson), qPrintable(step.id), qPrintable(name))
+                        << lesson << step.id << name;
+                }
+            }
+        }
+    }
+
+    static lessons::Step stepOfRow()
+    {
+        QFETCH(QString, lesson);
+        QFETCH(QString, id);
+        return loadLesson(lesson).step(id);
+    }
+
+    static sim::Script scriptOfRow(double h)
+    {
+        QFETCH(QString, method);
+        return scriptOf(stepOfRow(), method.toStdString(), h);
+    }
+
+private slots:
+    void thereAreLessons() { QVERIFY(lessonIds().size() >= 4); }
+
+    void metadataAgreesWithTheCode_data()
+    {
+        QTest::addColumn<QString>("id");
+        for (const QString &id : lessonIds())
+            QTest::addRow("%s", qPrintable(id)) << id;
+    }
+    void metadataAgreesWithTheCode()
+    {
+        QFETCH(QString, id);
+        const LoadedLesson lesson = loadLesson(id);
+        QCOMPARE(lesson.metadata.value(u"id").toString(), id);
+        QVERIFY(lesson.metadata.value(u"order").toInt() > 0);
+        QVERIFY(!lesson.metadata.value(u"title").toString().isEmpty());
+        QVERIFY(!lesson.metadata.value(u"summary").toString().isEmpty());
+        QStringList ids;
+        for (const lessons::Step &step : lesson.steps)
+            ids << step.id;
+        QCOMPARE(lesson.metadata.value(u"steps").toVariant().toStringList(), ids);
+        QCOMPARE(QSet<QString>(ids.begin(), ids.end()).size(), ids.size());
+    }
+
+    void everyLessonHasAnOrderOfItsOwn()
+    {
+        QSet<int> orders;
+        for (const QString &id : lessonIds())
+            orders << loadLesson(id).metadata.value(u"order").toInt();
+        QCOMPARE(orders.size(), lessonIds().size());
+    }
+
+    void theTextIsShortAndCalm_data() { addStepRows(); }
+    void theTextIsShortAndCalm()
+    {
+        const lessons::Step step = stepOfRow();
+        QVERIFY(!step.title.isEmpty());
+        const qsizetype words =
+            step.narration.split(QRegularExpression(u"\\s+"_qs), Qt::SkipEmptyParts).size();
+        QVERIFY2(words >= 40 && words <= 150, qPrintable(QString::number(words)));
+        QString all = step.title + step.narration;
+        for (const lessons::Try &one : step.tries)
+            all += one.text;
+        QVERIFY(!all.contains(u'!'));
+        QVERIFY2(!all.contains(QRegularExpression(u"\\d (px|rad|°|frames?)\\b"_qs)),
+                 "a thin space belongs before a unit");
+        QVERIFY(step.tries.size() >= 2 && step.tries.size() <= 4);
+    }
+
+    void presetsLieWhereTheyMay_data() { addStepRows(); }
+    void presetsLieWhereTheyMay()
+    {
+        QSet<QString> ids;
+        for (const lessons::Parameter &parameter : stepOfRow().parameters) {
+            QVERIFY2(!ids.contains(parameter.id), qPrintable(parameter.id));
+            ids << parameter.id;
+            QVERIFY2(!parameter.name.isEmpty() && !parameter.help.isEmpty(), qPrintable(parameter.id));
+            QVERIFY(parameter.min <= parameter.sliderMin && parameter.sliderMax <= parameter.max);
+            QVERIFY(parameter.sliderMin <= parameter.preset && parameter.preset <= parameter.sliderMax);
+            QVERIFY(!parameter.isWhole() || parameter.preset == std::round(parameter.preset));
+        }
+    }
+
+    void theSceneIsDrawnWhole_data() { addStepRows(); }
+    void theSceneIsDrawnWhole()
+    {
+        const lessons::Step step = stepOfRow();
+        const sim::Scene scene = step.scene(step.presets());
+        const int points = scene.start.points();
+        QCOMPARE(static_cast<int>(scene.names.size()), points);
+        const lessons::Look look = step.look(scene, step.presets());
+        QCOMPARE(static_cast<int>(look.bodies.size()), points);
+        for (const lessons::LegLook &leg : look.legs)
+            QVERIFY(leg.from >= 0 && leg.from < points && leg.to >= 0 && leg.to < points);
+        for (int i = 0; i < points; ++i)
+            QVERIFY(look.stage.contains(scene.start.at(i).x, scene.start.at(i).y));
+    }
+
+    void guidesAreFiniteWhereverThePointsAre_data() { addStepRows(); }
+    void guidesAreFiniteWhereverThePointsAre()
+    {
+        const lessons::Step step = stepOfRow();
+        if (!step.guides)
+            return;
+        const sim::Values values = step.presets();
+        const sim::Scene scene = step.scene(values);
+        sim::State state = scene.start;
+        const auto finite = [&] {
+            for (const lessons::Guide &guide : step.guides(scene, state, values)) {
+                if (!std::isfinite(guide.a.x + guide.a.y + guide.b.x + guide.b.y + guide.size))
+                    return false;
+            }
+            return true;
+        };
+        QVERIFY(finite());
+        state.position.setConstant(100.0); // all in one place
+        QVERIFY(finite());
+    }
+
+    void anIdleRunDoesNoneOfTheTries_data() { addStepRows(); }
+    void anIdleRunDoesNoneOfTheTries()
+    {
+        const lessons::Step step = stepOfRow();
+        sim::Timeline run(step.script());
+        for (int frame = 0; frame <= 600; ++frame) {
+            for (const lessons::Try &one : step.tries)
+                QVERIFY2(!one.done(run), qPrintable(u"frame %1: %2"_qs.arg(frame).arg(one.text)));
+            run.stepRow();
+        }
+    }
+
+    void aMereClickOnABodyDoesNoneOfTheTries_data() { addStepRows(); }
+    void aMereClickOnABodyDoesNoneOfTheTries()
+    {
+        const lessons::Step step = stepOfRow();
+        for (const std::string &body : step.scene(step.presets()).names) {
+            sim::Timeline run(step.script());
+            run.seek({50, 0});
+            const sim::Vec2 at = run.now().at(run.track().shown().scene.find(body));
+            run.hand(sim::Grab{body});
+            run.hand(sim::Move{at});
+            run.stepRow();
+            run.hand(sim::Release{});
+            for (int frame = 0; frame < 300; ++frame) {
+                for (const lessons::Try &one : step.tries)
+                    QVERIFY2(!one.done(run), qPrintable(one.text));
+                run.stepRow();
+            }
+        }
+    }
+
+    void anySeekGivesTheBitsOfAStraightRun_data() { addStepAndMethodRows(); }
+    void anySeekGivesTheBitsOfAStraightRun()
+    {
+        constexpr int frames = 90;
+        sim::Script script = scriptOfRow(0.5);
+        const std::string body = script.build(script.values).names.front();
+        script.input = {{10, sim::Grab{body}},  {10, sim::Move{{100, 90}}},  {12, sim::Move{{140, 110}}},
+                        {13, sim::Release{}},   {30, sim::Set{"damp", 0.7}}, {50, sim::Grab{body}},
+                        {52, sim::Move{{9, 9}}}};
+        sim::Timeline straight(script);
+        std::map<sim::Cursor, sim::State> states = {{straight.at(), straight.now()}};
+        while (straight.at().frame < frames) {
+            straight.stepPhase();
+            states[straight.at()] = straight.now();
+        }
+        sim::Timeline seeker(script, 40'000); // so small that most states are dropped
+        std::mt19937 random(7);
+        for (int i = 0; i < 500; ++i) {
+            const auto chosen = std::uniform_int_distribution<std::size_t>(0, states.size() - 1)(random);
+            const auto &[cursor, state] = *std::next(states.begin(), static_cast<std::ptrdiff_t>(chosen));
+            seeker.seek(cursor);
+            QVERIFY(seeker.at() == cursor);
+            QVERIFY(sim::sameBits(seeker.now(), state));
+        }
+    }
+
+    void everyPhaseHasSourceToShow_data() { addStepAndMethodRows(); }
+    void everyPhaseHasSourceToShow()
+    {
+        const sim::Script script = scriptOfRow(1.0);
+        std::vector<sim::Region> regions = {stepOfRow().setUp, script.method->region()};
+        const sim::Scene scene = sim::sceneOf(script, script.values);
+        for (const sim::Phase &phase : sim::compose(scene, *script.method, script.step).phases) {
+            QVERIFY2(!phase.regions.empty() && !phase.title.empty(), phase.id.c_str());
+            regions.insert(regions.end(), phase.regions.begin(), phase.regions.end());
+        }
+        for (const sim::Region &region : regions) {
+            const std::optional<QString> text = regionText(region);
+            QVERIFY2(text && !text->trimmed().isEmpty(), (region.file + " " + region.marker).c_str());
+        }
+    }
+
+    void everyLiveValueIsNamedInThatSource_data() { addStepAndMethodRows(); }
+    void everyLiveValueIsNamedInThatSource()
+    {
+        const sim::Script script = scriptOfRow(1.0);
+        const sim::Scene scene = sim::sceneOf(script, script.values);
+        const sim::Pipeline pipeline = sim::compose(scene, *script.method, script.step);
+        sim::State state = scene.start;
+        for (int frame = 0; frame < 40; ++frame) {
+            for (const sim::Phase &phase : pipeline.phases) {
+                const sim::State before = state;
+                phase.run(state);
+                for (int point = phase.points.first; point < phase.points.end(); ++point)
+                    checkNames(phase, phase.explain(before, state, point));
+            }
+        }
+    }
+
+private:
+    static void checkNames(const sim::Phase &phase, const std::vector<sim::Live> &live)
+    {
+        QString source;
+        for (const sim::Region &region : phase.regions)
+            source += regionText(region).value_or(QString());
+        for (const sim::Live &one : live) {
+            const QRegularExpression word(u"\\b%1\\b"_qs.arg(QString::fromStdString(one.name)));
+            QVERIFY2(source.contains(word), (phase.id + ": " + one.name).c_str());
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(EveryLesson)
+#include "tst_every_lesson.moc"

@@ -1,0 +1,174 @@
+#include "tests/lessons/attempts.h"
+#include "tests/lessons/published_files.h"
+#include "tests/lessons/tutorial_match.h"
+
+#include <QTest>
+
+#include <cmath>
+#include <set>
+
+using namespace support;
+
+class MultiFoot : public QObject
+{
+    Q_OBJECT
+
+    const LoadedLesson m_lesson = loadLesson(QStringLiteral("multi_foot"));
+
+    const lessons::Step &step(const char *id) const { return m_lesson.step(QString::fromUtf8(id)); }
+
+    sim::Scene grown(double feet, std::uint64_t seed) const
+    {
+        sim::Values values = step("grown_feet").presets();
+        values.set("feet", feet);
+        values.seed = seed;
+        return step("grown_feet").scene(values);
+    }
+
+private slots:
+    void publishedTrajectories_data();
+    void publishedTrajectories();
+    void matchesTheTutorialsCode_data();
+    void matchesTheTutorialsCode();
+    void allAtOnceKeepsMomentumWithAnyNumberOfFeet_data();
+    void allAtOnceKeepsMomentumWithAnyNumberOfFeet();
+    void theTwoMethodsConvergeWithOrderOne_data();
+    void theTwoMethodsConvergeWithOrderOne();
+    void fewFeetComeToRestOneRadiusFromTheBody();
+    void damping085KeepsTheCreatureInThePictureAnd09DoesNot();
+    void sixtyPublishedFeetExplodeAndHoldInHalfFrames();
+    void grownFeetStartWithin50PxAndDependOnTheSeedAlone();
+    void oneFootIsNumberedToo();
+    void feetBeyondTheFirstFiveStandOnACircle();
+    void everyTryIsDoneByWhatItDescribes_data() { addAttemptRows(m_lesson, attempts()); }
+    void everyTryIsDoneByWhatItDescribes() { checkAttempt(m_lesson); }
+};
+
+void MultiFoot::publishedTrajectories_data()
+{
+    QTest::addColumn<QString>("name");
+    for (const QString &name : publishedNames(QStringLiteral("multi_foot")))
+        QTest::addRow("%s", qPrintable(name)) << name;
+}
+
+void MultiFoot::publishedTrajectories()
+{
+    QFETCH(QString, name);
+    QVERIFY(largestDifference(readPublished(name, m_lesson)) <= 1e-9);
+}
+
+void MultiFoot::matchesTheTutorialsCode_data()
+{
+    QTest::addColumn<Match>("match");
+    std::mt19937 random(3);
+    const auto tutorial = [&](int feet) { return randomTutorial(Tutorial::Kind::mutual, feet, random); };
+    for (int run = 0; run < 10; ++run)
+        QTest::addRow("two_feet, random drags %d", run) << Match{"two_feet", tutorial(2)};
+    for (int feet = 1; feet <= 16; ++feet) {
+        for (const char *id : {"any_number", "grown_feet"})
+            QTest::addRow("%s, %d feet, random drags", id, feet) << Match{id, tutorial(feet)};
+    }
+}
+
+void MultiFoot::matchesTheTutorialsCode()
+{
+    QFETCH(Match, match);
+    QVERIFY(largestDifference(step(match.step), match.tutorial, 200) <= 1e-9);
+}
+
+void MultiFoot::allAtOnceKeepsMomentumWithAnyNumberOfFeet_data()
+{
+    QTest::addColumn<int>("feet");
+    for (int feet : {1, 2, 5, 12})
+        QTest::addRow("%d feet", feet) << feet;
+}
+
+void MultiFoot::allAtOnceKeepsMomentumWithAnyNumberOfFeet()
+{
+    QFETCH(int, feet);
+    sim::Script script =
+        scriptOf(step("grown_feet"), "semi_implicit_euler", 0.5, {{"damp", 1.0}, {"feet", double(feet)}});
+    script.bodies["body"] = {{270, 200}, sim::Vec2{6, -3}};
+    const sim::State state = stateAfter(script, 500);
+    const sim::Vec2 momentum = {state.velocity.col(0).sum(), state.velocity.col(1).sum()};
+    QVERIFY(sim::length(momentum - sim::Vec2{6, -3}) < 1e-9);
+}
+
+void MultiFoot::theTwoMethodsConvergeWithOrderOne_data()
+{
+    QTest::addColumn<QString>("id");
+    for (const char *id : {"two_feet", "any_number"})
+        QTest::newRow(id) << id;
+}
+
+void MultiFoot::theTwoMethodsConvergeWithOrderOne()
+{
+    QFETCH(QString, id);
+    const Slope slope = slopeOf(
+        [&](double h) {
+            const lessons::Step &step = m_lesson.step(id);
+            return farthestApart(stateAfter(scriptOf(step, "published", h), 20),
+                                 stateAfter(scriptOf(step, "semi_implicit_euler", h), 20));
+        },
+        4, 9);
+    QVERIFY(slope.least > 0.9 && slope.greatest < 1.1);
+}
+
+void MultiFoot::fewFeetComeToRestOneRadiusFromTheBody()
+{
+    const sim::State rest = stateAfter(step("any_number").script(), 3000);
+    for (int foot = 0; foot < 5; ++foot)
+        QVERIFY(std::abs(sim::length(rest.at(foot) - rest.at(5)) - 50.0) < 1e-9);
+}
+
+void MultiFoot::damping085KeepsTheCreatureInThePictureAnd09DoesNot()
+{
+    const auto bodyLater = [&](double damp) {
+        return stateAfter(scriptOf(step("two_feet"), "published", 1.0, {{"damp", damp}}), 1000).at(2);
+    };
+    QVERIFY(sim::length(bodyLater(0.85) - sim::Vec2{270, 200}) < 10.0);
+    QVERIFY(sim::length(bodyLater(0.9) - sim::Vec2{270, 200}) > 1000.0);
+}
+
+void MultiFoot::sixtyPublishedFeetExplodeAndHoldInHalfFrames()
+{
+    sim::Track whole(scriptOf(step("grown_feet"), "published", 1.0, {{"feet", 60.0}}), 0);
+    whole.seek({400, 0});
+    QVERIFY(whole.stop() || whole.now().position.abs().maxCoeff() > 1e20);
+    const sim::State halves =
+        stateAfter(scriptOf(step("grown_feet"), "published", 0.5, {{"feet", 60.0}}), 400);
+    QVERIFY(halves.velocity.abs().maxCoeff() < 1e-6);
+    QVERIFY(sim::length(halves.at(60) - sim::Vec2{270, 200}) < 50.0);
+}
+
+void MultiFoot::grownFeetStartWithin50PxAndDependOnTheSeedAlone()
+{
+    const sim::State hundred = grown(100, 1).start;
+    QCOMPARE(hundred.points(), 101);
+    QVERIFY(((hundred.position.col(0) - 270.0).abs() <= 50.0).all());
+    QVERIFY(((hundred.position.col(1) - 200.0).abs() <= 50.0).all());
+    QVERIFY(sim::sameBits(hundred, grown(100, 1).start));
+    QVERIFY(!sim::sameBits(hundred, grown(100, 2).start));
+    std::set<std::pair<double, double>> places;
+    for (int foot = 0; foot < 100; ++foot)
+        places.insert({hundred.at(foot).x, hundred.at(foot).y});
+    QCOMPARE(places.size(), std::size_t{100});
+}
+
+void MultiFoot::oneFootIsNumberedToo()
+{
+    QCOMPARE(grown(1, 1).names, (std::vector<std::string>{"foot0", "body"}));
+}
+
+void MultiFoot::feetBeyondTheFirstFiveStandOnACircle()
+{
+    sim::Values values = step("any_number").presets();
+    values.set("feet", 9.0);
+    const sim::State start = step("any_number").scene(values).start;
+    QCOMPARE(start.at(4), (sim::Vec2{310, 180}));
+    for (int foot = 5; foot < 9; ++foot)
+        QVERIFY(std::abs(sim::length(start.at(foot) - start.at(9)) - 60.0) < 1e-9);
+}
+
+QTEST_GUILESS_MAIN(MultiFoot)
+#include "tst_multi_foot.moc"

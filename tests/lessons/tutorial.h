@@ -1,0 +1,61 @@
+#pragma once
+
+#include "sim/script.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace support {
+
+/// A movie clip of the tutorials.
+struct Clip
+{
+    double x = 0.0, y = 0.0;   ///< px
+    double vx = 0.0, vy = 0.0; ///< px/frame
+    double width = 10.0;       ///< px
+};
+
+/// Creatures I, written down a second time straight from the printed code, with nothing of sim in it: feet in
+/// order, then the body. The yardstick for the lessons; changed from print only in how a hand holds (the rule of
+/// the experiment file) and in that `left` is the wall on the left.
+class Tutorial
+{
+public:
+    enum class Kind {
+        fixedCentre, ///< step 4
+        movingBody,  ///< step 5; the body is a handle, as in the next two
+        offset,      ///< step 6
+        radial,      ///< step 7
+        mutual,      ///< step 9 to 19: as many feet as there are
+    };
+
+    Kind kind = Kind::mutual;
+    double k = 0.2, damp = 0.9, radius = 50.0, offset = 50.0, centreX = 270.0, centreY = 200.0;
+    double gravity = 0.0, left = 20.0, right = 520.0, floor = 380.0, bounce = 1.0;
+    bool hasWalls = false;
+    std::vector<Clip> feet;
+    Clip body;
+    std::vector<sim::Event> input; ///< grab, move and release, by frame
+
+    /// Computes one frame.
+    void enterFrame();
+    /// The feet, then the body if there is one.
+    std::vector<Clip> clips() const;
+
+private:
+    void handle(const sim::Event &event);
+    Clip *clipCalled(const std::string &name);
+    void dragged(Clip &clip, bool keepsVelocity);
+    void footSpring(Clip &foot);
+    void bodySpring();
+    void springTo(Clip &clip, double targetX, double targetY) const;
+    void springAround(Clip &clip, const Clip &other) const;
+    void goOn(Clip &clip) const;
+
+    int m_frame = 0;
+    Clip *m_held = nullptr;
+    double m_handX = 0.0, m_handY = 0.0;
+};
+
+}

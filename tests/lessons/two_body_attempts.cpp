@@ -1,0 +1,65 @@
+#include "tests/lessons/attempts.h"
+
+namespace support {
+
+std::vector<Attempt> attempts()
+{
+    return {
+        {"mutual", 0, "stopped between the two moves",
+         [](Player &p) {
+             p.play(5);
+             p.stepPhases(4);
+         }},
+        {"mutual", 1, "left to fly",
+         [](Player &p) {
+             p.set("k", 0.3);
+             p.playUntilDone(300);
+         }},
+        {"mutual", 2, "calmed from the start",
+         [](Player &p) {
+             p.set("k", 0.3);
+             p.set("damp", 0.85);
+             p.playUntilDone(600);
+         }},
+        {"mutual", 2, "calmed in flight",
+         [](Player &p) {
+             p.set("k", 0.3);
+             p.play(150);
+             p.set("damp", 0.85);
+             p.playUntilDone(600);
+         }},
+        {"mutual", 3, "all at once, after a flight",
+         [](Player &p) {
+             p.set("k", 0.3);
+             p.play(150);
+             p.useMethod("semi_implicit_euler");
+             p.playUntilDone(101);
+         }},
+        {"leg_line", 0, "stretched",
+         [](Player &p) {
+             p.grab("foot");
+             p.carryTo({490, 390}, 6);
+         }},
+        {"leg_line", 1, "pressed",
+         [](Player &p) {
+             p.grab("foot");
+             p.carryTo(p.at("body"), 5);
+             p.letGo();
+         }},
+        {"leg_line", 2, "a long leg",
+         [](Player &p) {
+             p.play(30);
+             p.set("radius", 100.0);
+             p.playUntilDone(900);
+         }},
+        {"leg_line", 3, "a ghost",
+         [](Player &p) {
+             p.play(90);
+             p.goTo(30);
+             p.set("k", 0.1);
+             p.play(30);
+         }},
+    };
+}
+
+}
