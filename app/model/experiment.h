@@ -1,24 +1,15 @@
 #pragma once
 
 #include "app/model/lesson_library.h"
+#include "app/model/refusal.h"
 #include "sim/script.h"
 
 #include <QByteArray>
 #include <QString>
 
 #include <cstdint>
-#include <map>
-#include <stdexcept>
 
 namespace app {
-
-/// What a file, an argument or a parameter was refused for: one clear sentence with place and remedy.
-class Refusal : public std::runtime_error
-{
-public:
-    explicit Refusal(const QString &sentence) : std::runtime_error(sentence.toStdString()) {}
-    QString sentence() const { return QString::fromUtf8(what()); }
-};
 
 /// An experiment file (springstep-experiment/1): a step of a lesson, what is changed in it, and the input.
 struct Experiment
@@ -46,5 +37,12 @@ void writeExperiment(const QString &path, const Experiment &experiment, const Le
 
 /// An untouched experiment of a step. @throws Refusal for names that are not there, listing what there is
 Experiment newExperiment(const QString &lesson, const QString &step, const LessonLibrary &library);
+
+/// The ids that there are, as messages list them.
+QString lessonIds(const LessonLibrary &library);
+QString stepIds(const LessonEntry &lesson);
+/// "there is no lesson ID; there is ...": what messages say about a name that is not there.
+QString noLesson(const QString &id, const LessonLibrary &library);
+QString noStep(const QString &id, const LessonEntry &lesson);
 
 }

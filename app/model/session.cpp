@@ -8,6 +8,7 @@
 #include <QLocale>
 
 #include <algorithm>
+#include <utility>
 
 namespace app {
 
@@ -201,7 +202,11 @@ void Session::approach()
         m_goingTo.reset();
         return;
     }
+    // One call at a time, however often the goal changes meanwhile.
+    if (std::exchange(m_approachDue, true))
+        return;
     QTimer::singleShot(0, this, [this] {
+        m_approachDue = false;
         approach();
         checkTries();
         emit moved();

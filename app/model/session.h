@@ -142,6 +142,7 @@ private:
     QString m_ghostName;
     bool m_holding = false;
     std::optional<std::int64_t> m_goingTo;
+    bool m_approachDue = false; ///< whether the next slice of the way is already asked for
     std::map<QString, Left> m_left; ///< steps that were open before, as they were left
 };
 

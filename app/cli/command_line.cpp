@@ -1,0 +1,129 @@
+#include "app/cli/command_line.h"
+
+#include "app/cli/lessons_list.h"
+#include "app/cli/terminal.h"
+#include "app/cli/trace.h"
+#include "app/model/words.h"
+
+#include <QCommandLineParser>
+#include <QCoreApplication>
+#include <QFileInfo>
+
+namespace app {
+
+namespace {
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(CommandLine)
+};
+
+int runLessons(const QStringList &arguments)
+{
+    QCommandLineParser parser;
+    const QCommandLineOption json(QStringLiteral("json"), Text::tr("The same as JSON."));
+    parser.addOption(json);
+    parser.setApplicationDescription(Text::tr("Lists lessons, steps, parameters and methods."));
+    if (const auto settled = readArguments(parser, "lessons", arguments, {}))
+        return *settled;
+    return listLessons(parser.isSet(json));
+}
+
+int runTrace(const QStringList &arguments)
+{
+    QCommandLineParser parser;
+    parser.setApplicationDescription(
+        Text::tr("Computes an experiment and writes every frame as CSV: frame,body,x,y,vx,vy."));
+    parser.addPositionalArgument("FILE", Text::tr("The experiment."));
+    if (const auto settled = readArguments(parser, "trace", arguments, {"FILE"}))
+        return *settled;
+    return trace(parser.positionalArguments().constFirst());
+}
+
+void describeProgram(QCommandLineParser &parser)
+{
+    parser.setApplicationDescription(
+        Text::tr("Physically based animation, step by step.\n\n"
+                 "Without a verb the window opens, with an experiment if FILE names one.\n\n"
+                 "Verbs; each has its own --help, and none needs a display:\n"
+                 "  lessons [--json]                            lists lessons, steps, parameters, methods\n"
+                 "  trace FILE                                  writes the run of an experiment as CSV\n"
+                 "  screenshot LESSON/STEP --frame N OUT.png    draws the window"));
+    parser.addPositionalArgument("FILE", Text::tr("An experiment to open."), "[FILE | VERB ...]");
+    parser.addOption({{"v", "version"}, Text::tr("Prints the version.")});
+}
+
+/// Refuses a first argument that is neither a verb nor a file. Returns whether it did.
+bool refusesName(const QStringList &names)
+{
+    if (names.isEmpty() || (names.size() == 1 && QFileInfo::exists(names.front())))
+        return false;
+    const QString verbList = verbs().join(", ");
+    if (names.size() == 1)
+        refuseUse(Text::tr("there is no verb and no file %1; the verbs are %2.")
+                      .arg(quoted(names.front()), verbList));
+    else
+        refuseUse(Text::tr("there is no verb %1; the verbs are %2.").arg(quoted(names.front()), verbList));
+    return true;
+}
+
+}
+
+QStringList verbs()
+{
+    return {"lessons", "trace", "screenshot"};
+}
+
+int refuseUse(const QString &sentence)
+{
+    say("springstep: " + sentence);
+    return exitBadUse;
+}
+
+std::optional<int> readArguments(QCommandLineParser &parser, const QString &verb,
+                                 const QStringList &arguments, const QStringList &names)
+{
+    const QCommandLineOption help({"h", "help"}, Text::tr("Prints this help."));
+    parser.addOption(help);
+    const QString program = verb.isEmpty() ? QStringLiteral("springstep") : "springstep " + verb;
+    if (!parser.parse(QStringList{program} + arguments))
+        return refuseUse(
+            Text::tr("%1; %2 --help tells what there is.").arg(oneLine(parser.errorText()), program));
+    if (parser.isSet(help)) {
+        QString text = parser.helpText();
+        text.replace(QCoreApplication::arguments().value(0), program);
+        print(text.trimmed() + '\n');
+        return exitDone;
+    }
+    if (verb.isEmpty() || parser.positionalArguments().size() == names.size())
+        return {};
+    const QString takes = names.isEmpty() ? Text::tr("no name") : names.join(' ');
+    return refuseUse(Text::tr("%1 takes %2; %3 --help tells more.").arg(verb, takes, program));
+}
+
+std::variant<int, QString> readWindowArguments(const QStringList &arguments)
+{
+    QCommandLineParser parser;
+    describeProgram(parser);
+    if (const auto settled = readArguments(parser, {}, arguments, {}))
+        return *settled;
+    if (parser.isSet("version")) {
+        print("springstep " + QCoreApplication::applicationVersion() + '\n');
+        return exitDone;
+    }
+    if (refusesName(parser.positionalArguments()))
+        return exitBadUse;
+    return parser.positionalArguments().value(0);
+}
+
+std::optional<int> runPlainVerb(const QStringList &arguments)
+{
+    const QString verb = arguments.value(0);
+    if (verb == "lessons")
+        return runLessons(arguments.mid(1));
+    if (verb == "trace")
+        return runTrace(arguments.mid(1));
+    return {};
+}
+
+}

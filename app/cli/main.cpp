@@ -1,0 +1,65 @@
+#include "app/cli/command_line.h"
+#include "app/cli/screenshot_arguments.h"
+
+#include <QApplication>
+
+namespace {
+
+bool hasDisplay()
+{
+#if defined(Q_OS_UNIX) && !defined(Q_OS_DARWIN)
+    return !qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM") || !qEnvironmentVariableIsEmpty("DISPLAY") ||
+           !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY");
+#else
+    return true;
+#endif
+}
+
+/// Verbs that need no window system start without one.
+std::variant<int, QString, app::ScreenshotRequest> readCommand(int argc, char **argv)
+{
+    const QCoreApplication plain(argc, argv);
+    const QStringList arguments = QCoreApplication::arguments().mid(1);
+    if (const auto done = app::runPlainVerb(arguments))
+        return *done;
+    const auto widen = [](auto &&value) { return std::variant<int, QString, app::ScreenshotRequest>(value); };
+    if (arguments.value(0) == "screenshot")
+        return std::visit(widen, app::readScreenshotArguments(arguments.mid(1)));
+    return std::visit(widen, app::readWindowArguments(arguments));
+}
+
+int start(int argc, char **argv, const QString &file)
+{
+    if (!hasDisplay())
+        return app::refuseUse(QCoreApplication::translate(
+                                  "CommandLine", "there is no display for the window; set DISPLAY, or use a "
+                                                 "verb that needs none: %1.")
+                                  .arg(app::verbs().join(", ")));
+    QApplication application(argc, argv);
+    return app::runWindow(application, file);
+}
+
+int start(int argc, char **argv, const app::ScreenshotRequest &request)
+{
+    // The same picture everywhere, with a display or without.
+    if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+    QApplication application(argc, argv);
+    return app::takeScreenshot(application, request);
+}
+
+}
+
+int main(int argc, char **argv)
+{
+    QCoreApplication::setApplicationName("springstep");
+    QCoreApplication::setOrganizationName("springstep");
+    QCoreApplication::setApplicationVersion(SPRINGSTEP_VERSION);
+    QGuiApplication::setApplicationDisplayName("Springstep");
+    const auto command = readCommand(argc, argv);
+    if (const int *done = std::get_if<int>(&command))
+        return *done;
+    if (const QString *file = std::get_if<QString>(&command))
+        return start(argc, argv, *file);
+    return start(argc, argv, std::get<app::ScreenshotRequest>(command));
+}

@@ -1,0 +1,101 @@
+#include "app/cli/screenshot_arguments.h"
+
+#include "app/cli/command_line.h"
+#include "app/cli/terminal.h"
+#include "app/model/experiment.h"
+#include "app/model/words.h"
+
+#include <QCommandLineParser>
+#include <QCoreApplication>
+#include <QRegularExpression>
+
+#include <limits>
+
+namespace app {
+
+namespace {
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(CommandLine)
+};
+
+/// The number of an option. @throws Refusal
+std::int64_t wholeNumber(const QString &option, const QString &text, std::int64_t most)
+{
+    bool isNumber = false;
+    const qint64 number = text.toLongLong(&isNumber);
+    if (!isNumber || number < 0 || number > most)
+        throw Refusal(Text::tr("--%1 is %2; it can be a whole number from 0 to %3.")
+                          .arg(option, quoted(text))
+                          .arg(most));
+    return number;
+}
+
+QSize pictureSize(const QString &text)
+{
+    static const QRegularExpression form(QStringLiteral("\\A(\\d{3,4})x(\\d{3,4})\\z"));
+    const auto match = form.match(text);
+    if (!match.hasMatch())
+        throw Refusal(
+            Text::tr(
+                "--size is %1; it can be WIDTHxHEIGHT in pixels, each from 100 to 9999, such as 1280x800.")
+                .arg(quoted(text)));
+    return {match.captured(1).toInt(), match.captured(2).toInt()};
+}
+
+bool isDark(const QString &text)
+{
+    if (text != "light" && text != "dark")
+        throw Refusal(Text::tr("--theme is %1; it can be \"light\" or \"dark\".").arg(quoted(text)));
+    return text == "dark";
+}
+
+/// What to photograph. @throws Refusal
+ScreenshotRequest requestFrom(const QCommandLineParser &parser)
+{
+    ScreenshotRequest request;
+    const QString place = parser.positionalArguments().at(0);
+    if (place.count('/') != 1 || place.startsWith('/') || place.endsWith('/'))
+        throw Refusal(
+            Text::tr("%1 is not a step; name it as LESSON/STEP, as \"springstep lessons\" lists them.")
+                .arg(quoted(place)));
+    request.lesson = place.section('/', 0, 0);
+    request.step = place.section('/', 1);
+    request.out = parser.positionalArguments().at(1);
+    request.frame = wholeNumber("frame", parser.value("frame"), mostFrames);
+    request.phase = int(wholeNumber("phase", parser.value("phase"), std::numeric_limits<int>::max()));
+    request.size = pictureSize(parser.value("size"));
+    request.dark = isDark(parser.value("theme"));
+    return request;
+}
+
+void addScreenshotOptions(QCommandLineParser &parser)
+{
+    parser.setApplicationDescription(Text::tr("Draws the window as a learner sees it."));
+    parser.addPositionalArgument("LESSON/STEP", Text::tr("The step to open."));
+    parser.addPositionalArgument("OUT.png", Text::tr("The picture to write."));
+    parser.addOptions({
+        {"frame", Text::tr("Go to frame N (default 0)."), "N", "0"},
+        {"phase", Text::tr("Stop after P phases inside the next frame (default 0)."), "P", "0"},
+        {"size", Text::tr("Width and height in pixels (default 1280x800)."), "WxH", "1280x800"},
+        {"theme", Text::tr("light or dark (default light)."), "THEME", "light"},
+    });
+}
+
+}
+
+std::variant<int, ScreenshotRequest> readScreenshotArguments(const QStringList &arguments)
+{
+    QCommandLineParser parser;
+    addScreenshotOptions(parser);
+    if (const auto settled = readArguments(parser, "screenshot", arguments, {"LESSON/STEP", "OUT.png"}))
+        return *settled;
+    try {
+        return requestFrom(parser);
+    } catch (const Refusal &refusal) {
+        return refuseUse(refusal.sentence());
+    }
+}
+
+}

@@ -1,0 +1,193 @@
+#include "app/model/code_listing.h"
+
+#include "app/model/sentences.h"
+#include "sim/error.h"
+#include "sim/methods/methods.h"
+
+#include <QCoreApplication>
+#include <QHash>
+#include <QRegularExpression>
+#include <QSet>
+
+#include <algorithm>
+#include <utility>
+
+namespace app {
+
+namespace {
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(CodeListing)
+};
+
+using Place = std::pair<QString, int>; ///< file and line number
+
+Place placeOf(const CodeLine &line)
+{
+    return {line.file, line.source.number};
+}
+
+void append(std::vector<CodeLine> &lines, SourceBook &book, const sim::Region &region)
+{
+    const auto text = book.text(region);
+    if (!text)
+        return;
+    for (const SourceLine &line : *text)
+        lines.push_back({line, QString::fromStdString(region.file)});
+}
+
+QString capitalised(QString text)
+{
+    if (!text.isEmpty())
+        text[0] = text[0].toUpper();
+    return text;
+}
+
+bool groupsDiffer(const sim::Pipeline &pipeline, const std::vector<int> &phases, const sim::Phase &phase)
+{
+    return std::none_of(phases.begin(), phases.end(), [&](int other) {
+        return pipeline.phases[static_cast<std::size_t>(other)].group == phase.group;
+    });
+}
+
+/// The section of an earlier phase that is the same work on another group.
+CodeSection *sharedBy(CodeListing &listing, const sim::Pipeline &pipeline, const sim::Phase &phase)
+{
+    for (CodeSection &section : listing.sections) {
+        if (section.role != CodeSection::Role::phase)
+            continue;
+        const sim::Phase &first = pipeline.phases[static_cast<std::size_t>(section.phases.front())];
+        if (first.id == phase.id && first.regions == phase.regions &&
+            groupsDiffer(pipeline, section.phases, phase))
+            return &section;
+    }
+    return nullptr;
+}
+
+void appendPhases(CodeListing &listing, SourceBook &book, const sim::Pipeline &pipeline)
+{
+    int number = 0;
+    for (int i = 0; i < pipeline.phasesPerStep(); ++i) {
+        const sim::Phase &phase = pipeline.phases[static_cast<std::size_t>(i)];
+        if (CodeSection *shared = sharedBy(listing, pipeline, phase)) {
+            shared->phases.push_back(i);
+            continue;
+        }
+        CodeSection section;
+        section.title = QStringLiteral("%1 %2").arg(++number).arg(capitalised(phrase(phase.title)));
+        section.kind = phase.kind;
+        section.phases = {i};
+        for (const sim::Region &region : phase.regions)
+            append(section.lines, book, region);
+        listing.sections.push_back(std::move(section));
+    }
+}
+
+/// What is compared of a line: its text without regard to spaces; empty for one that says nothing.
+QString comparable(const CodeLine &line)
+{
+    static const QRegularExpression nothing(QStringLiteral("^[{};\\s)]*$"));
+    const QString text = line.source.text.simplified();
+    return nothing.match(text).hasMatch() ? QString() : text;
+}
+
+}
+
+QString CodeLine::code() const
+{
+    const qsizetype comment = source.text.indexOf(QLatin1String("//"));
+    return (comment < 0 ? source.text : source.text.left(comment)).trimmed();
+}
+
+QStringList CodeSection::files() const
+{
+    QStringList files;
+    for (const CodeLine &line : lines) {
+        if (!files.contains(line.file))
+            files.append(line.file);
+    }
+    return files;
+}
+
+bool CodeSection::has(int phase) const
+{
+    return std::find(phases.begin(), phases.end(), phase) != phases.end();
+}
+
+int CodeListing::newLines() const
+{
+    QSet<Place> places;
+    for (const CodeSection &section : sections) {
+        for (const CodeLine &line : section.lines) {
+            if (line.isNew)
+                places.insert(placeOf(line));
+        }
+    }
+    return static_cast<int>(places.size());
+}
+
+CodeListing listingOf(const lessons::Step &step, const sim::Segment &segment, const sim::Method &method)
+{
+    SourceBook book;
+    CodeListing listing;
+    CodeSection scene{CodeSection::Role::scene, Text::tr("Scene"), sim::Kind::motion, {}, {}};
+    append(scene.lines, book, step.setUp);
+    listing.sections.push_back(std::move(scene));
+    CodeSection order{CodeSection::Role::order,
+                      Text::tr("%1: the order").arg(phrase(method.title())),
+                      sim::Kind::motion,
+                      {},
+                      {}};
+    append(order.lines, book, method.region());
+    listing.sections.push_back(std::move(order));
+    appendPhases(listing, book, segment.pipeline);
+    return listing;
+}
+
+std::optional<CodeListing> listingAtStart(const lessons::Step &step, const sim::MethodPtr &method)
+{
+    sim::Script script = step.script();
+    for (const sim::MethodPtr &tried : {method, script.method}) {
+        try {
+            script.method = tried;
+            sim::Segment segment{script.values, sceneOf(script, script.values), {}};
+            segment.pipeline = sim::compose(segment.scene, *tried, script.step);
+            return listingOf(step, segment, *tried);
+        } catch (const sim::Error &) {
+            continue; // the other method, then
+        }
+    }
+    return std::nullopt;
+}
+
+void markNew(CodeListing &listing, const CodeListing &before)
+{
+    // A line that runs in several places is one line: it is compared once.
+    QHash<QString, int> had;
+    QSet<Place> counted;
+    for (const CodeSection &section : before.sections) {
+        for (const CodeLine &line : section.lines) {
+            if (counted.contains(placeOf(line)))
+                continue;
+            counted.insert(placeOf(line));
+            ++had[comparable(line)];
+        }
+    }
+    QHash<Place, bool> known;
+    for (CodeSection &section : listing.sections) {
+        for (CodeLine &line : section.lines) {
+            const QString text = comparable(line);
+            if (!known.contains(placeOf(line)))
+                known[placeOf(line)] = !text.isEmpty() && --had[text] < 0;
+            line.isNew = known[placeOf(line)];
+        }
+    }
+}
+
+QString fileName(const QString &file)
+{
+    return file.section('/', -1);
+}
+
+}

@@ -1,0 +1,124 @@
+#include "app/model/code_marks.h"
+
+#include "app/model/sentences.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace app {
+
+namespace {
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(CodeMarks)
+};
+
+/// Where a result without a value would be: the last statement.
+std::optional<std::size_t> lastStatement(const CodeSection &section)
+{
+    for (std::size_t i = section.lines.size(); i-- > 0;) {
+        if (section.lines[i].code().endsWith(';'))
+            return i;
+    }
+    return std::nullopt;
+}
+
+std::optional<std::size_t> resultOf(const CodeListing &listing, std::size_t section,
+                                    const std::vector<CodeChip> &chips)
+{
+    const auto last = std::find_if(chips.rbegin(), chips.rend(),
+                                   [section](const CodeChip &chip) { return chip.section == section; });
+    return last != chips.rend() ? last->line : lastStatement(listing.sections[section]);
+}
+
+/// Which of a section's phases to speak of: the last one done, else the one that works on `point`, else the next.
+int phaseToMark(const CodeSection &section, const sim::Pipeline &pipeline, int last, int point)
+{
+    if (section.has(last))
+        return last;
+    for (int phase : section.phases) {
+        if (pipeline.phases[static_cast<std::size_t>(phase)].points.contains(point))
+            return phase;
+    }
+    const auto toCome = std::find_if(section.phases.begin(), section.phases.end(),
+                                     [last](int phase) { return phase > last; });
+    return toCome == section.phases.end() ? section.phases.back() : *toCome;
+}
+
+When whenOf(const CodeSection &section, int phase, int last)
+{
+    if (phase == last)
+        return When::now;
+    if (phase < last)
+        return When::done;
+    return section.has(last + 1) ? When::next : When::later;
+}
+
+QString wordFor(When when)
+{
+    switch (when) {
+    case When::done:
+        return Text::tr("done");
+    case When::now:
+        return Text::tr("now");
+    case When::next:
+        return Text::tr("next");
+    case When::plain:
+    case When::later:
+        break;
+    }
+    return {};
+}
+
+/// How much a phase works on: "10 pulls", "6 points".
+QString amountOf(const sim::Phase &phase, const sim::Segment &segment)
+{
+    const int points = phase.points.count;
+    const int count = phase.effect ? phase.effect->count(segment.scene.start, phase.points) : points;
+    if (phase.kind == sim::Kind::spring)
+        return count == 1 ? Text::tr("1 pull") : Text::tr("%1 pulls").arg(count);
+    return count == 1 ? Text::tr("1 point") : Text::tr("%1 points").arg(count);
+}
+
+QString noteOf(const SectionMark &mark, const sim::Phase &phase, const sim::Segment &segment)
+{
+    QStringList parts = {mark.shortNote};
+    if (phase.group >= 0 && segment.scene.groups.size() > 1)
+        parts << phrase(segment.scene.groups[static_cast<std::size_t>(phase.group)].title);
+    if (mark.when != When::next)
+        parts << amountOf(phase, segment);
+    return parts.join(QStringLiteral(" · "));
+}
+
+}
+
+std::vector<SectionMark> marksOf(const CodeListing &listing, const sim::Timeline &timeline,
+                                 const std::vector<CodeChip> &chips, int point)
+{
+    std::vector<SectionMark> marks(listing.sections.size());
+    if (timeline.at().phase == 0)
+        return marks;
+    const sim::Segment &segment = timeline.track().shown();
+    const sim::Pipeline &pipeline = segment.pipeline;
+    const int last = (timeline.at().phase - 1) % pipeline.phasesPerStep();
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+        const CodeSection &section = listing.sections[i];
+        if (section.role != CodeSection::Role::phase)
+            continue;
+        SectionMark &mark = marks[i];
+        mark.phase = phaseToMark(section, pipeline, last, point);
+        const sim::Phase &phase = pipeline.phases[static_cast<std::size_t>(mark.phase)];
+        mark.when = whenOf(section, mark.phase, last);
+        mark.selected = phase.points.contains(point);
+        mark.shortNote = wordFor(mark.when);
+        if (!mark.shortNote.isEmpty())
+            mark.note = noteOf(mark, phase, segment);
+        if (mark.when == When::now)
+            mark.result = resultOf(listing, i, chips);
+    }
+    return marks;
+}
+
+}

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "app/model/code_values.h"
+
+#include <QString>
+
+#include <optional>
+#include <vector>
+
+namespace app {
+
+/// Where a section stands while time is stopped inside a frame.
+enum class When { plain, done, now, next, later };
+
+struct SectionMark
+{
+    When when = When::plain;
+    int phase = -1;                    ///< the one of the section's phases that this is about
+    bool selected = false;             ///< whether that phase works on the point whose values are shown
+    QString note;                      ///< "done · 10 pulls"
+    QString shortNote;                 ///< "done"
+    std::optional<std::size_t> result; ///< with `now`: the line that carries what the phase came to
+    friend bool operator==(const SectionMark &, const SectionMark &) = default;
+};
+
+/// One mark per section. All are plain between two frames. `chips`: the values of `point`, by chipsOf().
+std::vector<SectionMark> marksOf(const CodeListing &listing, const sim::Timeline &timeline,
+                                 const std::vector<CodeChip> &chips, int point);
+
+}

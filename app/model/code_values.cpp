@@ -1,0 +1,266 @@
+#include "app/model/code_values.h"
+
+#include <QCoreApplication>
+#include <QHash>
+#include <QLocale>
+#include <QRegularExpression>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace app {
+
+namespace {
+
+using Value = std::variant<double, sim::Vec2>;
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(CodeValues)
+};
+
+/// A number (or a part of one) and its line.
+struct Placed
+{
+    std::size_t line = 0;
+    sim::Live live;
+};
+
+/// The unit of a variable of the shown code. Names mean the same everywhere in it.
+QString unitOf(const QString &name)
+{
+    static const QHash<QString, QString> units = {
+        {"d", "px"},        {"from", "px"},    {"target", "px"},         {"length", "px"},
+        {"x", "px"},        {"v", "px/frame"}, {"velocity", "px/frame"}, {"pull", "px/frame²"},
+        {"a", "px/frame²"}, {"angle", "rad"},
+    };
+    return units.value(name.section('.', 0, 0));
+}
+
+std::optional<std::size_t> firstLine(const CodeSection &section, const QString &pattern)
+{
+    const QRegularExpression expression(pattern);
+    for (std::size_t i = 0; i < section.lines.size(); ++i) {
+        if (expression.match(section.lines[i].code()).hasMatch())
+            return i;
+    }
+    return std::nullopt;
+}
+
+/// The line that assigns to `name` in place, such as "x.y": empty unless there is exactly one.
+std::optional<std::size_t> onlyAssignment(const CodeSection &section, const QString &name)
+{
+    const QRegularExpression expression(
+        QStringLiteral("(?<![\\w.>])%1\\s*[-+*/]?=(?!=)").arg(QRegularExpression::escape(name)));
+    std::optional<std::size_t> found;
+    for (std::size_t i = 0; i < section.lines.size(); ++i) {
+        if (!expression.match(section.lines[i].code()).hasMatch())
+            continue;
+        if (found)
+            return std::nullopt;
+        found = i;
+    }
+    return found;
+}
+
+QString assignmentOf(const QString &name)
+{
+    return QStringLiteral("(?<![\\w.>])%1\\s*=(?!=)").arg(name);
+}
+
+/// A pair of which the code assigns single coordinates, on the lines that do it for the changed ones; empty when
+/// it is not clear which lines these are.
+std::vector<Placed> coordinates(const CodeSection &section, const sim::Live &live)
+{
+    const auto *after = std::get_if<sim::Vec2>(&live.value);
+    const auto *before = live.before ? std::get_if<sim::Vec2>(&*live.before) : nullptr;
+    if (!after || !before || firstLine(section, assignmentOf(QString::fromStdString(live.name))))
+        return {};
+    const std::array<std::tuple<const char *, double, double>, 2> parts = {
+        {{".x", after->x, before->x}, {".y", after->y, before->y}}};
+    std::vector<Placed> placed;
+    for (const auto &[suffix, now, was] : parts) {
+        if (now == was)
+            continue;
+        const std::string name = live.name + suffix;
+        const auto line = onlyAssignment(section, QString::fromStdString(name));
+        if (!line)
+            return {};
+        placed.push_back({*line, {name, now, Value(was)}});
+    }
+    return placed;
+}
+
+std::vector<Placed> placesOf(const CodeSection &section, const sim::Live &live)
+{
+    std::vector<Placed> placed = coordinates(section, live);
+    if (placed.empty()) {
+        if (const auto line = lineOf(section, live))
+            placed.push_back({*line, live});
+    }
+    return placed;
+}
+
+/// A number with the decimals that suit numbers of `size`.
+QString numberAt(double value, double size, int more)
+{
+    if (value == 0.0)
+        return QStringLiteral("0");
+    QString text;
+    if (size < 0.0001 || size >= 1e7) {
+        static const QRegularExpression padding(QStringLiteral("(?<=e)\\+|(?<=e[+-])0"));
+        text = QString::number(value, 'e', std::max(0, 1 + more)).remove(padding);
+    } else {
+        const int decimals = size >= 10.0 ? 1 : size >= 0.1 ? 2 : size >= 0.01 ? 3 : 4;
+        const double unit = std::pow(10.0, -(decimals + more));
+        const double shown = std::abs(value) < 0.5 * unit ? 0.0 : value; // no minus sign before zeros
+        text = QString::number(shown, 'f', decimals + more);
+    }
+    return text.replace('-', u'−');
+}
+
+/// "−2.29 → −1.49", with as many digits as it takes to tell the two apart.
+std::pair<QString, QString> shownChange(const Value &before, const Value &after)
+{
+    int more = 0;
+    while (more < 6 && shownValue(before, more) == shownValue(after, more))
+        ++more;
+    return {shownValue(before, more), shownValue(after, more)};
+}
+
+CodeChip chipFor(std::size_t section, const Placed &placed)
+{
+    const QString name = QString::fromStdString(placed.live.name);
+    const QString unit = unitOf(name).isEmpty() ? QString() : QStringLiteral("\u2009") + unitOf(name);
+    CodeChip chip{section, placed.line, {}, {}, {}};
+    if (placed.live.before && *placed.live.before != placed.live.value) {
+        const auto [before, after] = shownChange(*placed.live.before, placed.live.value);
+        chip.text = before + QStringLiteral(" → ") + after;
+        chip.shorter = {QStringLiteral("→ ") + after,
+                        QStringLiteral("→ ") + shownValue(placed.live.value, -1)};
+        chip.tip = Text::tr("%1: from %2 to %3%4").arg(name, before, after, unit);
+        return chip;
+    }
+    chip.text = shownValue(placed.live.value);
+    chip.shorter = {shownValue(placed.live.value, -1)};
+    chip.tip = placed.live.before ? Text::tr("%1: %2%3, unchanged").arg(name, chip.text, unit)
+                                  : Text::tr("%1: %2%3").arg(name, chip.text, unit);
+    return chip;
+}
+
+/// Adds a chip; two on one line become one, with its `name` (if any) before each value.
+void put(std::vector<CodeChip> &chips, CodeChip chip, const QString &name, QHash<qsizetype, QString> &names)
+{
+    const auto named = [](const QString &its, const QString &text) {
+        return its.isEmpty() ? text : its + ' ' + text;
+    };
+    for (std::size_t i = 0; i < chips.size(); ++i) {
+        CodeChip &there = chips[i];
+        if (there.section != chip.section || there.line != chip.line)
+            continue;
+        const QString first = names.take(static_cast<qsizetype>(i));
+        const QString shorter =
+            named(first, there.shorter.first()) + QStringLiteral("  ") + named(name, chip.shorter.first());
+        there.text = named(first, there.text) + QStringLiteral("  ") + named(name, chip.text);
+        there.shorter = {shorter};
+        there.tip += '\n' + chip.tip;
+        return;
+    }
+    names.insert(static_cast<qsizetype>(chips.size()), name);
+    chips.push_back(std::move(chip));
+}
+
+/// The number of single pulls behind the sum that a phase gives `point`.
+int pullsOn(const sim::Phase &phase, const sim::Segment &segment, int point)
+{
+    return phase.effect ? phase.effect->count(segment.scene.start, {point, 1}) : 0;
+}
+
+QString shownParameter(const lessons::Parameter &parameter, double value)
+{
+    const auto choice = static_cast<qsizetype>(std::lround(value));
+    if (choice >= 0 && choice < parameter.choices.size())
+        return parameter.choices[choice];
+    return QLocale::c().toString(value, 'f', parameter.isWhole() ? 0 : parameter.decimals).replace('-', u'−');
+}
+
+}
+
+QString shownNumber(double value, int more)
+{
+    return numberAt(value, std::abs(value), more);
+}
+
+QString shownValue(const Value &value, int more)
+{
+    if (const double *number = std::get_if<double>(&value))
+        return shownNumber(*number, more);
+    const sim::Vec2 pair = std::get<sim::Vec2>(value);
+    const double size = std::max(std::abs(pair.x), std::abs(pair.y));
+    return QStringLiteral("(%1, %2)").arg(numberAt(pair.x, size, more), numberAt(pair.y, size, more));
+}
+
+std::optional<std::size_t> lineOf(const CodeSection &section, const sim::Live &live)
+{
+    const QString name = QRegularExpression::escape(QString::fromStdString(live.name));
+    for (const QString &pattern : {assignmentOf(name), QStringLiteral("^return\\b.*\\b%1\\b").arg(name),
+                                   QStringLiteral("\\b%1\\b").arg(name)}) {
+        if (const auto line = firstLine(section, pattern))
+            return line;
+    }
+    return std::nullopt;
+}
+
+std::vector<CodeChip> chipsOf(const CodeListing &listing, const std::vector<sim::Moment> &moments,
+                              const sim::Segment &segment, int point)
+{
+    std::vector<CodeChip> chips;
+    QHash<qsizetype, QString> names;
+    for (const sim::Moment &moment : moments) {
+        const auto section = std::find_if(listing.sections.begin(), listing.sections.end(),
+                                          [&](const CodeSection &one) { return one.has(moment.phase); });
+        if (section == listing.sections.end())
+            continue;
+        const auto index = static_cast<std::size_t>(section - listing.sections.begin());
+        const sim::Phase &phase = segment.pipeline.phases[static_cast<std::size_t>(moment.phase)];
+        for (const sim::Live &live : moment.live) {
+            for (const Placed &placed : placesOf(*section, live)) {
+                CodeChip chip = chipFor(index, placed);
+                const int pulls = live.name == "pull" ? pullsOn(phase, segment, point) : 0;
+                if (pulls > 1)
+                    chip.tip += '\n' + Text::tr("The sum of %1 pulls").arg(pulls);
+                put(chips, std::move(chip), QString::fromStdString(placed.live.name), names);
+            }
+        }
+    }
+    return chips;
+}
+
+std::vector<CodeChip> parameterChips(const CodeListing &listing, const lessons::Step &step,
+                                     const sim::Values &values)
+{
+    static const QRegularExpression reads(
+        QStringLiteral("\\bvalues\\s*(?:\\[\\s*\"(\\w+)\"\\s*\\]|\\.whole\\s*\\(\\s*\"(\\w+)\"\\s*\\))"));
+    std::vector<CodeChip> chips;
+    QHash<qsizetype, QString> names;
+    for (std::size_t s = 0; s < listing.sections.size(); ++s) {
+        const CodeSection &section = listing.sections[s];
+        for (std::size_t i = 0; section.role == CodeSection::Role::scene && i < section.lines.size(); ++i) {
+            for (auto found = reads.globalMatch(section.lines[i].code()); found.hasNext();) {
+                const QRegularExpressionMatch match = found.next();
+                const QString id = match.captured(1) + match.captured(2);
+                const lessons::Parameter *parameter = step.parameter(id);
+                if (!parameter || !values.has(id.toStdString()))
+                    continue;
+                const QString value = shownParameter(*parameter, values[id.toStdString()]);
+                const QString unit = parameter->unit.isEmpty() ? QString() : u'\u2009' + parameter->unit;
+                const QString tip = Text::tr("%1: %2%3").arg(parameter->name, value, unit);
+                put(chips, {s, i, id + ' ' + value, {value}, tip}, {}, names);
+            }
+        }
+    }
+    return chips;
+}
+
+}

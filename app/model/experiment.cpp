@@ -1,0 +1,112 @@
+#include "app/model/experiment.h"
+
+#include "app/model/words.h"
+
+#include <QCoreApplication>
+#include <QFile>
+#include <QFileInfo>
+#include <QSaveFile>
+
+namespace app {
+
+namespace {
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(Experiment)
+};
+
+[[noreturn]] void refuseLarge(const QString &path)
+{
+    throw Refusal(Text::tr("%1: the file is larger than %2 MiB, which is the most for an experiment.")
+                      .arg(oneLine(path), QString::number(largestExperiment >> 20)));
+}
+
+QByteArray readFile(const QString &path)
+{
+    const QFileInfo info(path);
+    if (info.isDir())
+        throw Refusal(Text::tr("%1: this is a folder; give the file of an experiment.").arg(oneLine(path)));
+    if (!info.exists())
+        throw Refusal(Text::tr("%1: there is no such file; check its name and folder.").arg(oneLine(path)));
+    if (info.size() > largestExperiment)
+        refuseLarge(path);
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+        throw Refusal(
+            Text::tr("%1: the file cannot be read: %2.").arg(oneLine(path), oneLine(file.errorString())));
+    // Pipes and devices have no size beforehand.
+    const QByteArray text = file.read(largestExperiment + 1);
+    if (file.error() != QFileDevice::NoError)
+        throw Refusal(
+            Text::tr("%1: the file cannot be read: %2.").arg(oneLine(path), oneLine(file.errorString())));
+    if (text.size() > largestExperiment)
+        refuseLarge(path);
+    return text;
+}
+
+}
+
+QString lessonIds(const LessonLibrary &library)
+{
+    QStringList ids;
+    for (const LessonEntry &lesson : library.lessons)
+        ids.push_back(lesson.id);
+    return quotedList(ids);
+}
+
+QString stepIds(const LessonEntry &lesson)
+{
+    QStringList ids;
+    for (const lessons::Step &step : lesson.steps)
+        ids.push_back(step.id);
+    return quotedList(ids);
+}
+
+QString noLesson(const QString &id, const LessonLibrary &library)
+{
+    if (library.lessons.empty())
+        return Text::tr(
+                   "there is no lesson %1, as no lesson is installed; SPRINGSTEP_LESSONS can name the folder "
+                   "that has them.")
+            .arg(quoted(id));
+    return Text::tr("there is no lesson %1; there is %2.").arg(quoted(id), lessonIds(library));
+}
+
+QString noStep(const QString &id, const LessonEntry &lesson)
+{
+    return Text::tr("the lesson %1 has no step %2; it has %3.")
+        .arg(quoted(lesson.id), quoted(id), stepIds(lesson));
+}
+
+Experiment readExperiment(const QString &path, const LessonLibrary &library)
+{
+    return parseExperiment(readFile(path), QFileInfo(path).fileName(), library);
+}
+
+void writeExperiment(const QString &path, const Experiment &experiment, const LessonLibrary &library)
+{
+    const QByteArray text = experimentText(experiment, library);
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit())
+        throw Refusal(Text::tr("%1: the file cannot be written: %2. Choose another folder or name.")
+                          .arg(oneLine(path), oneLine(file.errorString())));
+}
+
+Experiment newExperiment(const QString &lesson, const QString &step, const LessonLibrary &library)
+{
+    const LessonEntry *entry = library.lesson(lesson);
+    const auto sentence = [](QString text) { return text.replace(0, 1, text.at(0).toUpper()); };
+    if (!entry)
+        throw Refusal(sentence(noLesson(lesson, library)));
+    const lessons::Step *found = entry->step(step);
+    if (!found)
+        throw Refusal(sentence(noStep(step, *entry)));
+    Experiment experiment;
+    experiment.lesson = lesson;
+    experiment.step = step;
+    experiment.script = found->script();
+    return experiment;
+}
+
+}

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "app/model/json_document.h"
+#include "lessons/api/step.h"
+
+#include <vector>
+
+namespace app {
+
+/// An event of a file, with its line.
+struct ReadEvent
+{
+    sim::Event event;
+    int line = 0;
+};
+
+/// The events of a file's "input", each checked by itself, sorted by frame.
+std::vector<ReadEvent> readInput(const QString &file, const JsonValue &input, const lessons::Step &step);
+
+}

@@ -1,0 +1,272 @@
+#include "app/model/experiment.h"
+
+#include "app/model/experiment_input.h"
+#include "app/model/input_walk.h"
+#include "app/model/json_fields.h"
+#include "app/model/parameter_value.h"
+#include "app/model/sentences.h"
+#include "app/model/words.h"
+#include "sim/methods/methods.h"
+
+#include <QCoreApplication>
+
+#include <set>
+
+namespace app {
+
+namespace {
+
+constexpr auto format = "springstep-experiment/1";
+constexpr std::int64_t mostSeed = std::int64_t{1} << 53; ///< up to here JSON's numbers are exact everywhere
+
+/// Fills an experiment from a file, field by field.
+class ExperimentReader
+{
+    Q_DECLARE_TR_FUNCTIONS(Experiment)
+
+public:
+    ExperimentReader(const QString &file, const JsonValue &root, const LessonLibrary &library)
+        : m_file(file), m_fields(file, root, tr("the file")), m_library(library)
+    {
+    }
+
+    Experiment read()
+    {
+        readFormat();
+        readStep();
+        refuseWhatNoStepHas();
+        readMethod();
+        readParameters();
+        if (const JsonValue *frames = m_fields.find("frames"))
+            m_experiment.frames = wholeOf(m_file, *frames, "frames", 0, mostFrames);
+        if (const JsonValue *input = m_fields.find("input"))
+            m_events = readInput(m_file, *input, *m_step);
+        for (const ReadEvent &read : m_events)
+            script().input.push_back(read.event);
+        walk();
+        readEffects();
+        readBodies();
+        composeAll();
+        return m_experiment;
+    }
+
+private:
+    sim::Script &script() { return m_experiment.script; }
+
+    QString text(const QString &name, const QString &possible) const
+    {
+        return textOf(m_file, m_fields.require(name, possible), name);
+    }
+
+    void readFormat() const
+    {
+        const QString given = text("format", quoted(format));
+        if (given != format)
+            refuse(m_file, m_fields.find("format")->line,
+                   tr("\"format\" is %1; this program reads %2.").arg(quoted(given), quoted(format)));
+    }
+
+    void readStep()
+    {
+        static const QStringList known = {"format",    "lesson",  "step",  "method", "h",
+                                          "tolerance", "effects", "scene", "frames", "parameters",
+                                          "bodies",    "links",   "seed",  "input"};
+        m_fields.refuseOthers(known);
+        m_experiment.lesson = text("lesson", lessonIds(m_library));
+        const LessonEntry *lesson = m_library.lesson(m_experiment.lesson);
+        if (!lesson)
+            refuse(m_file, m_fields.find("lesson")->line, noLesson(m_experiment.lesson, m_library));
+        m_experiment.step = text("step", stepIds(*lesson));
+        m_step = lesson->step(m_experiment.step);
+        if (!m_step)
+            refuse(m_file, m_fields.find("step")->line, noStep(m_experiment.step, *lesson));
+        script() = m_step->script();
+    }
+
+    void refuseWhatNoStepHas() const
+    {
+        if (const JsonValue *tolerance = m_fields.find("tolerance"))
+            refuse(
+                m_file, tolerance->line,
+                tr("\"tolerance\" is for methods that choose their own step, and none here does; give \"h\" "
+                   "instead."));
+        if (const JsonValue *scene = m_fields.find("scene"))
+            refuse(m_file, scene->line,
+                   tr("\"scene\" does not go with a lesson's step, which has its own; remove it, and change "
+                      "that "
+                      "one by \"parameters\", \"bodies\" and \"effects\"."));
+        const JsonValue *links = m_fields.find("links");
+        if (links && !listOf(m_file, *links, "links").empty())
+            refuse(m_file, links->line,
+                   tr("the step %1 has no sticks; remove \"links\".").arg(quoted(m_step->id)));
+    }
+
+    void readMethod()
+    {
+        if (const JsonValue *method = m_fields.find("method")) {
+            const QString id = textOf(m_file, *method, "method");
+            script().method = sim::findMethod(id.toStdString());
+            if (!script().method)
+                refuse(m_file, method->line, noMethod(id));
+        }
+        if (const JsonValue *h = m_fields.find("h"))
+            readH(*h);
+    }
+
+    void readH(const JsonValue &value)
+    {
+        const double h = numberOf(m_file, value, "h");
+        try {
+            script().step = sim::StepSize::of(h);
+        } catch (const sim::Error &) {
+            refuse(
+                m_file, value.line,
+                tr("\"h\" is %1; it can be 0.000001 to 100 frames, a whole number or 1 divided by one: 2, 1, "
+                   "0.5, 0.25...")
+                    .arg(exactNumber(h)));
+        }
+    }
+
+    void readParameters()
+    {
+        if (const JsonValue *seed = m_fields.find("seed"))
+            script().values.seed = std::uint64_t(wholeOf(m_file, *seed, "seed", 0, mostSeed));
+        const JsonValue *parameters = m_fields.find("parameters");
+        if (!parameters)
+            return;
+        for (const auto &[id, value] : JsonFields(m_file, *parameters, quoted("parameters")).all()) {
+            const lessons::Parameter &parameter = parameterOf(m_file, value.line, *m_step, id);
+            script().values.set(id.toStdString(), parameterValue(m_file, value, parameter));
+        }
+    }
+
+    /// Follows the input through the run, and collects what the run's scenes have.
+    void walk()
+    {
+        const auto newScene = [this](const sim::Scene &scene, int) {
+            if (m_names.empty())
+                m_startNames = scene.names;
+            m_names.insert(scene.names.begin(), scene.names.end());
+            for (const sim::EffectPtr &effect : scene.effects)
+                m_effects.insert(effect->id());
+            m_sceneNames = scene.names;
+        };
+        walkInput(script(), script().input, newScene, [this](int index, EventEffect effect) {
+            if (effect != EventEffect::works)
+                refuseEvent(m_events[std::size_t(index)], effect);
+        });
+    }
+
+    [[noreturn]] void refuseEvent(const ReadEvent &read, EventEffect effect) const
+    {
+        if (effect != EventEffect::nothingHeld) {
+            const std::string &body = std::get<sim::Grab>(read.event.what).body;
+            refuse(m_file, read.line, noBody(body, m_sceneNames));
+        }
+        const QString event = std::holds_alternative<sim::Move>(read.event.what) ? "move" : "release";
+        refuse(m_file, read.line,
+               tr("nothing is held at frame %1; a %2 comes after a \"grab\".")
+                   .arg(QString::number(read.event.frame), quoted(event)));
+    }
+
+    void readEffects()
+    {
+        const JsonValue *effects = m_fields.find("effects");
+        if (!effects)
+            return;
+        for (const JsonValue &value : listOf(m_file, *effects, "effects")) {
+            const QString id = textOf(m_file, value, "effects");
+            if (!m_effects.contains(id.toStdString()))
+                refuse(m_file, value.line,
+                       tr("the step %1 has no effect %2; it has %3.")
+                           .arg(quoted(m_step->id), quoted(id), listed(m_effects)));
+            script().effectsOff.push_back(id.toStdString());
+        }
+    }
+
+    void readBodies()
+    {
+        const JsonValue *bodies = m_fields.find("bodies");
+        if (!bodies)
+            return;
+        for (const auto &[name, value] : JsonFields(m_file, *bodies, quoted("bodies")).all()) {
+            if (!m_names.contains(name.toStdString()))
+                refuse(m_file, value.line, noBody(name.toStdString(), m_startNames));
+            const JsonFields body(m_file, value, tr("the body %1").arg(quoted(name)));
+            body.refuseOthers({"x", "y", "vx", "vy"});
+            sim::BodyStart start{{body.number("x"), body.number("y")}, {}};
+            const bool hasX = body.find("vx");
+            const bool hasY = body.find("vy");
+            if (hasX || hasY)
+                start.v = {hasX ? body.number("vx") : 0.0, hasY ? body.number("vy") : 0.0};
+            script().bodies[name.toStdString()] = start;
+        }
+    }
+
+    /// Composes the scene of every stretch of the run, so that none is refused in the middle of it.
+    void composeAll()
+    {
+        sim::Values values = script().values;
+        compose(values, m_fields.line());
+        for (const ReadEvent &read : m_events) {
+            const auto *set = std::get_if<sim::Set>(&read.event.what);
+            if (!set)
+                continue;
+            values.set(set->parameter, set->value);
+            compose(values, read.line);
+        }
+    }
+
+    void compose(const sim::Values &values, int line)
+    {
+        try {
+            sim::compose(sim::sceneOf(script(), values), *script().method, script().step);
+        } catch (const sim::Error &error) {
+            refuse(m_file, line, sentenceFor(error));
+        }
+    }
+
+    static QString noBody(const std::string &body, const std::vector<std::string> &names)
+    {
+        return tr("there is no body %1 here; there is %2.")
+            .arg(quoted(QString::fromStdString(body)), listed(names));
+    }
+
+    template <class Texts>
+    static QString listed(const Texts &texts)
+    {
+        QStringList list;
+        for (const std::string &text : texts)
+            list.push_back(QString::fromStdString(text));
+        return quotedList(list);
+    }
+
+    static QString noMethod(const QString &id)
+    {
+        std::vector<std::string> ids;
+        for (const sim::MethodPtr &method : sim::allMethods())
+            ids.push_back(method->id());
+        return tr("there is no method %1; there is %2.").arg(quoted(id), listed(ids));
+    }
+
+    QString m_file;
+    JsonFields m_fields;
+    const LessonLibrary &m_library;
+    const lessons::Step *m_step = nullptr;
+    Experiment m_experiment;
+    std::vector<ReadEvent> m_events;
+    std::vector<std::string> m_startNames; ///< bodies at the start
+    std::vector<std::string> m_sceneNames; ///< bodies where the walk through the input is
+    std::set<std::string> m_names;         ///< bodies at any time
+    std::set<std::string> m_effects;       ///< effects at any time
+};
+
+}
+
+Experiment parseExperiment(const QByteArray &text, const QString &name, const LessonLibrary &library)
+{
+    const JsonValue root = parseJson(text, name);
+    return ExperimentReader(name, root, library).read();
+}
+
+}

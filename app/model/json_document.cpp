@@ -1,0 +1,226 @@
+#include "app/model/json_document.h"
+
+#include "app/model/refusal.h"
+#include "app/model/words.h"
+
+#include <QCoreApplication>
+
+#include <rapidjson/memorystream.h>
+#include <rapidjson/reader.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace app {
+
+namespace {
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(JsonDocument)
+};
+
+constexpr std::size_t deepest = 16;         ///< far more than an experiment needs
+constexpr std::size_t mostValues = 8 << 20; ///< what 64 MiB of input events hold; bounds the memory
+
+/// Builds the tree while RapidJSON's reader walks through the text: once, without recursion.
+class Builder
+{
+public:
+    using Ch = char;
+
+    Builder(const QByteArray &text, const rapidjson::MemoryStream &stream) : m_text(text), m_stream(stream) {}
+
+    bool Null() { return add({nullptr, line()}); }
+    bool Bool(bool value) { return add({value, line()}); }
+    bool String(const char *text, rapidjson::SizeType length, bool)
+    {
+        return add({QString::fromUtf8(text, qsizetype(length)), line()});
+    }
+    bool RawNumber(const char *text, rapidjson::SizeType length, bool)
+    {
+        const QByteArray digits = QByteArray::fromRawData(text, qsizetype(length));
+        const double value = digits.toDouble();
+        if (!std::isfinite(value))
+            return refuse(Text::tr("%1 is too large for a number; the largest is %2.")
+                              .arg(quoted(QString::fromLatin1(digits)), "1.8e308"));
+        bool isWhole = false;
+        const qint64 whole = std::max(digits.toLongLong(&isWhole), -mostExact - 1);
+        return add({JsonNumber{value, !isWhole || std::abs(whole) <= mostExact}, line()});
+    }
+    bool Key(const char *text, rapidjson::SizeType length, bool)
+    {
+        auto &members = std::get<JsonValue::Object>(m_open.back()->what);
+        members.push_back({QString::fromUtf8(text, qsizetype(length)), {nullptr, line()}});
+        return true;
+    }
+    bool StartObject() { return open({JsonValue::Object{}, line()}); }
+    bool StartArray() { return open({JsonValue::List{}, line()}); }
+    bool EndArray(rapidjson::SizeType) { return close(); }
+    bool EndObject(rapidjson::SizeType)
+    {
+        const auto &members = std::get<JsonValue::Object>(m_open.back()->what);
+        if (const JsonMember *twice = findTwice(members)) {
+            m_refusedLine = twice->value.line;
+            return refuse(Text::tr("%1 is given twice; keep one of them.").arg(quoted(twice->name)));
+        }
+        return close();
+    }
+    // Numbers come as they are written: see RawNumber.
+    bool Int(int) { return false; }
+    bool Uint(unsigned) { return false; }
+    bool Int64(std::int64_t) { return false; }
+    bool Uint64(std::uint64_t) { return false; }
+    bool Double(double) { return false; }
+
+    JsonValue takeRoot() { return std::move(m_root); }
+    const QString &refusal() const { return m_refusal; }
+    /// The line that the reader has come to, or that was refused.
+    int line()
+    {
+        if (m_refusedLine > 0)
+            return m_refusedLine;
+        const auto end = std::min(m_text.size(), qsizetype(m_stream.Tell()));
+        m_line += int(std::count(m_text.begin() + m_counted, m_text.begin() + end, '\n'));
+        m_counted = end;
+        return m_line;
+    }
+
+private:
+    static constexpr qint64 mostExact = qint64{1} << 53; ///< up to here every whole number is a double
+
+    static const JsonMember *findTwice(const JsonValue::Object &members)
+    {
+        std::vector<const JsonMember *> sorted;
+        for (const JsonMember &member : members)
+            sorted.push_back(&member);
+        std::stable_sort(sorted.begin(), sorted.end(),
+                         [](const JsonMember *a, const JsonMember *b) { return a->name < b->name; });
+        const auto same = [](const JsonMember *a, const JsonMember *b) { return a->name == b->name; };
+        const auto found = std::adjacent_find(sorted.begin(), sorted.end(), same);
+        return found == sorted.end() ? nullptr : *std::next(found);
+    }
+
+    bool refuse(const QString &why)
+    {
+        m_refusal = why;
+        return false;
+    }
+
+    /// Where the next value goes. An open list's last item stays put while it is open, so pointers to it hold.
+    JsonValue *place(JsonValue value)
+    {
+        JsonValue *slot = &m_root;
+        if (!m_open.empty()) {
+            if (auto *list = std::get_if<JsonValue::List>(&m_open.back()->what))
+                slot = &list->emplace_back();
+            else
+                slot = &std::get<JsonValue::Object>(m_open.back()->what).back().value;
+        }
+        *slot = std::move(value);
+        return slot;
+    }
+
+    bool add(JsonValue value)
+    {
+        place(std::move(value));
+        return count();
+    }
+
+    bool open(JsonValue value)
+    {
+        if (m_open.size() == deepest)
+            return refuse(Text::tr("lists and objects stand more than %1 deep in each other here; an "
+                                   "experiment needs 3.")
+                              .arg(deepest));
+        m_open.push_back(place(std::move(value)));
+        return count();
+    }
+
+    bool count()
+    {
+        if (++m_values <= mostValues)
+            return true;
+        return refuse(Text::tr("an experiment has at most %1 values; here begins one more.").arg(mostValues));
+    }
+
+    bool close()
+    {
+        m_open.pop_back();
+        return true;
+    }
+
+    const QByteArray &m_text;
+    const rapidjson::MemoryStream &m_stream;
+    JsonValue m_root;
+    std::vector<JsonValue *> m_open;
+    std::size_t m_values = 0;
+    qsizetype m_counted = 0;
+    int m_line = 1;
+    int m_refusedLine = 0;
+    QString m_refusal;
+};
+
+QString whatIsWrong(rapidjson::ParseErrorCode code)
+{
+    switch (code) {
+    case rapidjson::kParseErrorDocumentRootNotSingular:
+        return Text::tr("the experiment ends before this; remove what follows its closing bracket.");
+    case rapidjson::kParseErrorObjectMissName:
+        return Text::tr("a name in double quotes is expected here.");
+    case rapidjson::kParseErrorObjectMissColon:
+        return Text::tr("a colon is expected here, between a name and its value.");
+    case rapidjson::kParseErrorObjectMissCommaOrCurlyBracket:
+        return Text::tr("a comma or a closing } is expected here.");
+    case rapidjson::kParseErrorArrayMissCommaOrSquareBracket:
+        return Text::tr("a comma or a closing ] is expected here.");
+    case rapidjson::kParseErrorStringUnicodeEscapeInvalidHex:
+    case rapidjson::kParseErrorStringUnicodeSurrogateInvalid:
+    case rapidjson::kParseErrorStringEscapeInvalid:
+    case rapidjson::kParseErrorStringMissQuotationMark:
+        return Text::tr("a text in double quotes is not well formed; it ends on its own line, and after a \\ "
+                        "comes one of \" \\ / b f n r t u.");
+    case rapidjson::kParseErrorStringInvalidEncoding:
+        return Text::tr("a text has bytes that are not UTF-8; save the file as UTF-8.");
+    case rapidjson::kParseErrorNumberTooBig:
+        return Text::tr("a number is too large; the largest is %1.").arg("1.8e308");
+    case rapidjson::kParseErrorNumberMissFraction:
+    case rapidjson::kParseErrorNumberMissExponent:
+        return Text::tr("a number is not complete; write it as 0.5 or 5e-1.");
+    default:
+        return Text::tr(
+            "this is not JSON; a value is a number, a \"text\", true, false, null, a [list] or an "
+            "{object}.");
+    }
+}
+
+}
+
+JsonValue parseJson(const QByteArray &text, const QString &name)
+{
+    const QString file = oneLine(name);
+    const qsizetype start = text.startsWith("\xEF\xBB\xBF") ? 3 : 0;
+    if (const qsizetype zero = text.indexOf('\0'); zero >= 0)
+        throw Refusal(Text::tr("%1: line %2: there is a zero byte; an experiment is JSON text in UTF-8.")
+                          .arg(file, QString::number(1 + text.left(zero).count('\n'))));
+    const QByteArray body = text.sliced(start);
+    if (body.trimmed().isEmpty())
+        throw Refusal(Text::tr("%1: line 1: the file is empty; an experiment begins with {.").arg(file));
+
+    rapidjson::MemoryStream stream(body.constData(), std::size_t(body.size()));
+    Builder builder(body, stream);
+    rapidjson::Reader reader;
+    constexpr unsigned flags = rapidjson::kParseIterativeFlag | rapidjson::kParseNumbersAsStringsFlag |
+                               rapidjson::kParseValidateEncodingFlag;
+    const rapidjson::ParseResult result = reader.Parse<flags>(stream, builder);
+    if (!result.IsError())
+        return builder.takeRoot();
+    QString why = builder.refusal();
+    if (why.isEmpty())
+        why = stream.Tell() >= std::size_t(body.size())
+                  ? Text::tr("the file ends here, in the middle; its end is missing.")
+                  : whatIsWrong(result.Code());
+    throw Refusal(Text::tr("%1: line %2: %3").arg(file, QString::number(builder.line()), why));
+}
+
+}

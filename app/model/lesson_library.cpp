@@ -1,0 +1,86 @@
+#include "app/model/lesson_library.h"
+
+#include "app/model/lesson_plugin.h"
+#include "app/model/refusal.h"
+#include "app/model/words.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QLibrary>
+#include <QSet>
+
+#include <algorithm>
+#include <tuple>
+
+namespace app {
+
+namespace {
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(LessonLibrary)
+};
+
+/// The libraries in a folder, by name.
+QStringList librariesIn(const QString &folder)
+{
+    QStringList files;
+    for (const QFileInfo &info : QDir(folder).entryInfoList(QDir::Files, QDir::Name)) {
+        if (QLibrary::isLibrary(info.fileName()))
+            files.push_back(info.absoluteFilePath());
+    }
+    return files;
+}
+
+}
+
+const lessons::Step *LessonEntry::step(const QString &wanted) const
+{
+    const auto found = std::find_if(steps.begin(), steps.end(),
+                                    [&wanted](const lessons::Step &step) { return step.id == wanted; });
+    return found == steps.end() ? nullptr : &*found;
+}
+
+const LessonEntry *LessonLibrary::lesson(const QString &wanted) const
+{
+    const auto found = std::find_if(lessons.begin(), lessons.end(),
+                                    [&wanted](const LessonEntry &entry) { return entry.id == wanted; });
+    return found == lessons.end() ? nullptr : &*found;
+}
+
+LessonLibrary LessonLibrary::load(const QStringList &folders)
+{
+    LessonLibrary library;
+    QSet<QString> seen;
+    for (const QString &folder : folders) {
+        for (const QString &file : librariesIn(folder)) {
+            const QString real = QFileInfo(file).canonicalFilePath();
+            if (seen.contains(real))
+                continue;
+            seen.insert(real);
+            try {
+                LessonEntry entry = loadLesson(file);
+                if (!library.lesson(entry.id))
+                    library.lessons.push_back(std::move(entry));
+            } catch (const Refusal &refusal) {
+                library.problems.push_back({file, refusal.sentence()});
+            }
+        }
+    }
+    std::sort(library.lessons.begin(), library.lessons.end(), [](const LessonEntry &a, const LessonEntry &b) {
+        return std::tie(a.order, a.id) < std::tie(b.order, b.id);
+    });
+    return library;
+}
+
+QStringList LessonLibrary::folders()
+{
+    QStringList folders =
+        qEnvironmentVariable("SPRINGSTEP_LESSONS").split(QDir::listSeparator(), Qt::SkipEmptyParts);
+    const QDir program(QCoreApplication::applicationDirPath());
+    folders.push_back(program.filePath("lessons"));
+    folders.push_back(QDir::cleanPath(program.filePath("../" SPRINGSTEP_LIBDIR "/springstep/lessons")));
+    return folders;
+}
+
+}

@@ -1,0 +1,148 @@
+#include "app/model/lesson_plugin.h"
+
+#include "app/model/refusal.h"
+#include "app/model/words.h"
+#include "lessons/api/lesson.h"
+#include "sim/methods/methods.h"
+
+#include <QCoreApplication>
+#include <QJsonArray>
+#include <QJsonObject>
+#include <QPluginLoader>
+#include <QRegularExpression>
+#include <QSet>
+
+#include <cmath>
+
+namespace app {
+
+namespace {
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(LessonPlugin)
+};
+
+/// Refuses a file whose author must mend it.
+[[noreturn]] void refuseLesson(const QString &why)
+{
+    throw Refusal(Text::tr("It is not a lesson that can be used: %1.").arg(why));
+}
+
+void checkInterface(const QPluginLoader &loader)
+{
+    const QString iid = loader.metaData().value("IID").toString();
+    if (iid.isEmpty())
+        throw Refusal(
+            Text::tr("It is not a plugin, or it is damaged; install it again, or move it to another "
+                     "folder."));
+    const QString wanted = QStringLiteral(SpringstepLesson_iid);
+    if (iid == wanted)
+        return;
+    const QString family = wanted.left(wanted.indexOf('/') + 1);
+    if (iid.startsWith(family))
+        throw Refusal(
+            Text::tr("It is a lesson for another version of the program (%1, not %2); build it again "
+                     "for this one.")
+                .arg(oneLine(iid), wanted));
+    throw Refusal(
+        Text::tr("It is a plugin of another program (%1); move it to another folder.").arg(oneLine(iid)));
+}
+
+QString requireText(const QJsonObject &data, const QString &name)
+{
+    const QString text = data.value(name).toString();
+    if (text.isEmpty())
+        refuseLesson(Text::tr("its description has no text %1").arg(quoted(name)));
+    return text;
+}
+
+void checkId(const QString &id)
+{
+    static const QRegularExpression allowed(QStringLiteral("\\A[a-z][a-z0-9_]*\\z"));
+    if (!allowed.match(id).hasMatch())
+        refuseLesson(Text::tr("the id %1 is not made of a to z, 0 to 9 and _").arg(quoted(id)));
+}
+
+QStringList stepIds(const QJsonObject &data)
+{
+    QStringList ids;
+    for (const QJsonValue &value : data.value("steps").toArray()) {
+        checkId(value.toString());
+        ids.push_back(value.toString());
+    }
+    if (ids.isEmpty())
+        refuseLesson(Text::tr("its description lists no \"steps\""));
+    if (QSet<QString>(ids.begin(), ids.end()).size() != ids.size())
+        refuseLesson(Text::tr("its description lists a step twice"));
+    return ids;
+}
+
+LessonEntry describedLesson(const QJsonObject &data)
+{
+    LessonEntry lesson;
+    lesson.id = requireText(data, "id");
+    checkId(lesson.id);
+    const double order = data.value("order").toDouble(-1.0);
+    if (order < 0.0 || order > 1e6 || order != std::floor(order))
+        refuseLesson(Text::tr("its description has no whole number \"order\""));
+    lesson.order = int(order);
+    lesson.title = requireText(data, "title");
+    lesson.summary = requireText(data, "summary");
+    return lesson;
+}
+
+void checkStep(const lessons::Step &step)
+{
+    if (!step.scene || !step.look)
+        refuseLesson(Text::tr("the step %1 has no scene or no look").arg(quoted(step.id)));
+    if (!sim::findMethod(step.method.toStdString()))
+        refuseLesson(Text::tr("the step %1 wants the method %2, which is not there")
+                         .arg(quoted(step.id), quoted(step.method)));
+    try {
+        const sim::Script script = step.script();
+        sim::compose(sim::sceneOf(script, script.values), *script.method, script.step);
+    } catch (const std::exception &error) {
+        refuseLesson(Text::tr("the step %1 cannot start (%2)")
+                         .arg(quoted(step.id), oneLine(QString::fromUtf8(error.what()))));
+    }
+}
+
+std::vector<lessons::Step> stepsOf(QObject *instance)
+{
+    const auto *lesson = qobject_cast<lessons::Lesson *>(instance);
+    if (!lesson)
+        refuseLesson(Text::tr("its code has no lesson"));
+    try {
+        return lesson->steps();
+    } catch (const std::exception &error) {
+        refuseLesson(Text::tr("its steps cannot be made (%1)").arg(oneLine(QString::fromUtf8(error.what()))));
+    }
+}
+
+}
+
+LessonEntry loadLesson(const QString &file)
+{
+    QPluginLoader loader(file);
+    checkInterface(loader);
+    const QJsonObject data = loader.metaData().value("MetaData").toObject();
+    LessonEntry lesson = describedLesson(data);
+    const QStringList ids = stepIds(data);
+    QObject *instance = loader.instance();
+    if (!instance)
+        throw Refusal(Text::tr("It cannot be loaded; build or install it again. The system says: %1.")
+                          .arg(oneLine(loader.errorString())));
+    lesson.steps = stepsOf(instance);
+    QStringList made;
+    for (const lessons::Step &step : lesson.steps)
+        made.push_back(step.id);
+    if (made != ids)
+        refuseLesson(Text::tr("its description lists the steps %1, its code has %2")
+                         .arg(quotedList(ids), made.isEmpty() ? Text::tr("none") : quotedList(made)));
+    for (const lessons::Step &step : lesson.steps)
+        checkStep(step);
+    return lesson;
+}
+
+}

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "app/model/lesson_library.h"
+
+namespace app {
+
+/// Loads the lesson in a plugin file. Nothing of the file runs before its metadata is what a lesson has.
+/// @throws Refusal: one sentence on what the file is and what to do with it
+LessonEntry loadLesson(const QString &file);
+
+}

@@ -1,0 +1,70 @@
+# What Springstep needs, as Debian 12 packages, each with what it is for; read by app/run, tests/run and .ci/run.
+
+app_packages=(
+    "g++                     the C++20 compiler"
+    "cmake                   configures the build"
+    "ninja-build             runs the build"
+    "qt6-base-dev            the window, files and plugins"
+    "libqt6svg6-dev          the window's icons"
+    "libeigen3-dev           arrays of the simulation core"
+    "libqscintilla2-qt6-dev  the code panel"
+    "rapidjson-dev           reads experiment files with the line of every value"
+    "fonts-inter             the typeface of the window"
+    "fonts-hack              the typeface of code and numbers"
+)
+test_packages=(
+    "libbenchmark-dev        tests/bench"
+    "xvfb                    a display for tests that need a real window system"
+    "xauth                   lets programs use that display"
+)
+format_packages=(
+    "clang-format-14         checks the layout of the code"
+)
+
+# need ENTRY...: installs those that are missing; needs no network when none is. Talks on stderr only.
+need() {
+    if ! command -v apt-get >/dev/null; then
+        echo "This system has no apt-get. If the build stops, install these (Debian's names):" >&2
+        printf '  %s\n' "$@" >&2
+        return
+    fi
+    local entry missing=() installed
+    installed=" $(dpkg-query -W -f '${Package}:${db:Status-Status} ' 2>/dev/null) "
+    for entry in "$@"; do
+        [[ $installed == *" ${entry%% *}:installed "* ]] || missing+=("$entry")
+    done
+    ((${#missing[@]})) || return 0
+    echo "Springstep needs these packages, which apt-get installs now:" >&2
+    printf '  %s\n' "${missing[@]}" >&2
+    local root=()
+    if ((EUID != 0)); then
+        command -v sudo >/dev/null || {
+            echo "Installing needs root. Run as root: apt-get install ${missing[*]%% *}" >&2
+            return 1
+        }
+        root=(sudo)
+    fi
+    "${root[@]}" apt-get -qq update >&2 </dev/null
+    "${root[@]}" env DEBIAN_FRONTEND=noninteractive \
+        apt-get -qq install -y --no-install-recommends "${missing[@]%% *}" >&2 </dev/null
+}
+
+# quietly COMMAND...: runs it and shows what it prints only if it fails.
+quietly() {
+    local log
+    log=$("$@" 2>&1 </dev/null) || {
+        local code=$?
+        printf '%s\n' "$log" >&2
+        return "$code"
+    }
+}
+
+# configure PRESET OPTION...: sets up the preset's build folder; with ccache where that is installed.
+configure() {
+    local preset=$1 launcher=()
+    shift
+    if command -v ccache >/dev/null; then
+        launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+    fi
+    quietly cmake --preset "$preset" "${launcher[@]}" "$@"
+}

@@ -1,0 +1,149 @@
+#include "scene_bench.h"
+
+#include "lessons/api/creature.h"
+#include "lessons/api/parameters.h"
+#include "sim/effects/damping.h"
+#include "sim/effects/gravity.h"
+#include "sim/effects/point_spring.h"
+#include "sim/effects/walls.h"
+
+#include <QApplication>
+#include <QMouseEvent>
+#include <QWheelEvent>
+
+using namespace app;
+
+namespace {
+
+constexpr sim::Room room = {20.0, 520.0, 400.0, 0.6};
+
+sim::Scene pulledCreature(const sim::Values &values)
+{
+    sim::Scene scene = lessons::creature(2);
+    lessons::placeFeet(scene, {{310, 240}, {230, 250}});
+    lessons::add<sim::PointSpring>(scene, 0, sim::Vec2{270, 200}, values["k"]);
+    lessons::add<sim::Gravity>(scene, values["gravity"]);
+    lessons::add<sim::Damping>(scene, values["damp"]);
+    return scene;
+}
+
+sim::Scene creatureInARoom(const sim::Values &values)
+{
+    sim::Scene scene = pulledCreature(values);
+    lessons::add<sim::Walls>(scene, room, lessons::halfWidths(scene));
+    return scene;
+}
+
+sim::Scene footOnASpring(const sim::Values &values)
+{
+    sim::Scene scene = lessons::loneFoot();
+    scene.start.place(0, {300, 210});
+    lessons::add<sim::PointSpring>(scene, 0, sim::Vec2{270, 200}, values["k"]);
+    return scene;
+}
+
+lessons::Step stepCalled(const char *id, sim::Scene (*scene)(const sim::Values &))
+{
+    lessons::Step step;
+    step.id = id;
+    step.title = id;
+    step.parameters = {lessons::stiffness(), lessons::damping(), lessons::gravity()};
+    step.scene = scene;
+    step.look = [](const sim::Scene &built, const sim::Values &) {
+        return lessons::creatureLookWithLegs(built);
+    };
+    return step;
+}
+
+}
+
+LessonLibrary sceneLibrary()
+{
+    lessons::Step inRoom = stepCalled("room", creatureInARoom);
+    inRoom.look = [](const sim::Scene &scene, const sim::Values &) {
+        lessons::Look look = lessons::creatureLookWithLegs(scene);
+        look.room = room;
+        return look;
+    };
+    lessons::Step lone = stepCalled("lone", footOnASpring);
+    lone.look = [](const sim::Scene &scene, const sim::Values &) { return lessons::creatureLook(scene); };
+    lone.guides = [](const sim::Scene &, const sim::State &state, const sim::Values &) {
+        using Shape = lessons::Guide::Shape;
+        return std::vector<lessons::Guide>{{Shape::ring, {270, 200}, {}, 30.0, {}},
+                                           {Shape::line, {270, 200}, state.at(0), 0.0, "dx"}};
+    };
+    LessonEntry entry;
+    entry.id = "scene";
+    entry.steps = {stepCalled("creature", pulledCreature), inRoom, lone};
+    LessonLibrary library;
+    library.lessons = {entry};
+    return library;
+}
+
+SceneBench::SceneBench(const char *step)
+    : library(sceneLibrary()), session(library), theme(Scheme::light), view(session, theme)
+{
+    session.openStep("scene", step);
+    view.resize(600, 470);
+    view.show();
+    view.setFocus();
+    QApplication::processEvents();
+}
+
+QPoint SceneBench::onScreen(const char *body) const
+{
+    const sim::Vec2 at = place(body);
+    return view.viewportTransform().map(QPointF(at.x, at.y)).toPoint();
+}
+
+sim::Vec2 SceneBench::place(const char *body) const
+{
+    const Picture picture = session.picture();
+    return picture.state.at(picture.segment->scene.find(body));
+}
+
+QImage SceneBench::image()
+{
+    QImage image(view.size(), QImage::Format_RGB32);
+    view.viewport()->render(&image);
+    return image;
+}
+
+int SceneBench::pixels(const QColor &color)
+{
+    const QImage picture = image();
+    int count = 0;
+    for (int y = 0; y < picture.height(); ++y) {
+        for (int x = 0; x < picture.width(); ++x)
+            count += picture.pixel(x, y) == color.rgb() ? 1 : 0;
+    }
+    return count;
+}
+
+void SceneBench::move(QPoint to, Qt::MouseButton button)
+{
+    QMouseEvent event(QEvent::MouseMove, QPointF(to), QPointF(view.mapToGlobal(to)), Qt::NoButton, button,
+                      Qt::NoModifier);
+    QApplication::sendEvent(view.viewport(), &event);
+}
+
+void SceneBench::press(QPoint at, Qt::MouseButton button)
+{
+    QMouseEvent event(QEvent::MouseButtonPress, QPointF(at), QPointF(view.mapToGlobal(at)), button, button,
+                      Qt::NoModifier);
+    QApplication::sendEvent(view.viewport(), &event);
+}
+
+void SceneBench::release(QPoint at, Qt::MouseButton button)
+{
+    QMouseEvent event(QEvent::MouseButtonRelease, QPointF(at), QPointF(view.mapToGlobal(at)), button,
+                      Qt::NoButton, Qt::NoModifier);
+    QApplication::sendEvent(view.viewport(), &event);
+}
+
+void SceneBench::wheel(QPoint at, QPoint angle, QPoint pixels)
+{
+    QWheelEvent event(QPointF(at), QPointF(view.mapToGlobal(at)), pixels, angle, Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
+    QApplication::sendEvent(view.viewport(), &event);
+}

@@ -1,0 +1,244 @@
+#include "tests/app/refusals.h"
+
+using namespace refusals;
+
+/// Every way in which an experiment file can be wrong is one sentence with the line and the remedy.
+class TestExperiment : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void textThatIsNoExperimentIsRefused_data()
+    {
+        addColumns();
+        const auto row = [](const char *name, const QByteArray &text, const QString &sentence) {
+            QTest::newRow(name) << text << sentence;
+        };
+        row("empty", "", "line 1: the file is empty; an experiment begins with {.");
+        row("blank", " \n\n ", "line 1: the file is empty; an experiment begins with {.");
+        row("only a byte order mark", "\xEF\xBB\xBF",
+            "line 1: the file is empty; an experiment begins with {.");
+        row("prose", "Dear learner,\nhello",
+            "line 1: this is not JSON; a value is a number, a \"text\", true, false, null, a [list] or an "
+            "{object}.");
+        row("zero bytes", QByteArray("{\n\0\0", 4),
+            "line 2: there is a zero byte; an experiment is JSON text in UTF-8.");
+        row("binary", "\x89PNG\r\n\x1a\n",
+            "line 1: this is not JSON; a value is a number, a \"text\", true, false, null, a [list] or an "
+            "{object}.");
+        row("UTF-16", QByteArray("\xFF\xFE{\0}\0", 6),
+            "line 1: there is a zero byte; an experiment is JSON text in UTF-8.");
+        row("bytes that are not UTF-8", with("\"method\": \"\xC3(\""),
+            "line 5: a text has bytes that are not UTF-8; save the file as UTF-8.");
+        row("truncated after a name", with("\"h\"").chopped(3),
+            "line 5: the file ends here, in the middle; its end is missing.");
+        row("truncated in a text", "{\n\"format\": \"spri",
+            "line 2: the file ends here, in the middle; its end is missing.");
+        row("truncated in a number", "{\n\"h\": 1.",
+            "line 2: the file ends here, in the middle; its end is missing.");
+        row("truncated in a word", "{\n\"h\": tru",
+            "line 2: the file ends here, in the middle; its end is missing.");
+        row("a list", "[1, 2]", "line 1: the file is a list; it takes an object in { }.");
+        row("a number", "12", "line 1: the file is 12; it takes an object in { }.");
+        row("two experiments", "{}\n{}",
+            "line 2: the experiment ends before this; remove what follows its closing bracket.");
+        row("a missing comma", with("\"h\": 1\n\"frames\": 2"),
+            "line 6: a comma or a closing } is expected here.");
+        row("a comma too many", with("\"h\": 1,"), "line 6: a name in double quotes is expected here.");
+        row("a missing colon", with("\"h\" 1"),
+            "line 5: a colon is expected here, between a name and its value.");
+        row("a name without quotes", with("h: 1"), "line 5: a name in double quotes is expected here.");
+        row("a list that does not end", with("\"input\": [ {} }"),
+            "line 5: a comma or a closing ] is expected here.");
+        row("a comment", with("// h\n\"h\": 1"), "line 5: a name in double quotes is expected here.");
+        row("a line break in a text", with("\"method\": \"publ\nished\""),
+            "line 5: a text in double quotes is not well formed; it ends on its own line, and after a \\ "
+            "comes one of \" \\ / b f n r t u.");
+        row("a wrong escape", with("\"method\": \"\\x\""),
+            "line 5: a text in double quotes is not well formed; it ends on its own line, and after a \\ "
+            "comes one of \" \\ / b f n r t u.");
+        row("half a surrogate", with("\"method\": \"\\ud800\""),
+            "line 5: a text in double quotes is not well formed; it ends on its own line, and after a \\ "
+            "comes one of \" \\ / b f n r t u.");
+        row("NaN", with("\"h\": NaN"),
+            "line 5: this is not JSON; a value is a number, a \"text\", true, false, null, a [list] or an "
+            "{object}.");
+        row("Infinity", with("\"h\": -Infinity"),
+            "line 5: this is not JSON; a value is a number, a \"text\", true, false, null, a [list] or an "
+            "{object}.");
+        row("1e999", with("\"h\": 1e999"), "line 5: a number is too large; the largest is 1.8e308.");
+        row("1.8e308", with("\"h\": 1.8e308"),
+            "line 5: \"h\" is 0; it can be 0.000001 to 100 frames, a whole number or 1 divided by one: 2, 1, "
+            "0.5, 0.25...");
+        row("-1e999", with("\"h\":\n-1e999"), "line 6: a number is too large; the largest is 1.8e308.");
+        row("10^400 in digits", with("\"h\": 1" + QByteArray(400, '0')),
+            "line 5: a number is too large; the largest is 1.8e308.");
+        row("a number with a leading zero", with("\"h\": 01"),
+            "line 5: a comma or a closing } is expected here.");
+        row("a number that ends in a point", with("\"h\": 1."),
+            "line 5: a number is not complete; write it as 0.5 or 5e-1.");
+        row("hexadecimal", with("\"h\": 0x10"), "line 5: a comma or a closing } is expected here.");
+        row("a name twice", with("\"h\": 1,\n\"h\": 2"), "line 6: \"h\" is given twice; keep one of them.");
+        row("a body twice",
+            with("\"bodies\": {\"body\": {\"x\": 1, \"y\": 2},\n\"body\": {\"x\": 1, \"y\": 2}}"),
+            "line 6: \"body\" is given twice; keep one of them.");
+        row("17 lists in each other", with("\"input\": " + QByteArray(17, '[')),
+            "line 5: lists and objects stand more than 16 deep in each other here; an experiment needs 3.");
+        row("a million lists in each other", QByteArray(1'000'000, '['),
+            "line 1: lists and objects stand more than 16 deep in each other here; an experiment needs 3.");
+        row("a million objects in each other", QByteArray("{\"a\":").repeated(1'000'000),
+            "line 1: lists and objects stand more than 16 deep in each other here; an experiment needs 3.");
+    }
+    void textThatIsNoExperimentIsRefused() { checkRow(); }
+
+    void whatAnExperimentMustHaveIsAskedFor_data()
+    {
+        addColumns();
+        const auto row = [](const char *name, const QByteArray &text, const QString &sentence) {
+            QTest::newRow(name) << text << sentence;
+        };
+        const QByteArray format = "\"format\": \"springstep-experiment/1\"";
+        row("nothing in it", "{}",
+            "line 1: the file has no \"format\"; it takes \"springstep-experiment/1\".");
+        row("another format", "{\"format\": \"drawing\"}",
+            "line 1: \"format\" is \"drawing\"; this program reads \"springstep-experiment/1\".");
+        row("a later format", "{\"format\": \"springstep-experiment/2\"}",
+            "line 1: \"format\" is \"springstep-experiment/2\"; this program reads "
+            "\"springstep-experiment/1\".");
+        row("a format that is a number", "{\"format\": 1}",
+            "line 1: \"format\" is 1; it takes a text in double quotes.");
+        row("no lesson", "{" + format + "}",
+            "line 1: the file has no \"lesson\"; it takes \"single_spring\", \"two_body\", \"multi_foot\", "
+            "\"gravity_walls\".");
+        row("a lesson that is a list", "{" + format + ", \"lesson\": []}",
+            "line 1: \"lesson\" is a list; it takes a text in double quotes.");
+        row("no step", "{" + format + ", \"lesson\": \"two_body\"}",
+            "line 1: the file has no \"step\"; it takes \"mutual\", \"leg_line\".");
+        row("an unknown lesson", "{" + format + ",\n\"lesson\": \"three_body\", \"step\": \"mutual\"}",
+            "line 2: there is no lesson \"three_body\"; there is \"single_spring\", \"two_body\", "
+            "\"multi_foot\", \"gravity_walls\".");
+        row("an unknown step", "{" + format + ",\n\"lesson\": \"two_body\",\n\"step\": \"mutal\"}",
+            "line 3: the lesson \"two_body\" has no step \"mutal\"; it has \"mutual\", \"leg_line\".");
+        row("a lesson with a line break and an escape sequence",
+            "{" + format + ", \"lesson\": \"a\\nb\\u001b[31m\", \"step\": \"mutual\"}",
+            "line 1: there is no lesson \"a b\uFFFD[31m\"; there is \"single_spring\", \"two_body\", "
+            "\"multi_foot\", \"gravity_walls\".");
+        row("a lesson of a million letters",
+            "{" + format + ", \"lesson\": \"" + QByteArray(1'000'000, 'a') + "\", \"step\": \"mutual\"}",
+            "line 1: there is no lesson \"aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa\u2026\"; there is "
+            "\"single_spring\", \"two_body\", \"multi_foot\", \"gravity_walls\".");
+        row("an unknown field", with("\"gravity\": 1"),
+            "line 5: the file has no field \"gravity\"; there is \"format\", \"lesson\", \"step\", "
+            "\"method\", \"h\", \"tolerance\", \"effects\", \"scene\", \"frames\", \"parameters\", "
+            "\"bodies\", \"links\", \"seed\", \"input\".");
+    }
+    void whatAnExperimentMustHaveIsAskedFor() { checkRow(); }
+
+    void aFieldOutOfItsRangeIsRefused_data()
+    {
+        addColumns();
+        const auto row = [](const char *name, const QByteArray &fields, const QString &sentence) {
+            QTest::newRow(name) << with(fields) << sentence;
+        };
+        row("an unknown method", "\"method\": \"rk4\"",
+            "line 5: there is no method \"rk4\"; there is \"published\", \"semi_implicit_euler\".");
+        row("a method that is true", "\"method\": true",
+            "line 5: \"method\" is true; it takes a text in double quotes.");
+        row("h of 0", "\"h\": 0",
+            "line 5: \"h\" is 0; it can be 0.000001 to 100 frames, a whole number or 1 divided by one: 2, 1, "
+            "0.5, 0.25...");
+        row("h below 0", "\"h\": -1",
+            "line 5: \"h\" is -1; it can be 0.000001 to 100 frames, a whole number or 1 divided by one: 2, "
+            "1, 0.5, 0.25...");
+        row("h of 0.3", "\"h\": 0.3",
+            "line 5: \"h\" is 0.3; it can be 0.000001 to 100 frames, a whole number or 1 divided by one: 2, "
+            "1, 0.5, 0.25...");
+        row("h of 1.5", "\"h\": 1.5",
+            "line 5: \"h\" is 1.5; it can be 0.000001 to 100 frames, a whole number or 1 divided by one: 2, "
+            "1, 0.5, 0.25...");
+        row("h of 101", "\"h\": 101",
+            "line 5: \"h\" is 101; it can be 0.000001 to 100 frames, a whole number or 1 divided by one: 2, "
+            "1, 0.5, 0.25...");
+        row("h of 1e-7", "\"h\": 1e-7",
+            "line 5: \"h\" is 1e-07; it can be 0.000001 to 100 frames, a whole number or 1 divided by one: "
+            "2, 1, 0.5, 0.25...");
+        row("h as text", "\"h\": \"1\"", "line 5: \"h\" is the text \"1\"; it takes a number.");
+        row("tolerance", "\"tolerance\": 0.001",
+            "line 5: \"tolerance\" is for methods that choose their own step, and none here does; give \"h\" "
+            "instead.");
+        row("an unknown effect", "\"effects\": [\n\"gravity\"]",
+            "line 6: the step \"any_number\" has no effect \"gravity\"; it has \"damping\", "
+            "\"radial_spring\".");
+        row("an effect that is a number", "\"effects\": [7]",
+            "line 5: \"effects\" is 7; it takes a text in double quotes.");
+        row("effects as text", "\"effects\": \"springs\"",
+            "line 5: \"effects\" is the text \"springs\"; it takes a list in [ ].");
+        row("a scene", "\"scene\": {}",
+            "line 5: \"scene\" does not go with a lesson's step, which has its own; remove it, and change "
+            "that one by \"parameters\", \"bodies\" and \"effects\".");
+        row("links", "\"links\": [{\"a\": \"p0\"}]",
+            "line 5: the step \"any_number\" has no sticks; remove \"links\".");
+        row("links as text", "\"links\": \"none\"",
+            "line 5: \"links\" is the text \"none\"; it takes a list in [ ].");
+        row("frames below 0", "\"frames\": -1",
+            "line 5: \"frames\" is -1; it can be a whole number from 0 to 10000000.");
+        row("half a frame", "\"frames\": 0.5",
+            "line 5: \"frames\" is 0.5; it can be a whole number from 0 to 10000000.");
+        row("10 million and 1 frames", "\"frames\": 10000001",
+            "line 5: \"frames\" is 10000001; it can be a whole number from 0 to 10000000.");
+        row("frames of 1e300", "\"frames\": 1e300",
+            "line 5: \"frames\" is 1e+300; it can be a whole number from 0 to 10000000.");
+        row("frames as null", "\"frames\": null", "line 5: \"frames\" is null; it takes a number.");
+        row("a seed below 0", "\"seed\": -1",
+            "line 5: \"seed\" is -1; it can be a whole number from 0 to 9007199254740992.");
+        row("a seed that is not whole", "\"seed\": 1.5",
+            "line 5: \"seed\" is 1.5; it can be a whole number from 0 to 9007199254740992.");
+        row("a seed of 2^53 + 1", "\"seed\": 9007199254740993",
+            "line 5: \"seed\" is beyond 2^53; it can be a whole number from 0 to 9007199254740992.");
+        row("a seed of 2^64", "\"seed\": 18446744073709551616",
+            "line 5: \"seed\" is 18446744073709552000; it can be a whole number from 0 to 9007199254740992.");
+        row("a billion feet", "\"parameters\": {\n\"feet\": 1000000000}",
+            "line 6: \"feet\" is 1000000000; it can be a whole number from 1 to 100.");
+        row("no feet", "\"parameters\": {\"feet\": 0}",
+            "line 5: \"feet\" is 0; it can be a whole number from 1 to 100.");
+        row("two and a half feet", "\"parameters\": {\"feet\": 2.5}",
+            "line 5: \"feet\" is 2.5; it can be a whole number from 1 to 100.");
+        row("a factor above its range", "\"parameters\": {\"k\": 0.1,\n\"damp\": 1.4}",
+            "line 6: \"damp\" is 1.4; it can be 0 to 1.");
+        row("a factor below its range", "\"parameters\": {\"damp\": -0.1}",
+            "line 5: \"damp\" is -0.1; it can be 0 to 1.");
+        row("an unknown parameter", "\"parameters\": {\"gravity\": 1}",
+            "line 5: the step \"any_number\" has no parameter \"gravity\"; it has \"k\", \"damp\", "
+            "\"radius\", \"feet\".");
+        row("a parameter as text", "\"parameters\": {\"k\": \"0.2\"}",
+            "line 5: \"k\" is the text \"0.2\"; it takes a number.");
+        row("parameters as a list", "\"parameters\": [0.2]",
+            "line 5: \"parameters\" is a list; it takes an object in { }.");
+        row("an unknown body", "\"bodies\": {\n\"foot9\": {\"x\": 1, \"y\": 2}}",
+            "line 6: there is no body \"foot9\" here; there is \"foot0\", \"foot1\", \"foot2\", \"foot3\", "
+            "\"foot4\", \"body\".");
+        row("a body for one foot more",
+            "\"parameters\": {\"feet\": 2},\n\"bodies\": {\"foot2\": {\"x\": 1, \"y\": 2}}",
+            "line 6: there is no body \"foot2\" here; there is \"foot0\", \"foot1\", \"body\".");
+        row("a body without y", "\"bodies\": {\"body\": {\"x\": 1}}",
+            "line 5: the body \"body\" has no \"y\"; it takes a number.");
+        row("a body as text", "\"bodies\": {\"body\": \"here\"}",
+            "line 5: the body \"body\" is the text \"here\"; it takes an object in { }.");
+        row("a body with a mass", "\"bodies\": {\"body\": {\"x\": 1, \"y\": 2, \"mass\": 3}}",
+            "line 5: the body \"body\" has no field \"mass\"; there is \"x\", \"y\", \"vx\", \"vy\".");
+        row("a body's speed as null", "\"bodies\": {\"body\": {\"x\": 1, \"y\": 2, \"vx\": null}}",
+            "line 5: \"vx\" is null; it takes a number.");
+        row("bodies as a list", "\"bodies\": []", "line 5: \"bodies\" is a list; it takes an object in { }.");
+    }
+    void aFieldOutOfItsRangeIsRefused() { checkRow(); }
+
+    void moreValuesThanAnExperimentHasAreRefused()
+    {
+        const QByteArray text = with("\"input\": [" + QByteArray("1,").repeated(9 << 20) + "1]");
+        QCOMPARE(refusalOf(text),
+                 "x.json: line 5: an experiment has at most 8388608 values; here begins one more.");
+    }
+};
+
+QTEST_GUILESS_MAIN(TestExperiment)
+#include "tst_experiment.moc"

@@ -1,0 +1,275 @@
+// What the scene view draws and says.
+
+#include "app/ui/scene/body_text.h"
+#include "scene_bench.h"
+
+#include <QSettings>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include <ctime>
+
+using namespace app;
+
+class SceneDrawingTest : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase();
+    void captionsSayWhatIsDone_data();
+    void captionsSayWhatIsDone();
+    void pullsAreDrawnInsideAFrameOnly();
+    void eachExtraChangesThePicture_data();
+    void eachExtraChangesThePicture();
+    void aGhostIsDrawnWhereItDiffers();
+    void theTrailFollowsForwardOnly();
+    void arrowsHaveAReadableScale_data();
+    void arrowsHaveAReadableScale();
+    void signsAtTheEdgeKeepApart_data();
+    void signsAtTheEdgeKeepApart();
+    void aThemeChangeRepaints();
+    void namesAndNumbersAreReadable_data();
+    void namesAndNumbersAreReadable();
+    void paintingTakesLittleTime();
+
+private:
+    QTemporaryDir m_settings;
+};
+
+void SceneDrawingTest::initTestCase()
+{
+    QStandardPaths::setTestModeEnabled(true);
+    QSettings::setDefaultFormat(QSettings::IniFormat);
+    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_settings.path());
+}
+
+void SceneDrawingTest::captionsSayWhatIsDone_data()
+{
+    QTest::addColumn<QString>("method");
+    QTest::addColumn<double>("h");
+    QTest::addColumn<int>("phase");
+    QTest::addColumn<QString>("caption");
+    const QString published = "published";
+    const QString simultaneous = "semi_implicit_euler";
+    QTest::newRow("between frames") << published << 1.0 << 0 << "";
+    QTest::newRow("published, a pull")
+        << published << 1.0 << 1
+        << "Inside frame 2: pulls go straight onto the velocity, nothing has moved yet.";
+    QTest::newRow("published, feet moved")
+        << published << 1.0 << 4 << "Inside frame 2: feet moved already, body not yet.";
+    QTest::newRow("gathered") << simultaneous << 1.0 << 2
+                              << "Inside frame 2: accelerations are gathered, nothing has moved yet.";
+    QTest::newRow("kicked") << simultaneous << 1.0 << 3
+                            << "Inside frame 2: velocities have changed, nothing has moved yet.";
+    QTest::newRow("second step of two")
+        << simultaneous << 0.5 << 7
+        << "Inside frame 2, step 2 of 2: accelerations are gathered, nothing has moved in it yet.";
+    QTest::newRow("moved, walls to come")
+        << simultaneous << 1.0 << 5 << "Inside frame 2: everything has moved, walls to come.";
+    QTest::newRow("one step of two") << simultaneous << 0.5 << 6 << "Inside frame 2: 1 of 2 steps are done.";
+}
+
+void SceneDrawingTest::captionsSayWhatIsDone()
+{
+    QFETCH(QString, method);
+    QFETCH(double, h);
+    QFETCH(int, phase);
+    QFETCH(QString, caption);
+    SceneBench bench("room");
+    bench.session.setMethod(method);
+    bench.session.setStepSize(h);
+    bench.session.goTo({2, phase});
+    QCOMPARE(bench.view.caption(), caption);
+}
+
+void SceneDrawingTest::pullsAreDrawnInsideAFrameOnly()
+{
+    SceneBench bench;
+    bench.session.setMethod("semi_implicit_euler");
+    const QColor spring = bench.theme.tokens().spring;
+    const QColor gravity = bench.theme.tokens().gravity;
+    QCOMPARE(bench.pixels(spring), 0);
+    bench.session.phaseForward();
+    QVERIFY(bench.pixels(spring) > 60);
+    QCOMPARE(bench.pixels(gravity), 0);
+    bench.session.phaseForward();
+    QVERIFY(bench.pixels(gravity) > 60);
+    bench.session.goTo({1, 0});
+    QCOMPARE(bench.pixels(spring), 0);
+    QCOMPARE(bench.pixels(gravity), 0);
+}
+
+void SceneDrawingTest::eachExtraChangesThePicture_data()
+{
+    QTest::addColumn<int>("extra");
+    QTest::newRow("trails") << 0;
+    QTest::newRow("velocity arrows") << 1;
+    QTest::newRow("grid") << 2;
+    QTest::newRow("explaining lines") << 3;
+    QTest::newRow("eyes") << 4;
+    QTest::newRow("ghost") << 5;
+}
+
+void SceneDrawingTest::eachExtraChangesThePicture()
+{
+    QFETCH(int, extra);
+    SceneBench bench(extra == 3 ? "lone" : "creature");
+    for (int i = 0; i < 12; ++i)
+        bench.session.frameForward();
+    if (extra == 5) {
+        bench.session.goTo({4, 0});
+        bench.session.setParameter("gravity", 1.4);
+        bench.session.goTo({12, 0});
+    }
+    const QImage before = bench.image();
+    bool Extras::*const members[] = {&Extras::trails, &Extras::velocities, &Extras::grid,
+                                     &Extras::guides, &Extras::eyes,       &Extras::ghost};
+    Extras extras = bench.view.extras();
+    extras.*members[extra] = !(extras.*members[extra]);
+    bench.view.setExtras(extras);
+    QVERIFY(bench.image() != before);
+    bench.view.setExtras(Extras());
+    QVERIFY(bench.image() == before);
+}
+
+void SceneDrawingTest::aGhostIsDrawnWhereItDiffers()
+{
+    SceneBench bench;
+    bench.session.goTo({12, 0});
+    bench.session.goTo({4, 0});
+    const QImage before = bench.image();
+    bench.session.setParameter("gravity", 1.4);
+    QVERIFY(bench.session.ghost().has_value());
+    QVERIFY2(bench.image() == before, "where both runs are the same there is nothing to see");
+    bench.session.goTo({12, 0});
+    const QImage with = bench.image();
+    bench.session.forgetGhost();
+    QVERIFY(bench.image() != with);
+}
+
+void SceneDrawingTest::theTrailFollowsForwardOnly()
+{
+    SceneBench bench;
+    Trail trail;
+    const auto at = [&](sim::Cursor cursor) {
+        bench.session.goTo(cursor);
+        trail.follow(bench.session.timeline());
+        return static_cast<int>(trail.marks().size());
+    };
+    for (int frame = 0; frame <= 5; ++frame)
+        QCOMPARE(at({frame, 0}), frame + 1);
+    QCOMPARE(at({5, 2}), 6);
+    QCOMPARE(at({3, 0}), 4);  // going back takes frames away
+    QCOMPARE(at({90, 0}), 1); // a jump takes all
+    for (int frame = 91; frame < 130; ++frame)
+        at({frame, 0});
+    QCOMPARE(static_cast<int>(trail.marks().size()), static_cast<int>(Trail::length) + 1);
+    bench.session.setMethod("semi_implicit_euler");
+    QVERIFY(at({129, 0}) == 1); // another run
+}
+
+void SceneDrawingTest::arrowsHaveAReadableScale_data()
+{
+    QTest::addColumn<double>("longest");
+    QTest::addColumn<double>("settled");
+    QTest::addColumn<double>("unit");
+    QTest::newRow("of a calm scene") << 2.3 << 0.0 << 1.0;
+    QTest::newRow("of a strong pull") << 34.0 << 0.0 << 20.0;
+    QTest::newRow("of a weak one") << 0.004 << 0.0 << 0.002;
+    QTest::newRow("of nothing") << 0.0 << 0.0 << 1.0;
+    QTest::newRow("that still fits stays") << 2.3 << 5.0 << 5.0;
+    QTest::newRow("that is too small goes") << 2.3 << 0.5 << 1.0;
+    QTest::newRow("that is far too large goes") << 2.3 << 50.0 << 1.0;
+}
+
+void SceneDrawingTest::arrowsHaveAReadableScale()
+{
+    QFETCH(double, longest);
+    QFETCH(double, settled);
+    QFETCH(double, unit);
+    QCOMPARE(arrowUnit(longest, settled > 0.0 ? std::optional(settled) : std::nullopt), unit);
+}
+
+void SceneDrawingTest::signsAtTheEdgeKeepApart_data()
+{
+    QTest::addColumn<QPointF>("middle");
+    QTest::addColumn<int>("least");
+    QTest::newRow("all in one direction") << QPointF(2000, 200) << 1;
+    QTest::newRow("to all sides") << QPointF(275, 232) << 2;
+    QTest::newRow("far beyond") << QPointF(4e5, -3e5) << 1;
+}
+
+void SceneDrawingTest::signsAtTheEdgeKeepApart()
+{
+    QFETCH(QPointF, middle);
+    QFETCH(int, least);
+    SceneBench bench;
+    Shown shown;
+    shown.picture = bench.session.picture();
+    shown.text = bench.theme.ui(12);
+    const Camera camera(QTransform().translate(300, 235).scale(12, 12).translate(-middle.x(), -middle.y()));
+    const QRectF view(0, 0, 600, 470);
+    const QRectF free = view.adjusted(12, 40, -12, -48);
+    const std::vector<EdgeMarker> markers = edgeMarkers(shown, camera, view, free, {});
+    QVERIFY(static_cast<int>(markers.size()) >= least);
+    int bodies = 0;
+    for (std::size_t i = 0; i < markers.size(); ++i) {
+        bodies += markers[i].bodies;
+        QVERIFY(free.adjusted(-1, -1, 1, 1).contains(markers[i].label));
+        for (std::size_t j = 0; j < i; ++j)
+            QVERIFY(!markers[i].label.intersects(markers[j].label));
+    }
+    QCOMPARE(bodies, 3);
+}
+
+void SceneDrawingTest::aThemeChangeRepaints()
+{
+    SceneBench bench;
+    QCOMPARE(bench.image().pixelColor(2, 2), bench.theme.tokens().scene);
+    bench.theme.setScheme(Scheme::dark);
+    QCOMPARE(bench.image().pixelColor(2, 2), QColor("#131518"));
+}
+
+void SceneDrawingTest::namesAndNumbersAreReadable_data()
+{
+    QTest::addColumn<QString>("shown");
+    QTest::addColumn<QString>("expected");
+    QTest::newRow("a numbered foot") << bodyTitle("foot12") << "foot 12";
+    QTest::newRow("the body") << bodyTitle("body") << "body";
+    QTest::newRow("minus") << shownNumber(-3.26, 1) << "−3.3";
+    QTest::newRow("no minus nought") << shownNumber(-0.01, 1) << "0.0";
+    QTest::newRow("almost nothing") << shownMagnitude(0.0004) << "< 0.01";
+    QTest::newRow("nothing") << shownMagnitude(0.0) << "0.00";
+    QTest::newRow("at rest") << bodySentence("foot0", {310, 240}, {0.01, 0})
+                             << "foot 0 at (310, 240), at rest";
+    QTest::newRow("moving") << bodySentence("foot0", {310, -240}, {0, 2.3})
+                            << "foot 0 at (310, −240), moving 2.3 px a frame";
+}
+
+void SceneDrawingTest::namesAndNumbersAreReadable()
+{
+    QFETCH(QString, shown);
+    QFETCH(QString, expected);
+    QCOMPARE(shown, expected);
+}
+
+void SceneDrawingTest::paintingTakesLittleTime()
+{
+    SceneBench bench("room");
+    for (int i = 0; i < 30; ++i)
+        bench.session.frameForward();
+    QImage image(600, 470, QImage::Format_RGB32);
+    bench.view.viewport()->render(&image);
+    constexpr int times = 200;
+    const std::clock_t start = std::clock();
+    for (int i = 0; i < times; ++i)
+        bench.view.viewport()->render(&image);
+    const double ms = 1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC / times;
+    qInfo("painting 600 x 470 px takes %.2f ms of processor time", ms);
+    QCOMPARE(image.pixelColor(598, 468), bench.theme.tokens().win); // the ground, so something was painted
+}
+
+QTEST_MAIN(SceneDrawingTest)
+#include "tst_scene_drawing.moc"

@@ -1,0 +1,289 @@
+#include "tests/app/time_bench.h"
+
+#include <QAccessible>
+#include <QMenu>
+#include <QPaintEvent>
+#include <QTest>
+#include <QWheelEvent>
+
+using namespace app;
+
+namespace {
+
+/// Collects what a widget repaints.
+struct PaintLog : QObject
+{
+    QRegion painted;
+    bool eventFilter(QObject *, QEvent *event) override
+    {
+        if (event->type() == QEvent::Paint)
+            painted += static_cast<QPaintEvent *>(event)->region();
+        return false;
+    }
+};
+
+void turnWheel(QWidget *widget, int delta, Qt::KeyboardModifiers modifiers = Qt::NoModifier)
+{
+    QWheelEvent event(QPointF(100, 25), widget->mapToGlobal(QPointF(100, 25)), {}, {0, delta}, Qt::NoButton,
+                      modifiers, Qt::NoScrollPhase, false);
+    QApplication::sendEvent(widget, &event);
+}
+
+}
+
+class TestTime : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void scrubbingGivesTheBitsOfAStraightRun();
+    void pressingOnTheTrackPauses();
+    void everyKeyOfTheTimelineWorks_data();
+    void everyKeyOfTheTimelineWorks();
+    void otherKeysAreLeftToTheWindow_data();
+    void otherKeysAreLeftToTheWindow();
+    void aClickedPhaseHasJustRun_data();
+    void aClickedPhaseHasJustRun();
+    void theWheelTurnsFramesAndWithShiftPhases();
+    void theGhostAppearsAfterAChangeInThePastAndCanBeForgotten();
+    void whilePlayingThePhaseStripIsNotPainted();
+    void onlyThePhaseThatJustRanIsAmber();
+    void namesThatDoNotFitBecomeMarks();
+    void screenReadersHearFrameAndPhase();
+    void nothingRunsWhileNothingMoves();
+};
+
+void TestTime::scrubbingGivesTheBitsOfAStraightRun()
+{
+    TimeBench bench;
+    QTest::mousePress(bench.strip, Qt::LeftButton, {}, bench.onTrack(100));
+    for (const std::int64_t frame : {100, 73, 74, 12, 0, 119, 41}) {
+        QTest::mouseMove(bench.strip, bench.onTrack(frame));
+        QVERIFY(bench.arrive());
+        QCOMPARE(bench.at(), (sim::Cursor{frame, 0}));
+        QVERIFY(bench.isStraightRun());
+    }
+    QTest::mouseRelease(bench.strip, Qt::LeftButton, {}, bench.onTrack(41));
+    QTest::mouseMove(bench.strip, bench.onTrack(90));
+    QCOMPARE(bench.at().frame, 41);
+}
+
+void TestTime::pressingOnTheTrackPauses()
+{
+    TimeBench bench;
+    bench.session.play();
+    QTest::mousePress(bench.strip, Qt::LeftButton, {}, bench.onTrack(30));
+    QVERIFY(!bench.session.isPlaying());
+    QVERIFY(bench.arrive());
+    QCOMPARE(bench.at().frame, 30);
+    QTest::mouseRelease(bench.strip, Qt::LeftButton, {}, bench.onTrack(30));
+}
+
+void TestTime::everyKeyOfTheTimelineWorks_data()
+{
+    QTest::addColumn<int>("key");
+    QTest::addColumn<bool>("shift");
+    QTest::addColumn<int>("frame");
+    QTest::addColumn<int>("phase");
+    QTest::newRow("Right: the next frame") << int(Qt::Key_Right) << false << 42 << 0;
+    QTest::newRow("Left: the start of the frame") << int(Qt::Key_Left) << false << 41 << 0;
+    QTest::newRow("Shift+Right: the next phase") << int(Qt::Key_Right) << true << 41 << 3;
+    QTest::newRow("Shift+Left: the phase before") << int(Qt::Key_Left) << true << 41 << 1;
+    QTest::newRow("Home: frame 0") << int(Qt::Key_Home) << false << 0 << 0;
+    QTest::newRow("End: the last computed frame") << int(Qt::Key_End) << false << 60 << 0;
+}
+
+void TestTime::everyKeyOfTheTimelineWorks()
+{
+    QFETCH(int, key);
+    QFETCH(bool, shift);
+    QFETCH(int, frame);
+    QFETCH(int, phase);
+    TimeBench bench;
+    bench.goTo(60);
+    bench.goTo(41, 2);
+    bench.strip->setFocus(Qt::TabFocusReason);
+    QTest::keyClick(bench.strip, Qt::Key(key), shift ? Qt::ShiftModifier : Qt::NoModifier);
+    QVERIFY(bench.arrive());
+    QCOMPARE(bench.at(), (sim::Cursor{frame, phase}));
+    QVERIFY(bench.isStraightRun());
+}
+
+void TestTime::otherKeysAreLeftToTheWindow_data()
+{
+    QTest::addColumn<int>("key");
+    QTest::newRow("Page Up") << int(Qt::Key_PageUp);
+    QTest::newRow("Page Down") << int(Qt::Key_PageDown);
+    QTest::newRow("Space") << int(Qt::Key_Space);
+    QTest::newRow("Escape") << int(Qt::Key_Escape);
+}
+
+void TestTime::otherKeysAreLeftToTheWindow()
+{
+    QFETCH(int, key);
+    TimeBench bench;
+    bench.goTo(20, 1);
+    QKeyEvent event(QEvent::KeyPress, key, Qt::NoModifier);
+    QApplication::sendEvent(bench.strip, &event);
+    QVERIFY(!event.isAccepted());
+    QCOMPARE(bench.at(), (sim::Cursor{20, 1}));
+}
+
+void TestTime::aClickedPhaseHasJustRun_data()
+{
+    QTest::addColumn<QString>("step");
+    QTest::addColumn<double>("h");
+    QTest::addColumn<int>("before");
+    QTest::addColumn<int>("phase");
+    QTest::addColumn<sim::Cursor>("expected");
+    QTest::newRow("from between two frames") << "at_once" << 1.0 << 0 << 1 << sim::Cursor{41, 2};
+    QTest::newRow("back inside a frame") << "at_once" << 1.0 << 4 << 0 << sim::Cursor{41, 1};
+    QTest::newRow("the last one ends the frame") << "at_once" << 1.0 << 2 << 4 << sim::Cursor{42, 0};
+    QTest::newRow("in the second group") << "grouped" << 1.0 << 0 << 5 << sim::Cursor{41, 6};
+    QTest::newRow("of the second of four steps") << "at_once" << 0.25 << 7 << 3 << sim::Cursor{41, 9};
+    QTest::newRow("of a step all done") << "at_once" << 0.25 << 5 << 1 << sim::Cursor{41, 2};
+}
+
+void TestTime::aClickedPhaseHasJustRun()
+{
+    QFETCH(QString, step);
+    QFETCH(double, h);
+    QFETCH(int, before);
+    QFETCH(int, phase);
+    QFETCH(sim::Cursor, expected);
+    TimeBench bench(step);
+    bench.session.setStepSize(h);
+    bench.goTo(41, before);
+    const QPoint place = bench.strip->phases().areaOf(phase).center().toPoint();
+    QVERIFY(bench.strip->hintAt(place).startsWith(bench.strip->phases().titleOf(phase)) || step == "grouped");
+    QTest::mouseClick(bench.strip, Qt::LeftButton, {}, place);
+    QVERIFY(bench.arrive());
+    QCOMPARE(bench.at(), expected);
+    QVERIFY(bench.isStraightRun());
+}
+
+void TestTime::theWheelTurnsFramesAndWithShiftPhases()
+{
+    TimeBench bench;
+    bench.goTo(10);
+    turnWheel(bench.strip, 120);
+    QCOMPARE(bench.at(), (sim::Cursor{11, 0}));
+    turnWheel(bench.strip, -240);
+    QCOMPARE(bench.at(), (sim::Cursor{9, 0}));
+    turnWheel(bench.strip, 60);
+    QCOMPARE(bench.at(), (sim::Cursor{9, 0}));
+    turnWheel(bench.strip, 60);
+    QCOMPARE(bench.at(), (sim::Cursor{10, 0}));
+    turnWheel(bench.strip, 120, Qt::ShiftModifier);
+    QCOMPARE(bench.at(), (sim::Cursor{10, 1}));
+    turnWheel(bench.strip, -120, Qt::ShiftModifier);
+    QCOMPARE(bench.at(), (sim::Cursor{10, 0}));
+}
+
+void TestTime::theGhostAppearsAfterAChangeInThePastAndCanBeForgotten()
+{
+    TimeBench bench;
+    bench.goTo(100);
+    bench.goTo(50);
+    const QPoint dots(bench.onTrack(80).x(), 40);
+    QCOMPARE(bench.strip->hintAt(dots), "frame 80");
+    const QImage without = bench.strip->grab().toImage();
+    bench.session.setParameter("damp", 0.5);
+    QVERIFY(bench.session.timeline().ghost());
+    QVERIFY(bench.strip->hintAt(dots).contains("before: damp 0.9"));
+    QVERIFY(bench.strip->grab().toImage().copy(0, 32, 600, 14) != without.copy(0, 32, 600, 14));
+    QContextMenuEvent ask(QContextMenuEvent::Mouse, dots, bench.strip->mapToGlobal(dots));
+    QApplication::sendEvent(bench.strip, &ask);
+    QMenu *menu = bench.strip->findChild<QMenu *>();
+    QVERIFY(menu);
+    QCOMPARE(menu->actions().first()->text(), "Forget the old run");
+    menu->actions().first()->trigger();
+    menu->close();
+    QVERIFY(!bench.session.timeline().ghost());
+    QCOMPARE(bench.strip->hintAt(dots), "frame 80");
+    QCOMPARE(bench.strip->grab().toImage().copy(0, 32, 600, 14), without.copy(0, 32, 600, 14));
+}
+
+void TestTime::whilePlayingThePhaseStripIsNotPainted()
+{
+    TimeBench bench;
+    const QRect phases(0, 62, 600, 28);
+    bench.session.play();
+    QTRY_VERIFY(bench.at().frame >= 3);
+    PaintLog log;
+    bench.strip->installEventFilter(&log);
+    const std::int64_t from = bench.at().frame;
+    QTRY_VERIFY(bench.at().frame >= from + 20);
+    QCoreApplication::processEvents();
+    QVERIFY(log.painted.contains(bench.onTrack(from + 10)));
+    QVERIFY(!log.painted.intersects(phases));
+    QVERIFY(!log.painted.contains(QPoint(550, 25)));
+    bench.session.pause();
+    QTRY_VERIFY(log.painted.intersects(phases));
+}
+
+void TestTime::onlyThePhaseThatJustRanIsAmber()
+{
+    TimeBench bench;
+    bench.goTo(41);
+    const PhaseStrip &phases = bench.strip->phases();
+    for (int done = 0; done < phases.count(); ++done) {
+        const QImage image = bench.strip->grab().toImage();
+        for (int i = 0; i < phases.count(); ++i) {
+            const QPoint underName(qRound(phases.areaOf(i).center().x()), 85);
+            QCOMPARE(image.pixelColor(underName) == bench.theme.tokens().now, i == done - 1);
+        }
+        bench.session.phaseForward();
+    }
+}
+
+void TestTime::namesThatDoNotFitBecomeMarks()
+{
+    TimeBench wide("grouped", 1200);
+    QVERIFY(wide.strip->phases().showsNames());
+    TimeBench narrow("grouped", 420);
+    QVERIFY(!narrow.strip->phases().showsNames());
+    const PhaseStrip &phases = narrow.strip->phases();
+    double end = 16;
+    for (int i = 0; i < phases.count(); ++i) {
+        QVERIFY(phases.areaOf(i).left() >= end);
+        QVERIFY(phases.areaOf(i).width() >= 24);
+        end = phases.areaOf(i).right() - 1e-6;
+        const QString hint = narrow.strip->hintAt(phases.areaOf(i).center().toPoint());
+        QVERIFY(hint.contains(
+            QString("%1: phase %2 of %3").arg(phases.titleOf(i)).arg(i + 1).arg(phases.count())));
+    }
+    QVERIFY(end <= 420 - 16);
+}
+
+void TestTime::screenReadersHearFrameAndPhase()
+{
+    TimeBench bench;
+    bench.goTo(41, 2);
+    QAccessibleInterface *access = QAccessible::queryAccessibleInterface(bench.strip);
+    QVERIFY(access);
+    QVERIFY(access->valueInterface());
+    QCOMPARE(access->text(QAccessible::Name), "Timeline");
+    QCOMPARE(access->text(QAccessible::Value), "Frame 41, after gravity, 2 of 5 phases done");
+    QCOMPARE(access->valueInterface()->currentValue().toLongLong(), 41);
+    QCOMPARE(access->valueInterface()->maximumValue().toLongLong(), 120);
+    access->valueInterface()->setCurrentValue(7);
+    QVERIFY(bench.arrive());
+    QCOMPARE(access->text(QAccessible::Value), "Frame 7");
+}
+
+void TestTime::nothingRunsWhileNothingMoves()
+{
+    TimeBench bench;
+    bench.goTo(41, 2);
+    QTest::qWait(100);
+    PaintLog log;
+    bench.strip->installEventFilter(&log);
+    bench.bar->installEventFilter(&log);
+    bench.counter()->installEventFilter(&log);
+    QTest::qWait(300);
+    QVERIFY(log.painted.isEmpty());
+}
+
+SPRINGSTEP_TIME_MAIN(TestTime)
+#include "tst_time.moc"
