@@ -1,6 +1,7 @@
 #include "app/ui/theme/theme.h"
 
 #include "app/ui/theme/icons.h"
+#include "app/ui/theme/springstep_style.h"
 
 #include <QApplication>
 #include <QFile>
@@ -8,7 +9,6 @@
 #include <QHash>
 #include <QPalette>
 #include <QRegularExpression>
-#include <QStyleFactory>
 
 namespace app {
 
@@ -120,7 +120,7 @@ QIcon Theme::icon(const QString &name, const QColor &color) const
 void Theme::apply(QApplication &application) const
 {
     const Tokens &t = m_tokens;
-    application.setStyle(QStyleFactory::create("Fusion"));
+    application.setStyle(new SpringstepStyle(t));
     application.setFont(ui());
     QPalette p;
     p.setColor(QPalette::Window, t.panel);

@@ -1,0 +1,168 @@
+#include "app/ui/code/code_panel.h"
+
+#include "app/ui/code/code_view.h"
+#include "app/ui/theme/theme.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QHBoxLayout>
+#include <QRegularExpression>
+#include <QVBoxLayout>
+
+namespace app {
+
+namespace {
+
+constexpr qint64 playingMilliseconds = 100; ///< between two sets of values while playing: no dancing numbers
+
+}
+
+CodePanel::CodePanel(Session &session, const Theme &theme, QWidget *parent)
+    : QWidget(parent), m_session(session), m_theme(theme), m_view(new CodeView(theme, this))
+{
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_view);
+    setFocusProxy(m_view);
+    makeActions();
+    applyTheme();
+    connect(&theme, &Theme::changed, this, &CodePanel::applyTheme);
+    connect(&session, &Session::stepOpened, this, &CodePanel::follow);
+    connect(&session, &Session::runChanged, this, &CodePanel::follow);
+    connect(&session, &Session::moved, this, &CodePanel::follow);
+    connect(&session, &Session::playingChanged, this, &CodePanel::follow);
+    connect(&session, &Session::selectionChanged, this, &CodePanel::follow);
+    rebuild();
+}
+
+CodePanel::~CodePanel()
+{
+    // Never placed in a title, it has no parent.
+    if (m_actions && !m_actions->parent())
+        delete m_actions;
+}
+
+void CodePanel::makeActions()
+{
+    m_actions = new QWidget;
+    auto *row = new QHBoxLayout(m_actions);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(8);
+    m_newLines = new QToolButton;
+    m_newLines->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_newLines->setToolTip(tr("Lines that the step before does not have. Click to go through them."));
+    m_copy = new QToolButton;
+    m_copy->setToolTip(tr("Copy the shown code, with its files' names"));
+    m_copy->setAccessibleName(tr("Copy the code"));
+    for (QToolButton *button : {m_newLines, m_copy}) {
+        button->setIconSize({16, 16});
+        button->setFixedHeight(28);
+        button->setFocusPolicy(Qt::TabFocus);
+        row->addWidget(button);
+    }
+    connect(m_newLines, &QToolButton::clicked, m_view, &CodeView::showNextNew);
+    connect(m_copy, &QToolButton::clicked, this, &CodePanel::copyAll);
+}
+
+void CodePanel::applyTheme()
+{
+    m_newLines->setIcon(m_theme.icon(QStringLiteral("difference")));
+    m_copy->setIcon(m_theme.icon(QStringLiteral("copy")));
+}
+
+void CodePanel::copyAll()
+{
+    QApplication::clipboard()->setText(m_view->shownText());
+    emit said(tr("Copied the code."));
+}
+
+void CodePanel::showEvent(QShowEvent *event)
+{
+    QWidget::showEvent(event);
+    follow();
+}
+
+void CodePanel::follow()
+{
+    const bool same = m_session.timeline().track().shownPtr() == m_segment &&
+                      m_session.timeline().script().method == m_method && &m_session.step() == m_step;
+    if (!same)
+        rebuild();
+    showCaption();
+    if (!isVisible())
+        return;
+    if (m_session.isPlaying() && m_refreshed.isValid() && m_refreshed.elapsed() < playingMilliseconds)
+        return;
+    refresh();
+}
+
+void CodePanel::rebuild()
+{
+    m_segment = m_session.timeline().track().shownPtr();
+    m_method = m_session.timeline().script().method;
+    m_step = &m_session.step();
+    CodeListing listing = listingOf(*m_step, *m_segment, *m_method);
+    if (const auto before = listingBefore())
+        markNew(listing, *before);
+    if (listing == m_listing)
+        return;
+    m_listing = std::move(listing);
+    m_view->setListing(m_listing);
+    m_refreshed.invalidate();
+    m_begun = false;
+    showNewLines();
+}
+
+std::optional<CodeListing> CodePanel::listingBefore() const
+{
+    const lessons::Step *before = m_session.preceding();
+    return before ? listingAtStart(*before, m_method) : std::nullopt;
+}
+
+void CodePanel::refresh()
+{
+    m_refreshed.start();
+    const sim::Timeline &timeline = m_session.timeline();
+    std::vector<CodeChip> values = chipsOf(m_listing, m_session.moments(), *m_segment, point());
+    std::vector<SectionMark> marks = marksOf(m_listing, timeline, values, point());
+    const bool inside = timeline.at().phase > 0;
+    const std::vector<CodeChip> parameters = parameterChips(m_listing, *m_step, timeline.values());
+    values.insert(values.end(), parameters.begin(), parameters.end());
+    m_view->setValues(std::move(values), std::move(marks));
+    if (!m_begun && timeline.at() != sim::Cursor{})
+        m_view->showPhases();
+    m_begun = m_begun || timeline.at() != sim::Cursor{};
+    if (inside && !m_session.isPlaying())
+        m_view->showNow();
+}
+
+int CodePanel::point() const
+{
+    return m_segment->scene.find(m_session.selected().toStdString());
+}
+
+void CodePanel::showCaption()
+{
+    static const QRegularExpression numbered(QStringLiteral("^([a-z]+)(\\d+)$"));
+    const QString name = m_session.selected();
+    const QRegularExpressionMatch match = numbered.match(name);
+    const QString spoken = match.hasMatch()       ? match.captured(1) + ' ' + match.captured(2)
+                           : name.startsWith('p') ? name
+                                                  : tr("the %1").arg(name);
+    const QString caption = tr("values of %1").arg(spoken);
+    if (caption == m_caption)
+        return;
+    m_caption = caption;
+    emit captionChanged(caption);
+}
+
+void CodePanel::showNewLines()
+{
+    const int count = m_listing.newLines();
+    const QString text = count == 1 ? tr("1 line new") : tr("%1 lines new").arg(count);
+    m_newLines->setText(text);
+    m_newLines->setAccessibleName(text);
+    m_newLines->setVisible(count > 0);
+}
+
+}

@@ -1,0 +1,70 @@
+#include "app/ui/code/code_rows.h"
+
+#include "app/ui/code/code_ink.h"
+
+namespace app {
+
+namespace {
+
+QByteArray inked(const QString &text, Ink ink)
+{
+    return QByteArray(text.toUtf8().size(), static_cast<char>(ink));
+}
+
+CodeRow headingOf(const CodeSection &section, std::size_t index)
+{
+    const QStringList files = section.files();
+    const QString caption = files.isEmpty() ? QString() : QStringLiteral("   ") + fileName(files.first());
+    return {CodeRow::Kind::heading, index, 0, section.title + caption,
+            inked(section.title, Ink::heading) + inked(caption, Ink::caption)};
+}
+
+}
+
+std::vector<CodeRow> rowsOf(const CodeListing &listing)
+{
+    std::vector<CodeRow> rows;
+    for (std::size_t s = 0; s < listing.sections.size(); ++s) {
+        const CodeSection &section = listing.sections[s];
+        rows.push_back(headingOf(section, s));
+        for (std::size_t i = 0; i < section.lines.size(); ++i) {
+            const CodeLine &line = section.lines[i];
+            if (i > 0 && section.lines[i - 1].file != line.file) {
+                const QString name = fileName(line.file);
+                rows.push_back({CodeRow::Kind::file, s, i, name, inked(name, Ink::caption)});
+            }
+            rows.push_back({CodeRow::Kind::code, s, i, line.source.text, inksOf(line.source.text)});
+        }
+        rows.push_back({CodeRow::Kind::gap, s, 0, {}, {}});
+    }
+    return rows;
+}
+
+QString keyOf(const CodeSection &section)
+{
+    switch (section.role) {
+    case CodeSection::Role::scene:
+        return QStringLiteral("scene");
+    case CodeSection::Role::order:
+        return QStringLiteral("order");
+    case CodeSection::Role::phase:
+        break;
+    }
+    return section.title.section(' ', 1); // without its number
+}
+
+QString plainText(const CodeSection &section)
+{
+    QString text = QStringLiteral("// %1\n").arg(section.title);
+    const CodeLine *last = nullptr;
+    for (const CodeLine &line : section.lines) {
+        // Lines of two regions of one file do not follow each other: each region says where it is.
+        if (!last || last->file != line.file || line.source.number <= last->source.number)
+            text += QStringLiteral("// %1:%2\n").arg(line.file).arg(line.source.number);
+        text += line.source.text + '\n';
+        last = &line;
+    }
+    return text;
+}
+
+}

@@ -1,0 +1,269 @@
+#include "app/ui/code/code_view.h"
+
+#include "app/ui/code/code_ink.h"
+#include "app/ui/code/code_scintilla.h"
+#include "app/ui/theme/theme.h"
+
+#include <QScrollBar>
+
+#include <algorithm>
+
+namespace app {
+
+namespace {
+
+constexpr int rowPixels = 20;
+constexpr int toComeIndicator = 9;
+constexpr int foldBase = QsciScintilla::SC_FOLDLEVELBASE;
+constexpr int foldHeader = QsciScintilla::SC_FOLDLEVELHEADERFLAG;
+
+long foldLevel(CodeRow::Kind kind)
+{
+    switch (kind) {
+    case CodeRow::Kind::heading:
+        return foldBase | foldHeader;
+    case CodeRow::Kind::gap:
+        return foldBase;
+    case CodeRow::Kind::file:
+    case CodeRow::Kind::code:
+        break;
+    }
+    return foldBase + 1;
+}
+
+// Markers: what is behind a row's text, and behind its margins.
+enum Marker { regionText, regionMargin, lineText, lineMargin };
+
+// Styles beyond those of Ink: numbers in the margin.
+enum NumberStyle { number = 20, numberInRegion, numberOnLine };
+
+}
+
+CodeView::CodeView(const Theme &theme, QWidget *parent) : QsciScintilla(parent), m_theme(theme)
+{
+    setAccessibleName(tr("Code that runs"));
+    setAccessibleDescription(tr("Up and Down go from heading to heading, Enter folds, Ctrl+C copies."));
+    setUp();
+    applyTheme();
+    connect(&theme, &Theme::changed, this, &CodeView::applyTheme);
+    // What is painted over the text is not part of what Scintilla scrolls.
+    connect(verticalScrollBar(), &QScrollBar::valueChanged, viewport(), qOverload<>(&QWidget::update));
+    connect(horizontalScrollBar(), &QScrollBar::valueChanged, viewport(), qOverload<>(&QWidget::update));
+}
+
+void CodeView::setUp()
+{
+    setUtf8(true);
+    setReadOnly(true);
+    setFrameShape(QFrame::NoFrame);
+    setFocusPolicy(Qt::StrongFocus);
+    setAttribute(Qt::WA_InputMethodEnabled, false);
+    setCaretLineVisible(false);
+    // Without one, the style draws a square of its own where two scroll bars meet.
+    auto *corner = new QWidget(this);
+    corner->setAutoFillBackground(true);
+    setCornerWidget(corner);
+    setMinimumSize(160, 3 * rowPixels);
+    send(*this, SCI_SETLEXER, SCLEX_CONTAINER);
+    send(*this, SCI_SETCARETSTYLE, 0);
+    send(*this, SCI_SETCARETPERIOD, 0); // a caret that cannot be seen need not blink
+    send(*this, SCI_SETFOLDFLAGS, 0);
+    send(*this, SCI_SETSCROLLWIDTHTRACKING, 1);
+    send(*this, SCI_SETMARGINLEFT, 0, 0);
+    send(*this, SCI_INDICSETSTYLE, toComeIndicator, INDIC_TEXTFORE);
+    const int widths[] = {30, 13, 3, 7};
+    for (int margin = 0; margin < 4; ++margin) {
+        setMarginType(margin, margin == 0 ? TextMarginRightJustified : SymbolMargin);
+        setMarginWidth(margin, widths[margin]);
+        setMarginMarkerMask(margin, margin == 0 ? 0 : 1 << regionMargin | 1 << lineMargin);
+        setMarginSensitivity(margin, false);
+        send(*this, SCI_SETMARGINCURSORN, static_cast<std::size_t>(margin), SC_CURSORARROW);
+    }
+    setMarginWidth(4, 0);
+    markerDefine(Background, regionText);
+    markerDefine(Background, lineText);
+    markerDefine(FullRectangle, regionMargin);
+    markerDefine(FullRectangle, lineMargin);
+}
+
+QFont CodeView::inPoints(QFont font, double pixels) const
+{
+    font.setPointSizeF(pixels * 72.0 / logicalDpiY()); // Scintilla knows no size in pixels
+    return font;
+}
+
+void CodeView::defineStyle(int style, const QFont &font, const QColor &ink, const QColor &paper)
+{
+    const auto s = static_cast<std::size_t>(style);
+    SendScintilla(SCI_STYLESETFONT, s, font.family().toUtf8().constData());
+    send(*this, SCI_STYLESETSIZEFRACTIONAL, s, qRound(font.pointSizeF() * int(SC_FONT_SIZE_MULTIPLIER)));
+    send(*this, SCI_STYLESETWEIGHT, s, font.weight());
+    send(*this, SCI_STYLESETITALIC, s, font.italic());
+    SendScintilla(SCI_STYLESETFORE, s, ink);
+    SendScintilla(SCI_STYLESETBACK, s, paper);
+}
+
+void CodeView::applyTheme()
+{
+    const Tokens &t = m_theme.tokens();
+    const QFont code = inPoints(m_theme.mono(), 13);
+    setPaper(t.panel);
+    setColor(t.ink);
+    const auto ink = [&](Ink which, const QFont &font, const QColor &color) {
+        defineStyle(static_cast<int>(which), font, color, t.panel);
+    };
+    defineStyle(STYLE_DEFAULT, code, t.ink, t.panel);
+    ink(Ink::plain, code, t.ink);
+    ink(Ink::keyword, code, t.keyword);
+    ink(Ink::number, code, t.number);
+    ink(Ink::type, code, t.type);
+    ink(Ink::text, code, t.number);
+    QFont slanted = code;
+    slanted.setItalic(true);
+    ink(Ink::comment, slanted, t.comment);
+    ink(Ink::heading, inPoints(m_theme.ui(12, QFont::DemiBold), 12), t.ink);
+    ink(Ink::caption, inPoints(m_theme.ui(12), 12), t.ink3);
+    const QFont numbers = inPoints(m_theme.mono(), 11.5);
+    defineStyle(STYLE_LINENUMBER, numbers, t.ink3, t.panel);
+    defineStyle(number, numbers, t.ink3, t.panel);
+    defineStyle(numberInRegion, numbers, t.ink3, t.wash2);
+    defineStyle(numberOnLine, numbers, t.ink3, t.wash);
+    setMarginsBackgroundColor(t.panel);
+    for (const int marker : {regionText, regionMargin})
+        setMarkerBackgroundColor(t.wash2, marker), setMarkerForegroundColor(t.wash2, marker);
+    for (const int marker : {lineText, lineMargin})
+        setMarkerBackgroundColor(t.wash, marker), setMarkerForegroundColor(t.wash, marker);
+    SendScintilla(SCI_INDICSETFORE, toComeIndicator, t.ink3);
+    setSelectionBackgroundColor(t.sunk);
+    resetSelectionForegroundColor();
+    makeRowsAsHigh(rowPixels);
+    viewport()->update();
+}
+
+void CodeView::makeRowsAsHigh(int pixels)
+{
+    setExtraAscent(0);
+    setExtraDescent(0);
+    const int spare = pixels - textHeight(0);
+    setExtraAscent((spare + 1) / 2);
+    setExtraDescent(spare / 2);
+}
+
+void CodeView::setListing(const CodeListing &listing)
+{
+    m_listing = listing;
+    m_rows = rowsOf(listing);
+    m_chips.clear();
+    m_marks.clear();
+    m_current = 0;
+    m_newRow = 0;
+    QStringList lines;
+    for (const CodeRow &row : m_rows)
+        lines << row.text;
+    send(*this, SCI_SETSCROLLWIDTH, 1);
+    setText(lines.join('\n'));
+    styleText();
+    for (std::size_t section = 0; section < listing.sections.size(); ++section) {
+        if (m_folded.contains(keyOf(listing.sections[section])))
+            send(*this, SCI_FOLDLINE, headingRow(section), SC_FOLDACTION_CONTRACT);
+    }
+    applyMarks();
+    send(*this, SCI_SETEMPTYSELECTION, 0);
+    send(*this, SCI_SETFIRSTVISIBLELINE, 0);
+}
+
+void CodeView::styleText()
+{
+    QByteArray inks;
+    for (std::size_t row = 0; row < m_rows.size(); ++row) {
+        inks += m_rows[row].inks + '\0';
+        send(*this, SCI_SETFOLDLEVEL, row, foldLevel(m_rows[row].kind));
+        if (const CodeLine *shown = line(m_rows[row]))
+            SendScintilla(SCI_MARGINSETTEXT, row, QByteArray::number(shown->source.number).constData());
+    }
+    const auto length = static_cast<std::size_t>(send(*this, SCI_GETLENGTH));
+    send(*this, SCI_STARTSTYLING, 0);
+    SendScintilla(SCI_SETSTYLINGEX, length, inks.constData());
+}
+
+void CodeView::setValues(std::vector<CodeChip> chips, std::vector<SectionMark> marks)
+{
+    const bool marksDiffer = marks != m_marks;
+    if (!marksDiffer && chips == m_chips)
+        return;
+    m_chips = std::move(chips);
+    m_marks = std::move(marks);
+    if (marksDiffer)
+        applyMarks();
+    viewport()->update();
+}
+
+void CodeView::applyMarks()
+{
+    markerDeleteAll();
+    send(*this, SCI_SETINDICATORCURRENT, toComeIndicator);
+    send(*this, SCI_INDICATORCLEARRANGE, 0, send(*this, SCI_GETLENGTH));
+    for (std::size_t row = 0; row < m_rows.size(); ++row)
+        markRow(row);
+}
+
+void CodeView::markRow(std::size_t row)
+{
+    const QColor behind = wash(row);
+    const bool marked = behind.isValid();
+    const bool result = marked && isResult(m_rows[row]);
+    send(*this, SCI_MARGINSETSTYLE, row, !marked ? number : result ? numberOnLine : numberInRegion);
+    if (marked) {
+        markerAdd(static_cast<int>(row), result ? lineText : regionText);
+        markerAdd(static_cast<int>(row), result ? lineMargin : regionMargin);
+    }
+    if (isToCome(row)) {
+        const long start = send(*this, SCI_POSITIONFROMLINE, row);
+        const long end = send(*this, SCI_GETLINEENDPOSITION, row);
+        send(*this, SCI_INDICATORFILLRANGE, static_cast<std::size_t>(start), end - start);
+    }
+}
+
+const SectionMark *CodeView::mark(const CodeRow &row) const
+{
+    return row.section < m_marks.size() ? &m_marks[row.section] : nullptr;
+}
+
+const CodeLine *CodeView::line(const CodeRow &row) const
+{
+    return row.kind == CodeRow::Kind::code ? &m_listing.sections[row.section].lines[row.line] : nullptr;
+}
+
+const CodeChip *CodeView::chip(const CodeRow &row) const
+{
+    if (row.kind != CodeRow::Kind::code)
+        return nullptr;
+    const auto found = std::find_if(m_chips.begin(), m_chips.end(), [&](const CodeChip &one) {
+        return one.section == row.section && one.line == row.line;
+    });
+    return found == m_chips.end() ? nullptr : &*found;
+}
+
+bool CodeView::isResult(const CodeRow &row) const
+{
+    const SectionMark *its = mark(row);
+    return row.kind == CodeRow::Kind::code && its && its->result == row.line;
+}
+
+QColor CodeView::wash(std::size_t row) const
+{
+    const CodeRow &its = m_rows[row];
+    const bool inRegion = its.kind == CodeRow::Kind::code || its.kind == CodeRow::Kind::file;
+    if (!inRegion || !mark(its) || mark(its)->when != When::now)
+        return {};
+    return isResult(its) ? m_theme.tokens().wash : m_theme.tokens().wash2;
+}
+
+bool CodeView::isToCome(std::size_t row) const
+{
+    const SectionMark *its = mark(m_rows[row]);
+    return m_rows[row].kind == CodeRow::Kind::code && its &&
+           (its->when == When::next || its->when == When::later);
+}
+
+}

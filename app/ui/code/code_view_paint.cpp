@@ -1,0 +1,191 @@
+#include "app/ui/code/code_ink.h"
+#include "app/ui/code/code_scintilla.h"
+#include "app/ui/code/code_view.h"
+#include "app/ui/theme/theme.h"
+
+#include <QPaintEvent>
+#include <QPainter>
+#include <QPainterPath>
+#include <QScrollBar>
+
+namespace app {
+
+namespace {
+
+// From the left: line numbers, symbols, the effect's colour, a gap.
+constexpr int symbolLeft = 30;
+constexpr int barLeft = 43;
+constexpr int barWidth = 3;
+constexpr int textLeft = 53;
+constexpr int chipRight = 8;      ///< from the right edge
+constexpr int chipRightOfBar = 4; ///< likewise, with a scroll bar there
+constexpr int chipGap = 4;        ///< between code and chip
+constexpr int chipHeight = 16;
+constexpr int chipPixels = 11; ///< of its letters
+constexpr int chipPadding = 6;
+constexpr int noteRight = 12;
+
+}
+
+int CodeView::marginsWidth()
+{
+    return textLeft;
+}
+
+int CodeView::rowHeight() const
+{
+    return static_cast<int>(send(*this, SCI_TEXTHEIGHT, 0));
+}
+
+QRect CodeView::rowRect(std::size_t row) const
+{
+    if (send(*this, SCI_GETLINEVISIBLE, row) == 0)
+        return {};
+    const int height = rowHeight();
+    const long above = send(*this, SCI_VISIBLEFROMDOCLINE, row) - send(*this, SCI_GETFIRSTVISIBLELINE);
+    return {0, static_cast<int>(above) * height, viewport()->width(), height};
+}
+
+int CodeView::endOfText(std::size_t row) const
+{
+    return static_cast<int>(send(*this, SCI_POINTXFROMPOSITION, 0, send(*this, SCI_GETLINEENDPOSITION, row)));
+}
+
+int CodeView::endOfCode(std::size_t row) const
+{
+    const QByteArray &inks = m_rows[row].inks;
+    qsizetype end = inks.indexOf(static_cast<char>(Ink::comment));
+    const QByteArray text = m_rows[row].text.toUtf8();
+    end = end < 0 ? text.size() : end;
+    while (end > 0 && text[end - 1] == ' ')
+        --end;
+    const long start = send(*this, SCI_POSITIONFROMLINE, row);
+    return static_cast<int>(send(*this, SCI_POINTXFROMPOSITION, 0, start + static_cast<long>(end)));
+}
+
+CodeView::Box CodeView::chipBox(std::size_t row) const
+{
+    const CodeChip *its = chip(m_rows[row]);
+    const QRect rect = rowRect(row);
+    if (!its || rect.isEmpty())
+        return {};
+    const QFontMetrics metrics(m_theme.mono(chipPixels));
+    const int right = rect.right() + 1 - (verticalScrollBar()->isVisible() ? chipRightOfBar : chipRight);
+    const int room = right - endOfCode(row) - chipGap;
+    const auto widthOf = [&](const QString &text) {
+        return metrics.horizontalAdvance(text) + 2 * chipPadding;
+    };
+    QString text = its->text;
+    for (qsizetype i = 0; i < its->shorter.size() && widthOf(text) > room; ++i)
+        text = its->shorter[i];
+    if (widthOf(text) > room)
+        text = QStringLiteral("…"); // a part of a number would be another number
+    const int width = widthOf(text);
+    const int top = rect.top() + (rect.height() - chipHeight) / 2;
+    return {QRect(right - width, top, width, chipHeight), text};
+}
+
+void CodeView::paintEvent(QPaintEvent *event)
+{
+    QsciScintilla::paintEvent(event);
+    QPainter painter(viewport());
+    painter.setRenderHint(QPainter::Antialiasing);
+    for (std::size_t row = 0; row < m_rows.size(); ++row) {
+        if (rowRect(row).intersects(event->rect()))
+            paintRow(painter, row);
+    }
+    if (hasFocus() && m_byKeyboard)
+        paintFocus(painter);
+}
+
+void CodeView::paintRow(QPainter &painter, std::size_t row) const
+{
+    const CodeRow &its = m_rows[row];
+    if (its.kind == CodeRow::Kind::gap)
+        return;
+    const QRect rect = rowRect(row);
+    painter.fillRect(QRect(barLeft, rect.top(), barWidth, rect.height()),
+                     m_theme.kindColor(m_listing.sections[its.section].kind));
+    if (its.kind == CodeRow::Kind::heading)
+        paintHeading(painter, row);
+    if (its.kind == CodeRow::Kind::code) {
+        paintSymbol(painter, row);
+        paintChip(painter, row);
+    }
+}
+
+void CodeView::paintHeading(QPainter &painter, std::size_t row) const
+{
+    const CodeRow &its = m_rows[row];
+    const QRect rect = rowRect(row);
+    const QIcon chevron = m_theme.icon(
+        isFolded(its.section) ? QStringLiteral("right") : QStringLiteral("down"), m_theme.tokens().ink3);
+    chevron.paint(&painter, QRect(symbolLeft, rect.top() + 4, 12, 12));
+    const SectionMark *at = mark(its);
+    if (!at || at->note.isEmpty())
+        return;
+    painter.setFont(m_theme.ui(12));
+    painter.setPen(m_theme.tokens().ink3);
+    const int room = rect.right() + 1 - noteRight - endOfText(row) - 12;
+    for (const QString &note : {at->note, at->shortNote}) {
+        if (painter.fontMetrics().horizontalAdvance(note) > room)
+            continue;
+        painter.drawText(rect.adjusted(0, 0, -noteRight, 0), Qt::AlignRight | Qt::AlignVCenter, note);
+        return;
+    }
+}
+
+void CodeView::paintSymbol(QPainter &painter, std::size_t row) const
+{
+    const QRect rect = rowRect(row);
+    if (isResult(m_rows[row])) {
+        const QPointF at(symbolLeft + 1.5, rect.top() + 4);
+        QPainterPath arrow;
+        arrow.addPolygon(QPolygonF{{0, 2}, {5, 2}, {10, 6}, {5, 10}, {0, 10}}.translated(at));
+        painter.fillPath(arrow, m_theme.tokens().now);
+        return;
+    }
+    if (!line(m_rows[row])->isNew)
+        return;
+    QFont font = m_theme.mono(11);
+    font.setWeight(QFont::DemiBold);
+    painter.setFont(font);
+    painter.setPen(m_theme.tokens().ok);
+    painter.drawText(QRect(symbolLeft, rect.top(), barLeft - symbolLeft, rect.height()), Qt::AlignCenter,
+                     QStringLiteral("+"));
+}
+
+void CodeView::paintChip(QPainter &painter, std::size_t row) const
+{
+    const Box box = chipBox(row);
+    if (box.text.isEmpty())
+        return;
+    const Tokens &t = m_theme.tokens();
+    const SectionMark *at = mark(m_rows[row]);
+    const bool now = at && at->selected && isResult(m_rows[row]);
+    // What of the line's comment, or of a long line, is below the chip ends before it.
+    const QRect cover(box.rect.left() - chipGap, rowRect(row).top(), viewport()->width(), rowHeight());
+    painter.fillRect(cover, wash(row).isValid() ? wash(row) : t.panel);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(now ? t.now : t.chip);
+    painter.drawRoundedRect(box.rect, 4, 4);
+    painter.setFont(m_theme.mono(chipPixels));
+    painter.setPen(now ? t.nowText : t.ink2);
+    painter.drawText(box.rect, Qt::AlignCenter, box.text);
+}
+
+void CodeView::paintFocus(QPainter &painter) const
+{
+    const std::size_t row = headingRow(m_current);
+    const QRect shown = viewport()->rect();
+    QRect ring = row < m_rows.size() ? rowRect(row) : QRect();
+    if (!ring.isEmpty() && shown.contains(ring))
+        ring = ring.adjusted(barLeft + barWidth + 2, 0, endOfText(row) + 5 - ring.width(), 0);
+    else
+        ring = shown; // the heading has been scrolled away
+    painter.setPen(QPen(m_theme.tokens().ink, 2));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRoundedRect(QRectF(ring).adjusted(1, 1, -1, -1), 6, 6);
+}
+
+}

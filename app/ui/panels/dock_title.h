@@ -1,0 +1,3 @@
+#pragma once
+
+#include "app/ui/panels/panel_title.h"

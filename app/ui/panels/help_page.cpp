@@ -1,0 +1,151 @@
+#include "app/ui/panels/help_page.h"
+
+#include "app/ui/panels/key_caps.h"
+
+#include <QAction>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QScreen>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace app {
+
+namespace {
+
+constexpr int columnWidth = 360;
+constexpr int margin = 24;
+constexpr int rowHeight = 28;
+constexpr int longestPage = 720;
+constexpr int headHeight = 90;
+
+QLabel *label(const QString &text, const QFont &font, QWidget *parent)
+{
+    auto *label = new QLabel(text, parent);
+    label->setFont(font);
+    label->setTextFormat(Qt::PlainText);
+    return label;
+}
+
+QString sentence(QString text)
+{
+    if (!text.isEmpty())
+        text[0] = text[0].toUpper();
+    return text;
+}
+
+}
+
+HelpPage::HelpPage(const Theme &theme, QWidget *parent) : QDialog(parent), m_theme(theme), m_page(new QWidget)
+{
+    setWindowTitle(tr("Keys and mouse"));
+    setModal(false);
+    m_page->setObjectName("panel");
+    m_page->setAttribute(Qt::WA_StyledBackground);
+    auto *title = label(tr("Keys and mouse"), theme.ui(17, QFont::DemiBold), m_page);
+    auto *hint =
+        label(tr("Everything works without the mouse, too. Esc closes this page."), theme.ui(12), m_page);
+    hint->setObjectName("caption");
+    auto *columns = new QHBoxLayout;
+    columns->setSpacing(2 * margin);
+    for (QVBoxLayout *&column : m_columns) {
+        column = new QVBoxLayout;
+        column->setSpacing(20);
+        column->setAlignment(Qt::AlignTop);
+        columns->addLayout(column, 1);
+    }
+    auto *page = new QVBoxLayout(m_page);
+    page->setContentsMargins(margin, 20, margin, margin);
+    page->setSpacing(2);
+    page->addWidget(title);
+    page->addWidget(hint);
+    page->addSpacing(16);
+    page->addLayout(columns);
+    page->addStretch(1);
+    auto *area = new QScrollArea(this);
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
+    area->setAccessibleName(windowTitle());
+    area->setWidget(m_page);
+    auto *all = new QVBoxLayout(this);
+    all->setContentsMargins(0, 0, 0, 0);
+    all->addWidget(area);
+}
+
+void HelpPage::addAction(const QString &group, const QAction *action)
+{
+    if (action->shortcuts().isEmpty())
+        return;
+    QString text = action->text();
+    text.remove('&').remove(QChar(0x2026));
+    addRow(group, text, new KeyCaps(action->shortcuts(), m_theme));
+}
+
+void HelpPage::addGesture(const QString &group, const QString &gesture, const QString &effect)
+{
+    addRow(group, sentence(effect), new KeyCaps(gesture, m_theme));
+}
+
+HelpPage::Group &HelpPage::groupCalled(const QString &name)
+{
+    const auto found = m_groups.find(name);
+    if (found != m_groups.end())
+        return found->second;
+    auto *box = new QWidget(m_page);
+    auto *grid = new QGridLayout(box);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(16);
+    grid->setVerticalSpacing(0);
+    grid->setColumnStretch(0, 1);
+    grid->addWidget(label(name, m_theme.ui(13, QFont::DemiBold), box), 0, 0, 1, 2);
+    grid->setRowMinimumHeight(0, rowHeight);
+    return m_groups.emplace(name, Group{box, grid, 0}).first->second;
+}
+
+void HelpPage::addRow(const QString &group, const QString &text, QWidget *caps)
+{
+    Group &to = groupCalled(group);
+    ++to.rows;
+    auto *what = label(text, m_theme.ui(), to.box);
+    what->setWordWrap(true);
+    what->setAccessibleName(tr("%1: %2").arg(text, caps->accessibleName()));
+    what->setObjectName("action");
+    to.grid->addWidget(what, to.rows, 0, Qt::AlignVCenter);
+    to.grid->addWidget(caps, to.rows, 1, Qt::AlignRight | Qt::AlignVCenter);
+    to.grid->setRowMinimumHeight(to.rows, rowHeight);
+}
+
+void HelpPage::arrange()
+{
+    // Only now is it known how long each group is: the longest first, each where there is more room.
+    std::vector<const Group *> groups;
+    for (const auto &[name, group] : m_groups)
+        groups.push_back(&group);
+    std::stable_sort(groups.begin(), groups.end(),
+                     [](const Group *a, const Group *b) { return a->rows > b->rows; });
+    int rows[2] = {0, 0};
+    for (const Group *group : groups) {
+        const int column = rows[1] < rows[0] ? 1 : 0;
+        m_columns[0]->removeWidget(group->box);
+        m_columns[1]->removeWidget(group->box);
+        m_columns[column]->addWidget(group->box);
+        group->box->show();
+        rows[column] += group->rows + 2;
+    }
+    const int high = std::max(rows[0], rows[1]) * rowHeight + headHeight;
+    const int most = screen()->availableGeometry().height() - 80;
+    resize(2 * (columnWidth + margin) + 2 * margin, std::min({high, longestPage, most}));
+}
+
+void HelpPage::setVisible(bool visible)
+{
+    if (visible && !isVisible())
+        arrange();
+    QDialog::setVisible(visible);
+}
+
+}

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "app/ui/theme/theme.h"
+
+#include <QDialog>
+
+#include <map>
+
+class QAction;
+class QGridLayout;
+class QVBoxLayout;
+
+namespace app {
+
+/// All keys and what the mouse does, in groups. Filled from the window's actions, so that it lists what works.
+class HelpPage : public QDialog
+{
+    Q_OBJECT
+
+public:
+    explicit HelpPage(const Theme &theme, QWidget *parent = nullptr);
+
+    /// Lists an action's text and shortcuts; one without shortcuts is left out.
+    void addAction(const QString &group, const QAction *action);
+    /// Lists what the mouse does: "Drag the timeline", "go anywhere in time".
+    void addGesture(const QString &group, const QString &gesture, const QString &effect);
+
+    void setVisible(bool visible) override;
+
+private:
+    struct Group
+    {
+        QWidget *box;
+        QGridLayout *grid;
+        int rows = 0;
+    };
+
+    void arrange();
+    void addRow(const QString &group, const QString &text, QWidget *caps);
+    Group &groupCalled(const QString &name);
+
+    const Theme &m_theme;
+    QWidget *m_page;
+    QVBoxLayout *m_columns[2]; ///< groups go where there is more room
+    std::map<QString, Group> m_groups;
+};
+
+}

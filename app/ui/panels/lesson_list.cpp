@@ -1,0 +1,118 @@
+#include "app/ui/panels/lesson_list.h"
+
+#include "app/ui/panels/lesson_delegate.h"
+#include "app/ui/panels/lesson_model.h"
+
+#include <QKeyEvent>
+
+namespace app {
+
+LessonList::LessonList(Session &session, const Theme &theme, QWidget *parent)
+    : QTreeView(parent), m_model(new LessonModel(session, this))
+{
+    setModel(m_model);
+    setItemDelegate(new LessonDelegate(theme, this));
+    setAccessibleName(tr("Lessons"));
+    setHeaderHidden(true);
+    setRootIsDecorated(false);
+    setIndentation(0);
+    setExpandsOnDoubleClick(false);
+    setItemsExpandable(false);
+    setFrameShape(QFrame::NoFrame);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+    setSelectionMode(QAbstractItemView::NoSelection);
+    setEditTriggers(QAbstractItemView::NoEditTriggers);
+    setMouseTracking(true);
+    connect(this, &QTreeView::clicked, this, &LessonList::openRow);
+    connect(&session, &Session::stepOpened, this, &LessonList::follow);
+    connect(&theme, &Theme::changed, viewport(), qOverload<>(&QWidget::update));
+    follow();
+}
+
+void LessonList::follow()
+{
+    const QModelIndex open = m_model->openLesson();
+    for (int i = 0; i < m_model->rowCount(); ++i)
+        setExpanded(m_model->index(i, 0), i == open.row());
+    setCurrentIndex(m_model->openStep());
+    updateGeometry();
+    emit contentHeightChanged();
+    showOpen();
+}
+
+void LessonList::showOpen()
+{
+    const QModelIndex lesson = m_model->openLesson();
+    if (openLessonHeight() <= viewport()->height()) {
+        scrollTo(m_model->index(m_model->rowCount(lesson) - 1, 0, lesson));
+        scrollTo(lesson);
+    } else {
+        scrollTo(m_model->openStep());
+    }
+}
+
+void LessonList::openRow(const QModelIndex &index)
+{
+    m_model->open(index);
+    if (index == m_model->openLesson())
+        setCurrentIndex(m_model->openStep());
+}
+
+int LessonList::contentHeight() const
+{
+    return (m_model->rowCount() - 1) * LessonDelegate::lessonHeight + openLessonHeight();
+}
+
+int LessonList::openLessonHeight() const
+{
+    return LessonDelegate::lessonHeight +
+           m_model->rowCount(m_model->openLesson()) * LessonDelegate::stepHeight;
+}
+
+QSize LessonList::sizeHint() const
+{
+    return {280, contentHeight()};
+}
+
+QSize LessonList::minimumSizeHint() const
+{
+    return {160, LessonDelegate::lessonHeight + LessonDelegate::stepHeight};
+}
+
+void LessonList::keyPressEvent(QKeyEvent *event)
+{
+    m_byKeyboard = true;
+    if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
+        openRow(currentIndex());
+        event->accept();
+        return;
+    }
+    QTreeView::keyPressEvent(event);
+}
+
+void LessonList::focusInEvent(QFocusEvent *event)
+{
+    m_byKeyboard = event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason ||
+                   event->reason() == Qt::ShortcutFocusReason;
+    QTreeView::focusInEvent(event);
+}
+
+void LessonList::mousePressEvent(QMouseEvent *event)
+{
+    m_byKeyboard = false;
+    QTreeView::mousePressEvent(event);
+}
+
+void LessonList::initViewItemOption(QStyleOptionViewItem *option) const
+{
+    QTreeView::initViewItemOption(option);
+    option->state.setFlag(QStyle::State_KeyboardFocusChange, m_byKeyboard);
+}
+
+void LessonList::drawBranches(QPainter *, const QRect &, const QModelIndex &) const
+{
+    // No arrows: the open lesson is the one that shows its steps.
+}
+
+}

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "app/model/session.h"
+
+#include <QAbstractItemModel>
+
+namespace app {
+
+/// The lessons with their steps, how far the learner is, and a last row for files that are not lessons.
+class LessonModel : public QAbstractItemModel
+{
+    Q_OBJECT
+
+public:
+    enum class Kind { lesson, step, problem };
+    enum Role {
+        kindRole = Qt::UserRole, ///< Kind as a number
+        doneRole,                ///< lesson: steps done; step: whether it is done
+        countRole,               ///< lesson: how many steps
+        openRole,                ///< whether this lesson or step is the open one
+    };
+
+    explicit LessonModel(Session &session, QObject *parent = nullptr);
+
+    QModelIndex openLesson() const;
+    QModelIndex openStep() const;
+    /// Opens what the row stands for: a step, or the first step of a lesson that is not done.
+    void open(const QModelIndex &index);
+    int stepsDone() const;
+    int stepCount() const;
+
+    QModelIndex index(int row, int column, const QModelIndex &parent = {}) const override;
+    QModelIndex parent(const QModelIndex &child) const override;
+    int rowCount(const QModelIndex &parent = {}) const override;
+    int columnCount(const QModelIndex &parent = {}) const override;
+    QVariant data(const QModelIndex &index, int role) const override;
+    Qt::ItemFlags flags(const QModelIndex &index) const override;
+
+private:
+    QVariant lessonData(const LessonEntry &lesson, int role) const;
+    QVariant stepData(const LessonEntry &lesson, const lessons::Step &step, int role) const;
+    QVariant problemData(int role) const;
+    Kind kindOf(const QModelIndex &index) const;
+    const LessonEntry &lessonOf(const QModelIndex &index) const;
+    int doneIn(const LessonEntry &lesson) const;
+    bool isOpen(const LessonEntry &lesson) const { return &lesson == &m_session.lesson(); }
+    void refresh();
+
+    Session &m_session;
+};
+
+}

@@ -1,0 +1,158 @@
+#include "app/ui/panels/narration.h"
+
+#include "app/ui/panels/narration_text.h"
+#include "app/ui/panels/step_button.h"
+#include "app/ui/panels/try_row.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QVBoxLayout>
+
+namespace app {
+
+namespace {
+
+constexpr int largeWindow = 1600; ///< px wide, from where the type is larger
+constexpr int buttonHeight = 32;
+constexpr int titleHeight = 24;
+constexpr int headingHeight = 20;
+
+}
+
+Narration::Narration(Session &session, const Theme &theme, QWidget *parent)
+    : QWidget(parent), m_session(session), m_theme(theme)
+{
+    setObjectName("panel");
+    setAttribute(Qt::WA_StyledBackground);
+    m_area = new QScrollArea(this);
+    m_area->setWidgetResizable(true);
+    m_area->setFrameShape(QFrame::NoFrame);
+    m_area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_area->setFocusPolicy(Qt::NoFocus);
+    m_area->setWidget(makeText());
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(m_area, 1);
+    column->addWidget(makeButtons());
+    connect(&session, &Session::stepOpened, this, &Narration::open);
+    connect(&session.progress(), &Progress::changed, this, &Narration::showProgress);
+    connect(&theme, &Theme::changed, this, &Narration::dress);
+    open();
+    dress();
+}
+
+QWidget *Narration::makeText()
+{
+    auto *page = new QWidget;
+    page->setObjectName("panel");
+    page->setAttribute(Qt::WA_StyledBackground);
+    // The width decides how high the text is; the height at its least width must not count.
+    page->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);
+    m_title = new QLabel(page);
+    m_title->setWordWrap(true);
+    m_title->setTextFormat(Qt::PlainText);
+    m_title->setMinimumHeight(titleHeight);
+    m_text = new NarrationText(m_theme, page);
+    m_heading = new QLabel(tr("Try this"), page);
+    m_heading->setFixedHeight(headingHeight);
+    m_tryColumn = new QVBoxLayout;
+    m_tryColumn->setSpacing(0);
+    auto *column = new QVBoxLayout(page);
+    column->setContentsMargins(18, 12, 18, 8);
+    column->setSpacing(0);
+    column->addWidget(m_title);
+    column->addSpacing(5);
+    column->addWidget(m_text);
+    column->addSpacing(11);
+    column->addWidget(m_heading);
+    column->addSpacing(2);
+    column->addLayout(m_tryColumn);
+    column->addStretch(1);
+    return page;
+}
+
+QWidget *Narration::makeButtons()
+{
+    auto *buttons = new QWidget(this);
+    m_back = new QPushButton(buttons);
+    m_back->setObjectName("back");
+    m_back->setAutoDefault(false);
+    m_back->setAccessibleName(tr("Previous step"));
+    m_back->setFixedSize(36, buttonHeight);
+    m_next = new StepButton(buttons);
+    m_next->setObjectName("next");
+    for (QPushButton *button : {m_back, static_cast<QPushButton *>(m_next)})
+        button->setIconSize({16, 16});
+    auto *row = new QHBoxLayout(buttons);
+    row->setContentsMargins(16, 8, 16, 14);
+    row->setSpacing(8);
+    row->addWidget(m_back);
+    row->addWidget(m_next, 1);
+    connect(m_back, &QPushButton::clicked, &m_session, &Session::openPreceding);
+    connect(m_next, &QPushButton::clicked, &m_session, &Session::openFollowing);
+    return buttons;
+}
+
+void Narration::open()
+{
+    const lessons::Step &step = m_session.step();
+    m_title->setText(step.title);
+    m_text->setText(step.narration);
+    qDeleteAll(m_tries);
+    m_tries.clear();
+    for (const lessons::Try &one : step.tries) {
+        m_tries.push_back(new TryRow(one.text, m_theme, m_area->widget()));
+        m_tryColumn->addWidget(m_tries.back());
+    }
+    m_heading->setVisible(!step.tries.empty());
+    const lessons::Step *before = m_session.preceding();
+    const lessons::Step *after = m_session.following();
+    m_back->setEnabled(before);
+    m_back->setToolTip(before ? tr("Back: %1 (Page Up)").arg(before->title) : tr("This is the first step."));
+    m_next->setEnabled(after);
+    m_next->setFullText(after ? tr("Next: %1").arg(after->title) : tr("The last step"));
+    m_next->setToolTip(after ? tr("Next: %1 (Page Down)").arg(after->title)
+                             : tr("No step comes after this one."));
+    m_area->verticalScrollBar()->setValue(0);
+    showProgress();
+}
+
+void Narration::showProgress()
+{
+    const QString lesson = m_session.lesson().id;
+    const QString step = m_session.step().id;
+    for (int i = 0; i < static_cast<int>(m_tries.size()); ++i)
+        m_tries[static_cast<std::size_t>(i)]->setDone(m_session.progress().isDone(lesson, step, i));
+    const bool done = m_session.isStepDone(m_session.lesson(), m_session.step());
+    m_next->setPrimary(done && m_session.following());
+    m_next->setIcon(
+        m_session.following()
+            ? m_theme.icon("right", m_next->isPrimary() ? m_theme.tokens().buttonText : m_theme.tokens().ink)
+            : QIcon());
+}
+
+void Narration::dress()
+{
+    QFont title = m_theme.ui(17, QFont::DemiBold);
+    title.setLetterSpacing(QFont::AbsoluteSpacing, -0.17);
+    m_title->setFont(title);
+    m_heading->setFont(m_theme.ui(13, QFont::DemiBold));
+    m_back->setIcon(m_theme.icon("left", m_theme.tokens().ink));
+    showProgress();
+}
+
+QSize Narration::minimumSizeHint() const
+{
+    return {200, 160};
+}
+
+void Narration::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    m_text->setLarge(window()->width() >= largeWindow);
+}
+
+}

@@ -1,0 +1,173 @@
+#include "app/ui/panels/number_box.h"
+
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QLocale>
+#include <QSignalBlocker>
+
+#include <algorithm>
+#include <cmath>
+
+namespace app {
+
+namespace {
+
+constexpr QChar minus(0x2212);
+constexpr QChar ellipsis(0x2026);
+constexpr double farthest = 1e18;    ///< beyond every parameter's range
+constexpr int keptDecimals = 60;     ///< so many that the base class rounds nothing
+constexpr double longest = 1e7;      ///< from here on numbers are written with a power of ten
+constexpr int roomForText = 54 - 14; ///< px
+
+QString plain(QString text)
+{
+    text.replace(minus, '-');
+    text.replace(',', '.');
+    return text.trimmed();
+}
+
+QString withPower(double value)
+{
+    QString text = QString::number(value, 'g', QLocale::FloatingPointShortest);
+    text.replace("e+0", "e").replace("e+", "e").replace("e-0", "e-");
+    return text;
+}
+
+}
+
+QString exactNumber(double value, int decimals)
+{
+    QString text = QString::number(value, 'f', decimals);
+    if (std::abs(value) >= longest)
+        text = withPower(value);
+    else if (text.toDouble() != value)
+        text = QString::number(value, 'g', QLocale::FloatingPointShortest);
+    if (text.toDouble() == 0.0 && text.startsWith('-'))
+        text.remove(0, 1);
+    return text.replace('-', minus);
+}
+
+NumberBox::NumberBox(const lessons::Parameter &parameter, const Theme &theme, QWidget *parent)
+    : QDoubleSpinBox(parent), m_theme(theme), m_min(parameter.min), m_max(parameter.max),
+      m_decimals(parameter.isWhole() ? 0 : parameter.decimals)
+{
+    setButtonSymbols(QAbstractSpinBox::NoButtons);
+    setAlignment(Qt::AlignRight);
+    setKeyboardTracking(false);
+    setLocale(QLocale::c());
+    setDecimals(keptDecimals);
+    setRange(-farthest, farthest);
+    setSingleStep(parameter.isWhole() ? 1.0 : std::pow(10.0, -parameter.decimals));
+    setFixedSize(width_, height_);
+    connect(this, &QDoubleSpinBox::valueChanged, this, &NumberBox::chosen);
+    connect(this, &QDoubleSpinBox::editingFinished, this, &NumberBox::write);
+    connect(&theme, &Theme::changed, this, &NumberBox::dress);
+    dress();
+}
+
+void NumberBox::dress()
+{
+    setFont(m_theme.mono(13));
+    write();
+}
+
+void NumberBox::show(double value)
+{
+    if (hasFocus() && lineEdit()->isModified())
+        return;
+    if (value == this->value())
+        return;
+    const QSignalBlocker silent(this);
+    setValue(value);
+}
+
+QString NumberBox::exactText(double value) const
+{
+    return exactNumber(value, m_decimals);
+}
+
+QString NumberBox::textFromValue(double value) const
+{
+    const QString exact = exactText(value);
+    if (m_inFull || fontMetrics().horizontalAdvance(exact) <= roomForText)
+        return exact;
+    return fontMetrics().elidedText(exact, Qt::ElideRight, roomForText);
+}
+
+double NumberBox::valueFromText(const QString &text) const
+{
+    // What is shown cut, or was not touched, means the value that it stands for.
+    if (text.contains(ellipsis) || plain(text) == plain(exactText(value())))
+        return value();
+    bool ok = false;
+    const double number = QLocale::c().toDouble(plain(text), &ok);
+    return ok && std::isfinite(number) ? std::clamp(number, -farthest, farthest) : value();
+}
+
+QValidator::State NumberBox::validate(QString &text, int &) const
+{
+    if (text.contains(ellipsis))
+        return QValidator::Acceptable;
+    bool ok = false;
+    const double number = QLocale::c().toDouble(plain(text), &ok);
+    if (ok && std::isfinite(number))
+        return QValidator::Acceptable;
+    const QString allowed = "0123456789+-.eE";
+    const QString typed = plain(text);
+    const bool canBecome =
+        std::all_of(typed.begin(), typed.end(), [&](QChar c) { return allowed.contains(c); });
+    return canBecome ? QValidator::Intermediate : QValidator::Invalid;
+}
+
+void NumberBox::stepBy(int steps)
+{
+    const double wanted = std::clamp(value() + steps * singleStep(), m_min, m_max);
+    setValue(QString::number(wanted, 'f', m_decimals).toDouble());
+    selectAll();
+}
+
+void NumberBox::write()
+{
+    const QString text = textFromValue(value());
+    if (lineEdit()->text() != text)
+        lineEdit()->setText(text);
+    lineEdit()->setModified(false);
+}
+
+void NumberBox::focusInEvent(QFocusEvent *event)
+{
+    m_inFull = true;
+    write();
+    QDoubleSpinBox::focusInEvent(event);
+    if (event->reason() != Qt::MouseFocusReason && event->reason() != Qt::PopupFocusReason)
+        selectAll();
+}
+
+void NumberBox::focusOutEvent(QFocusEvent *event)
+{
+    QDoubleSpinBox::focusOutEvent(event); // takes what was typed
+    m_inFull = false;
+    write();
+}
+
+void NumberBox::keyPressEvent(QKeyEvent *event)
+{
+    if (event->key() == Qt::Key_Escape && lineEdit()->isModified()) {
+        write();
+        selectAll();
+        event->accept();
+        return;
+    }
+    QDoubleSpinBox::keyPressEvent(event);
+}
+
+void NumberBox::wheelEvent(QWheelEvent *event)
+{
+    // The wheel scrolls the panel, unless this box was chosen before.
+    if (hasFocus())
+        QDoubleSpinBox::wheelEvent(event);
+    else
+        event->ignore();
+}
+
+}

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "app/ui/theme/theme.h"
+#include "lessons/api/parameter.h"
+
+#include <QDoubleSpinBox>
+
+namespace app {
+
+/// A field for a parameter's number. It never rounds: what does not fit is shown cut, and whole in the tooltip
+/// and while it is edited. Numbers outside the parameter's range can be typed; the owner brings them into it.
+class NumberBox : public QDoubleSpinBox
+{
+    Q_OBJECT
+
+public:
+    NumberBox(const lessons::Parameter &parameter, const Theme &theme, QWidget *parent = nullptr);
+
+    /// Shows a value without chosen(). While the learner types, it waits.
+    void show(double value);
+    /// The number in full, with at least the declared decimals.
+    QString exactText(double value) const;
+
+    QString textFromValue(double value) const override;
+    double valueFromText(const QString &text) const override;
+    QValidator::State validate(QString &text, int &position) const override;
+    void stepBy(int steps) override;
+    QSize sizeHint() const override { return {width_, height_}; }
+    QSize minimumSizeHint() const override { return {width_, height_}; }
+
+signals:
+    /// The learner gave a number, which may be out of range.
+    void chosen(double value);
+
+protected:
+    void focusInEvent(QFocusEvent *event) override;
+    void focusOutEvent(QFocusEvent *event) override;
+    void keyPressEvent(QKeyEvent *event) override;
+    void wheelEvent(QWheelEvent *event) override;
+    StepEnabled stepEnabled() const override { return StepUpEnabled | StepDownEnabled; }
+
+private:
+    static constexpr int width_ = 54;
+    static constexpr int height_ = 26;
+
+    void dress();
+    void write();
+
+    const Theme &m_theme;
+    double m_min;
+    double m_max;
+    int m_decimals;
+    bool m_inFull = false; ///< while it has the focus
+};
+
+/// A number as a learner reads it: at least `decimals` places, more if it has more, and a real minus sign.
+QString exactNumber(double value, int decimals);
+
+}

@@ -1,0 +1,207 @@
+#include "app/ui/panels/parameter_panel.h"
+
+#include "app/ui/panels/panel_title.h"
+#include "app/ui/panels/parameter_row.h"
+
+#include <QScrollArea>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace app {
+
+namespace {
+
+constexpr std::size_t alwaysShown = 4;
+constexpr int labelWidth = 88;
+constexpr int unitWidth = 53;
+constexpr int disclosureHeight = 28;
+constexpr int bottomMargin = 12;
+constexpr qint64 refreshMilliseconds = 100; ///< while playing: numbers that change faster cannot be read
+
+}
+
+ParameterPanel::ParameterPanel(Session &session, const Theme &theme, QWidget *parent)
+    : QWidget(parent), m_session(session), m_theme(theme)
+{
+    setObjectName("panel");
+    setAttribute(Qt::WA_StyledBackground);
+    m_area = new QScrollArea(this);
+    m_area->setWidgetResizable(true);
+    m_area->setFrameShape(QFrame::NoFrame);
+    m_area->setFocusPolicy(Qt::NoFocus);
+    m_area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    auto *page = new QWidget;
+    page->setObjectName("panel");
+    page->setAttribute(Qt::WA_StyledBackground);
+    m_column = new QVBoxLayout(page);
+    m_column->setContentsMargins(0, 0, 0, bottomMargin);
+    m_column->setSpacing(0);
+    m_area->setWidget(page);
+    makeDisclosure();
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(makeTitle());
+    column->addWidget(m_area, 1);
+    connect(&session, &Session::stepOpened, this, &ParameterPanel::open);
+    connect(&session, &Session::runChanged, this, &ParameterPanel::refreshNow);
+    connect(&session, &Session::playingChanged, this, &ParameterPanel::refreshNow);
+    connect(&session, &Session::moved, this, &ParameterPanel::refresh);
+    connect(&theme, &Theme::changed, this, &ParameterPanel::dress);
+    open();
+}
+
+QWidget *ParameterPanel::makeTitle()
+{
+    auto *title = new PanelTitle(tr("Parameters"), PanelTitle::CaptionPlace::besideTitle, m_theme, this);
+    m_resetAll = new QToolButton(title);
+    m_resetAll->setObjectName("resetAll");
+    m_resetAll->setText(tr("Reset all"));
+    m_resetAll->setFixedHeight(28);
+    m_resetAll->setFocusPolicy(Qt::StrongFocus);
+    connect(m_resetAll, &QToolButton::clicked, &m_session, &Session::resetParameters);
+    title->addAction(m_resetAll);
+    return title;
+}
+
+void ParameterPanel::makeDisclosure()
+{
+    m_more = new QToolButton(this);
+    m_more->setObjectName("disclosure");
+    m_more->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_more->setIconSize({12, 12});
+    m_more->setFixedHeight(disclosureHeight);
+    m_more->setFocusPolicy(Qt::StrongFocus);
+    connect(m_more, &QToolButton::clicked, this, [this] {
+        m_chosen = true;
+        unfold(!m_unfolded);
+    });
+}
+
+void ParameterPanel::open()
+{
+    // Later, not here: one of these rows may be the one that led to another step.
+    for (ParameterRow *row : m_rows) {
+        row->hide();
+        row->deleteLater();
+    }
+    m_rows.clear();
+    while (QLayoutItem *item = m_column->takeAt(0))
+        delete item;
+    addRows();
+    alignColumns();
+    m_chosen = false;
+    m_unfolded = false;
+    dress();
+    unfoldIfRoom();
+    unfold(m_unfolded);
+    refreshNow();
+}
+
+void ParameterPanel::addRows()
+{
+    QStringList rest;
+    for (const lessons::Parameter &parameter : m_session.step().parameters) {
+        if (m_rows.size() == alwaysShown)
+            m_column->addWidget(m_more);
+        if (m_rows.size() >= alwaysShown)
+            rest.push_back(rest.isEmpty() ? parameter.name : parameter.name.toLower());
+        m_rows.push_back(new ParameterRow(m_session, parameter, m_theme, m_area->widget()));
+        m_column->addWidget(m_rows.back());
+    }
+    m_column->addStretch(1);
+    m_more->setText(rest.join(", "));
+    m_more->setVisible(!rest.isEmpty());
+}
+
+void ParameterPanel::alignColumns()
+{
+    int label = labelWidth;
+    int unit = unitWidth;
+    for (const ParameterRow *row : m_rows) {
+        label = std::max(label, row->wantedLabelWidth());
+        unit = std::max(unit, row->wantedUnitWidth());
+    }
+    for (ParameterRow *row : m_rows)
+        row->setColumns(label, unit);
+}
+
+void ParameterPanel::refresh()
+{
+    if (!m_session.isPlaying() || !m_sinceRefresh.isValid() ||
+        m_sinceRefresh.elapsed() >= refreshMilliseconds)
+        refreshNow();
+}
+
+void ParameterPanel::refreshNow()
+{
+    m_sinceRefresh.start();
+    bool changed = false;
+    for (ParameterRow *row : m_rows) {
+        row->refresh();
+        changed = changed || row->isChanged();
+    }
+    if (changed == m_resetAll->isEnabled() && !m_resetAll->toolTip().isEmpty())
+        return;
+    m_resetAll->setEnabled(changed);
+    m_resetAll->setToolTip(changed ? tr("Set every parameter back to what this step begins with")
+                                   : tr("Nothing to reset: every parameter is as this step begins with."));
+}
+
+void ParameterPanel::unfold(bool all)
+{
+    m_unfolded = all;
+    for (std::size_t i = alwaysShown; i < m_rows.size(); ++i)
+        m_rows[i]->setVisible(all);
+    m_more->setIcon(m_theme.icon(all ? "down" : "right"));
+    m_more->setToolTip(all ? tr("Show fewer parameters") : tr("Show all parameters"));
+    m_more->setAccessibleName(all ? tr("%1, shown").arg(m_more->text())
+                                  : tr("%1, folded").arg(m_more->text()));
+    updateGeometry();
+    emit wantedHeightChanged(sizeHint().height());
+}
+
+void ParameterPanel::unfoldIfRoom()
+{
+    if (m_chosen || !m_placed || m_rows.size() <= alwaysShown)
+        return;
+    const bool room = height() >= heightOf(m_rows.size(), true);
+    if (room != m_unfolded)
+        unfold(room);
+}
+
+int ParameterPanel::heightOf(std::size_t rows, bool disclosure) const
+{
+    return PanelTitle::height + static_cast<int>(rows) * ParameterRow::height +
+           (disclosure ? disclosureHeight : 0) + bottomMargin;
+}
+
+QSize ParameterPanel::sizeHint() const
+{
+    const bool some = m_rows.size() > alwaysShown;
+    return {400, heightOf(some && !m_unfolded ? alwaysShown : m_rows.size(), some)};
+}
+
+QSize ParameterPanel::minimumSizeHint() const
+{
+    return {300, heightOf(std::min<std::size_t>(m_rows.size(), 2), false)};
+}
+
+void ParameterPanel::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    m_placed = true;
+    unfoldIfRoom();
+}
+
+void ParameterPanel::dress()
+{
+    m_resetAll->setFont(m_theme.ui());
+    m_resetAll->setFixedWidth(m_resetAll->fontMetrics().horizontalAdvance(m_resetAll->text()) + 8);
+    m_more->setFont(m_theme.ui(12));
+    m_more->setIcon(m_theme.icon(m_unfolded ? "down" : "right"));
+}
+
+}

@@ -1,0 +1,192 @@
+#include "app/ui/panels/parameter_row.h"
+
+#include "app/ui/panels/number_box.h"
+#include "app/ui/panels/parameter_slider.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QToolButton>
+
+#include <algorithm>
+
+namespace app {
+
+namespace {
+
+constexpr int leftMargin = 16;
+constexpr int rightMargin = 13;
+constexpr int unitGap = 8;
+constexpr int resetSize = 24;
+constexpr int fieldHeight = 26;
+constexpr int overhang = ParameterSlider::handle / 2; ///< of the handle past the groove's ends
+
+}
+
+ParameterRow::ParameterRow(Session &session, const lessons::Parameter &parameter, const Theme &theme,
+                           QWidget *parent)
+    : QWidget(parent), m_session(session), m_parameter(parameter), m_theme(theme)
+{
+    setFixedHeight(height);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    makeLabel();
+    if (parameter.choices.isEmpty())
+        makeFields();
+    else
+        makeChoice();
+    m_unit = new QLabel(parameter.unit, this);
+    m_unit->setObjectName("caption");
+    makeReset();
+    auto *row = new QHBoxLayout(this);
+    fill(*row);
+    setToolTip(tr("%1 %2").arg(parameter.help, rangeText()));
+    connect(&theme, &Theme::changed, this, &ParameterRow::dress);
+    dress();
+    refresh();
+}
+
+void ParameterRow::makeLabel()
+{
+    m_label = new QWidget(this);
+    m_name = new QLabel(m_parameter.name, m_label);
+    m_symbol = new QLabel(m_parameter.symbol, m_label);
+    m_symbol->setObjectName("symbol");
+    auto *row = new QHBoxLayout(m_label);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(6);
+    row->addWidget(m_name);
+    row->addWidget(m_symbol);
+    row->addStretch(1);
+}
+
+void ParameterRow::makeFields()
+{
+    m_slider = new ParameterSlider(m_parameter, m_theme, this);
+    m_box = new NumberBox(m_parameter, m_theme, this);
+    m_name->setBuddy(m_box);
+    m_slider->setAccessibleName(tr("%1, slider").arg(m_parameter.name));
+    m_box->setAccessibleName(m_parameter.unit.isEmpty() ? m_parameter.name
+                                                        : m_parameter.name + ", " + m_parameter.unit);
+    for (QWidget *field : {static_cast<QWidget *>(m_slider), static_cast<QWidget *>(m_box)})
+        field->setAccessibleDescription(m_parameter.help);
+    connect(m_slider, &ParameterSlider::chosen, this, &ParameterRow::choose);
+    connect(m_box, &NumberBox::chosen, this, &ParameterRow::choose);
+}
+
+void ParameterRow::makeChoice()
+{
+    m_choice = new QComboBox(this);
+    m_choice->addItems(m_parameter.choices);
+    m_choice->setAccessibleName(m_parameter.name);
+    m_choice->setAccessibleDescription(m_parameter.help);
+    m_choice->setFocusPolicy(Qt::StrongFocus);
+    m_choice->setFixedHeight(fieldHeight);
+    m_name->setBuddy(m_choice);
+    connect(m_choice, &QComboBox::currentIndexChanged, this, [this](int index) { choose(index); });
+}
+
+void ParameterRow::makeReset()
+{
+    m_reset = new QToolButton(this);
+    m_reset->setObjectName("reset");
+    m_reset->setFixedSize(resetSize, resetSize);
+    m_reset->setIconSize({14, 14});
+    m_reset->setFocusPolicy(Qt::StrongFocus);
+    const QString preset = m_choice ? m_choice->itemText(static_cast<int>(m_parameter.preset))
+                                    : exactNumber(m_parameter.preset, m_parameter.decimals);
+    m_reset->setToolTip(tr("Back to %1").arg(preset));
+    m_reset->setAccessibleName(tr("%1 back to %2").arg(m_parameter.name, preset));
+    QSizePolicy policy = m_reset->sizePolicy();
+    policy.setRetainSizeWhenHidden(true);
+    m_reset->setSizePolicy(policy);
+    connect(m_reset, &QToolButton::clicked, this, [this] { choose(m_parameter.preset); });
+}
+
+void ParameterRow::fill(QHBoxLayout &row)
+{
+    row.setContentsMargins(leftMargin, 0, rightMargin, 0);
+    row.setSpacing(0);
+    row.addWidget(m_label);
+    if (m_choice) {
+        row.addWidget(m_choice, 1);
+    } else {
+        row.addWidget(m_slider, 1);
+        row.addSpacing(12 - overhang);
+        row.addWidget(m_box);
+    }
+    row.addSpacing(unitGap);
+    row.addWidget(m_unit);
+    row.addWidget(m_reset);
+}
+
+int ParameterRow::wantedLabelWidth() const
+{
+    return m_label->sizeHint().width() + 8;
+}
+
+int ParameterRow::wantedUnitWidth() const
+{
+    return m_unit->sizeHint().width();
+}
+
+void ParameterRow::setColumns(int label, int unit)
+{
+    m_label->setFixedWidth(m_choice ? label : label - overhang);
+    m_unit->setFixedWidth(unit);
+}
+
+QString ParameterRow::rangeText() const
+{
+    if (m_choice)
+        return {};
+    const QString unit = m_parameter.unit.isEmpty() ? QString() : QChar(0x2009) + m_parameter.unit;
+    return tr("It can be %1 to %2%3.")
+        .arg(exactNumber(m_parameter.min, 0), exactNumber(m_parameter.max, 0), unit);
+}
+
+void ParameterRow::choose(double value)
+{
+    if (value < m_parameter.min || value > m_parameter.max) {
+        emit m_session.said(
+            tr("%1 can be %2 to %3.")
+                .arg(m_parameter.name, exactNumber(m_parameter.min, 0), exactNumber(m_parameter.max, 0)));
+    }
+    m_session.setParameter(m_parameter.id, value);
+    refresh(); // also if nothing changed: what was typed may not be what holds
+}
+
+bool ParameterRow::isChanged() const
+{
+    return m_session.parameter(m_parameter.id) != m_parameter.preset;
+}
+
+void ParameterRow::refresh()
+{
+    const double value = m_session.parameter(m_parameter.id);
+    if (m_choice) {
+        const QSignalBlocker silent(m_choice);
+        m_choice->setCurrentIndex(static_cast<int>(value));
+    } else {
+        m_slider->show(value);
+        m_box->show(value);
+        m_box->setToolTip(m_box->exactText(value) + QChar(0x2009) + m_parameter.unit + '\n' + toolTip());
+        const sim::Track *ghost = m_session.timeline().ghost();
+        const std::string id = m_parameter.id.toStdString();
+        std::optional<double> was;
+        if (ghost && ghost->next()->values.has(id) && ghost->next()->values[id] != value)
+            was = ghost->next()->values[id];
+        m_slider->setGhost(was);
+    }
+    m_reset->setVisible(value != m_parameter.preset);
+}
+
+void ParameterRow::dress()
+{
+    m_name->setFont(m_theme.ui());
+    m_symbol->setFont(m_theme.mono(12));
+    m_unit->setFont(m_theme.ui(12));
+    m_reset->setIcon(m_theme.icon("reset", m_theme.tokens().ink3));
+}
+
+}

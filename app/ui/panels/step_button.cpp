@@ -1,0 +1,56 @@
+#include "app/ui/panels/step_button.h"
+
+#include <QStyle>
+
+namespace app {
+
+namespace {
+
+constexpr int around = 2 * 13 + 16 + 12; ///< padding and border, icon, and the gap before it
+
+}
+
+StepButton::StepButton(QWidget *parent) : QPushButton(parent)
+{
+    setLayoutDirection(Qt::RightToLeft); // puts the icon after the text
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    setAutoDefault(false);
+    setPrimary(false);
+}
+
+void StepButton::setFullText(const QString &text)
+{
+    m_text = text;
+    setAccessibleName(text);
+    fit();
+}
+
+void StepButton::setPrimary(bool primary)
+{
+    setProperty("primary", primary);
+    // A style sheet looks at properties only when it is asked to.
+    style()->unpolish(this);
+    style()->polish(this);
+    update();
+}
+
+QSize StepButton::minimumSizeHint() const
+{
+    return {96, QPushButton::minimumSizeHint().height()};
+}
+
+void StepButton::fit()
+{
+    QString shown = fontMetrics().elidedText(m_text, Qt::ElideRight, width() - around);
+    shown.replace('&', "&&");
+    // A space that stays between text and icon, although the button is laid out from the right.
+    setText(shown + QChar(0x00A0) + QChar(0x200E));
+}
+
+void StepButton::resizeEvent(QResizeEvent *event)
+{
+    QPushButton::resizeEvent(event);
+    fit();
+}
+
+}

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <QPushButton>
+
+namespace app {
+
+/// A button whose text gives way when it is too long, with its icon after the text.
+class StepButton : public QPushButton
+{
+    Q_OBJECT
+
+public:
+    explicit StepButton(QWidget *parent = nullptr);
+
+    void setFullText(const QString &text);
+    /// Filled, as the thing to do next.
+    void setPrimary(bool primary);
+    bool isPrimary() const { return property("primary").toBool(); }
+    QSize minimumSizeHint() const override;
+
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+
+private:
+    void fit();
+
+    QString m_text;
+};
+
+}

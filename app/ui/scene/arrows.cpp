@@ -1,0 +1,164 @@
+#include "app/ui/scene/arrows.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace app {
+
+namespace {
+
+constexpr double shortest = 3.0;    ///< px of the screen; below, there is only a head
+constexpr double gap = 3.0;         ///< from a body's edge
+constexpr double gapAtRing = 8.0;   ///< from the edge of the selected body
+constexpr double besideSum = 16.0;  ///< how far the sum is drawn from the middle
+constexpr double besideTwin = 7.0;  ///< how far two arrows of one direction are apart
+constexpr double twinCosine = 0.98; ///< of the angle below which two directions are one
+
+double lengthOf(QPointF v)
+{
+    return std::hypot(v.x(), v.y());
+}
+
+/// An arrow of `vector` px that starts outside of the disc of point `point`, moved sideways by `aside` px.
+Arrow atEdge(const Shown &shown, const Camera &camera, int point, QPointF vector, double aside)
+{
+    const double length = lengthOf(vector);
+    const QPointF along = length > 0.0 ? vector / length : QPointF(0.0, 1.0);
+    const QPointF across(-along.y(), along.x());
+    const double radius = camera.radius(shown.radius(point));
+    const double away = radius + (point == shown.selected ? gapAtRing : gap);
+    Arrow arrow;
+    arrow.from = camera.at(shown.state().at(point)) + away * along + aside * across;
+    arrow.vector = vector;
+    return arrow;
+}
+
+QPointF scaled(sim::Vec2 v, double unit)
+{
+    return {v.x * unitArrow / unit, v.y * unitArrow / unit};
+}
+
+void addPullsAt(std::vector<Arrow> &arrows, const Shown &shown, const Camera &camera, const Theme &theme,
+                int point)
+{
+    std::vector<QPointF> directions;
+    for (const sim::Gathered &one : shown.gathered) {
+        const QPointF vector =
+            scaled({one.acceleration(point, 0), one.acceleration(point, 1)}, shown.pullUnit);
+        const double length = lengthOf(vector);
+        if (!(length >= shortest))
+            continue;
+        double aside = 0.0;
+        for (const QPointF &other : directions) {
+            if (QPointF::dotProduct(other, vector) > twinCosine * length)
+                aside += besideTwin;
+        }
+        directions.push_back(vector / length);
+        Arrow arrow = atEdge(shown, camera, point, vector, aside);
+        arrow.style = styleOf(one.effect->kind(), theme);
+        arrow.style.width = shown.isBody(point) ? 4.0 : 3.0;
+        arrows.push_back(arrow);
+    }
+}
+
+}
+
+QRectF Arrow::bounds() const
+{
+    return QRectF(from, from + vector).normalized().adjusted(-6, -6, 6, 6);
+}
+
+ArrowStyle styleOf(sim::Kind kind, const Theme &theme)
+{
+    using Line = ArrowStyle::Line;
+    ArrowStyle style;
+    style.color = theme.kindColor(kind);
+    if (kind == sim::Kind::damping)
+        style.line = Line::dashes;
+    else if (kind == sim::Kind::wind)
+        style.line = Line::dots;
+    else if (kind == sim::Kind::driver)
+        style.line = Line::twofold;
+    else if (kind == sim::Kind::stick)
+        style.line = Line::capped;
+    return style;
+}
+
+ArrowStyle sumStyle(const Theme &theme)
+{
+    return {theme.tokens().ink, 2.0, ArrowStyle::Line::dots, false};
+}
+
+ArrowStyle velocityStyle(const Theme &theme)
+{
+    return {theme.tokens().ink3, 1.5, ArrowStyle::Line::plain, true};
+}
+
+void drawArrow(QPainter &painter, const Arrow &arrow, const QColor &ground)
+{
+    const double length = lengthOf(arrow.vector);
+    if (!(length >= shortest))
+        return;
+    const ArrowStyle &style = arrow.style;
+    const QPointF u = arrow.vector / length;
+    const QPointF n(-u.y(), u.x());
+    const QPointF tip = arrow.from + arrow.vector;
+    const double whole = 9.0 + style.width * 0.6;
+    const double a = std::min(whole, length); // a short arrow has a small head, all outside of the body
+    const double b = (4.2 + style.width * 0.5) * a / whole;
+    QPen pen = solid(style.color, style.width);
+    if (style.line == ArrowStyle::Line::dashes)
+        pen = dashed(style.color, style.width, {6.0, 3.0});
+    else if (style.line == ArrowStyle::Line::dots)
+        pen = dashed(style.color, style.width, {2.0 + style.width / 2, 4.0});
+    painter.setPen(pen);
+    const QLineF shaft(arrow.from, tip - (style.openHead ? 0.0 : a * 0.7) * u);
+    painter.drawLine(shaft);
+    if (style.line == ArrowStyle::Line::twofold) {
+        painter.setPen(solid(ground, style.width / 3.0));
+        painter.drawLine(shaft);
+    } else if (style.line == ArrowStyle::Line::capped) {
+        painter.drawLine(QLineF(arrow.from - b * n, arrow.from + b * n));
+    }
+    const QPolygonF head{tip - a * u + b * n, tip, tip - a * u - b * n};
+    if (style.openHead) {
+        painter.drawPolyline(head);
+        return;
+    }
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(style.color);
+    painter.drawPolygon(head);
+    painter.setBrush(Qt::NoBrush);
+}
+
+std::vector<Arrow> pullArrows(const Shown &shown, const Camera &camera, const Theme &theme)
+{
+    std::vector<Arrow> arrows;
+    if (shown.gathered.empty())
+        return arrows;
+    for (int i = 0; i < shown.points(); ++i)
+        addPullsAt(arrows, shown, camera, theme, i);
+    if (shown.hasSum()) {
+        const QPointF vector = scaled(shown.sumOnSelected(), shown.pullUnit);
+        const double aside = std::min(besideSum, camera.radius(shown.radius(shown.selected)));
+        Arrow sum = atEdge(shown, camera, shown.selected, vector, aside);
+        sum.style = sumStyle(theme);
+        arrows.push_back(sum);
+    }
+    return arrows;
+}
+
+std::vector<Arrow> velocityArrows(const Shown &shown, const Camera &camera, const Theme &theme)
+{
+    std::vector<Arrow> arrows;
+    if (!shown.extras.velocities)
+        return arrows;
+    for (int i = 0; i < shown.points(); ++i) {
+        Arrow arrow = atEdge(shown, camera, i, scaled(shown.state().speed(i), shown.velocityUnit), 0.0);
+        arrow.style = velocityStyle(theme);
+        arrows.push_back(arrow);
+    }
+    return arrows;
+}
+
+}

@@ -1,0 +1,58 @@
+#include "app/ui/scene/body_text.h"
+
+#include "app/model/sentences.h"
+
+#include <QCoreApplication>
+
+#include <cmath>
+
+namespace app {
+
+namespace {
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(BodyText)
+};
+
+constexpr double still = 0.05; ///< px/frame: shown as 0.0
+
+}
+
+QString bodyTitle(const QString &name)
+{
+    qsizetype digits = 0;
+    while (digits < name.size() && name[name.size() - 1 - digits].isDigit())
+        ++digits;
+    const QString word = phrase(name.left(name.size() - digits).toStdString());
+    return digits == 0 ? word : word + ' ' + name.right(digits);
+}
+
+QString bodySentence(const QString &name, sim::Vec2 at, sim::Vec2 speed)
+{
+    const QString place =
+        Text::tr("%1 at (%2, %3)").arg(bodyTitle(name), fixedNumber(at.x, 0), fixedNumber(at.y, 0));
+    const double fast = sim::length(speed);
+    if (fast < still)
+        return Text::tr("%1, at rest").arg(place);
+    return Text::tr("%1, moving %2 px a frame").arg(place, fixedNumber(fast, 1));
+}
+
+QString fixedNumber(double value, int decimals)
+{
+    QString text = QString::number(value, 'f', decimals);
+    if (text.startsWith('-') && text.toDouble() == 0.0)
+        text.remove(0, 1);
+    return text.replace('-', QChar(0x2212));
+}
+
+QString shownMagnitude(double value)
+{
+    if (value != 0.0 && std::abs(value) < 0.005)
+        return QStringLiteral("< 0.01");
+    if (std::abs(value) >= 1000.0)
+        return QString::number(value, 'g', 4).replace('-', QChar(0x2212));
+    return fixedNumber(value, 2);
+}
+
+}

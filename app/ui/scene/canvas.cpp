@@ -1,0 +1,85 @@
+#include "app/ui/scene/canvas.h"
+
+#include <algorithm>
+#include <array>
+
+namespace app {
+
+namespace {
+
+constexpr double smallest = 2.0; ///< radius of a body, px of the screen
+constexpr double farthest = 1e6; ///< px of the screen, either way
+constexpr double beyond = 64.0;  ///< how far outside of the area lines are drawn on, so that their ends hide
+
+/// Moves the stretch from..to of a line's parameter to where `start + t * slope` is from `low` to `high`.
+bool narrow(double start, double slope, double low, double high, double &from, double &to)
+{
+    if (slope == 0.0)
+        return start >= low && start <= high;
+    double a = (low - start) / slope;
+    double b = (high - start) / slope;
+    if (a > b)
+        std::swap(a, b);
+    from = std::max(from, a);
+    to = std::min(to, b);
+    return from < to;
+}
+
+}
+
+QPointF Camera::at(sim::Vec2 place) const
+{
+    const QPointF p = toView.map(QPointF(place.x, place.y));
+    return {std::clamp(p.x(), -farthest, farthest), std::clamp(p.y(), -farthest, farthest)};
+}
+
+sim::Vec2 Camera::back(QPointF place) const
+{
+    const QPointF p = toView.inverted().map(place);
+    return {p.x(), p.y()};
+}
+
+double Camera::radius(double px) const
+{
+    return std::max(smallest, px * zoom);
+}
+
+bool Canvas::reaches(QPointF centre, double radius) const
+{
+    return area.adjusted(-radius, -radius, radius, radius).contains(centre);
+}
+
+QLineF Canvas::cut(QPointF from, QPointF to) const
+{
+    const QRectF room = area.adjusted(-beyond, -beyond, beyond, beyond);
+    const QPointF d = to - from;
+    double begin = 0.0;
+    double end = 1.0;
+    if (!narrow(from.x(), d.x(), room.left(), room.right(), begin, end) ||
+        !narrow(from.y(), d.y(), room.top(), room.bottom(), begin, end))
+        return {};
+    return {from + begin * d, from + end * d};
+}
+
+QPen dashed(const QColor &color, double width, std::initializer_list<double> pattern)
+{
+    QPen pen(color, width, Qt::CustomDashLine, Qt::FlatCap);
+    QList<qreal> dashes;
+    for (const double px : pattern)
+        dashes << px / width;
+    pen.setDashPattern(dashes);
+    return pen;
+}
+
+QPen solid(const QColor &color, double width)
+{
+    return {color, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin};
+}
+
+QColor faded(QColor color, double alpha)
+{
+    color.setAlphaF(static_cast<float>(alpha));
+    return color;
+}
+
+}

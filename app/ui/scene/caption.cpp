@@ -1,0 +1,95 @@
+#include "app/ui/scene/caption.h"
+
+#include "app/model/sentences.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+namespace app {
+
+namespace {
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(FrameCaption)
+};
+
+/// What the phases done of one step amount to.
+struct Account
+{
+    QStringList moved;            ///< titles of the groups that have moved
+    QStringList still;            ///< titles of those that will
+    bool pulled = false;          ///< since the last move, a force worked
+    bool turnedIntoSpeed = false; ///< since the last move, velocities changed other than by a force
+    bool anyMove = false;
+};
+
+Account accountOf(const sim::Segment &segment, int done)
+{
+    Account account;
+    for (int i = 0; i < segment.pipeline.phasesPerStep(); ++i) {
+        const sim::Phase &phase = segment.pipeline.phaseAt(i);
+        if (phase.moves) {
+            const auto group = static_cast<std::size_t>(phase.group);
+            const QString title = phase.group < 0 ? QString() : phrase(segment.scene.groups[group].title);
+            (i < done ? account.moved : account.still) << title;
+        }
+        if (i >= done)
+            continue;
+        account.anyMove |= phase.moves;
+        if (phase.moves)
+            account.pulled = account.turnedIntoSpeed = false;
+        else if (dynamic_cast<const sim::Force *>(phase.effect.get()))
+            account.pulled = true;
+        else
+            account.turnedIntoSpeed = true;
+    }
+    return account;
+}
+
+/// `nothing` says that nothing has moved: in the frame, or in its step under way.
+QString beforeAnyMove(const Account &account, bool gathers, const QString &nothing)
+{
+    if (account.pulled && !gathers)
+        return Text::tr("pulls go straight onto the velocity, %1.").arg(nothing);
+    if (account.pulled && !account.turnedIntoSpeed)
+        return Text::tr("accelerations are gathered, %1.").arg(nothing);
+    return Text::tr("velocities have changed, %1.").arg(nothing);
+}
+
+QString afterSomeMove(const Account &account, const sim::Pipeline &pipeline, int done)
+{
+    if (!account.still.isEmpty())
+        return Text::tr("%1 moved already, %2 not yet.")
+            .arg(account.moved.join(", "), account.still.join(", "));
+    if (done < pipeline.phasesPerStep())
+        return Text::tr("everything has moved, %1 to come.").arg(phrase(pipeline.phaseAt(done).title));
+    return Text::tr("everything has moved.");
+}
+
+}
+
+QString frameCaption(const sim::Timeline &timeline)
+{
+    const sim::Cursor at = timeline.at();
+    if (at.phase <= 0)
+        return {};
+    const sim::Segment &segment = timeline.track().shown();
+    const sim::Pipeline &pipeline = segment.pipeline;
+    const int done = at.phase % pipeline.phasesPerStep();
+    const int steps = at.phase / pipeline.phasesPerStep();
+    const int all = pipeline.step.perRow;
+    if (done == 0)
+        return Text::tr("Inside frame %1: %2 of %3 steps are done.").arg(at.frame).arg(steps).arg(all);
+    const Account account = accountOf(segment, done);
+    const bool gathers = timeline.now().acceleration.rows() > 0;
+    const QString nothing =
+        steps > 0 ? Text::tr("nothing has moved in it yet") : Text::tr("nothing has moved yet");
+    const QString what =
+        account.anyMove ? afterSomeMove(account, pipeline, done) : beforeAnyMove(account, gathers, nothing);
+    if (all > 1)
+        return Text::tr("Inside frame %1, step %2 of %3: %4").arg(at.frame).arg(steps + 1).arg(all).arg(what);
+    return Text::tr("Inside frame %1: %2").arg(at.frame).arg(what);
+}
+
+}

@@ -1,0 +1,119 @@
+#include "app/ui/scene/edge_markers.h"
+
+#include "app/ui/scene/body_text.h"
+#include "app/ui/scene/label_places.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+
+namespace app {
+
+namespace {
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(EdgeMarkers)
+};
+
+constexpr double headLength = 10.0;
+constexpr double headWidth = 12.0;
+constexpr double apart = 5.0;   ///< px between arrow and label
+constexpr double shared = 44.0; ///< px within which bodies share a marker
+
+/// Where the way from the middle of `free` to `target` leaves `free`.
+QPointF leaving(QRectF free, QPointF target)
+{
+    const QPointF middle = free.center();
+    const QPointF d = target - middle;
+    const double across = d.x() == 0.0 ? 0.0 : std::abs(d.x()) / (free.width() / 2);
+    const double down = d.y() == 0.0 ? 0.0 : std::abs(d.y()) / (free.height() / 2);
+    const double most = std::max({across, down, 1.0});
+    return middle + d / most;
+}
+
+QString distanceText(double px)
+{
+    if (px >= 1e5)
+        return Text::tr("%1 px").arg(QString::number(px, 'g', 2));
+    return Text::tr("%1\u2009px").arg(static_cast<qint64>(std::llround(px)));
+}
+
+void placeLabel(EdgeMarker &marker, const Shown &shown, QRectF free, LabelPlaces &places)
+{
+    const auto &names = shown.picture.segment->scene.names;
+    const QString name =
+        marker.bodies > 1 ? Text::tr("%1 bodies").arg(marker.bodies)
+                          : bodyTitle(QString::fromStdString(names[static_cast<std::size_t>(marker.point)]));
+    marker.text = Text::tr("%1, %2").arg(name, distanceText(marker.away));
+    const QFontMetricsF metrics(shown.text);
+    const double w = metrics.horizontalAdvance(marker.text) + 6.0;
+    const double h = metrics.height();
+    // The label lies on the inner side of the arrow, and touches it with the side that looks there.
+    const QPointF inner = marker.at - (headLength + apart) * marker.direction;
+    const QPointF back(marker.direction.x() * w / 2, marker.direction.y() * h / 2);
+    marker.label = places.within(free, inner - QPointF(w / 2, h / 2) - back, {w, h});
+}
+
+}
+
+QRectF EdgeMarker::head() const
+{
+    return QRectF(at, at - headLength * direction).normalized().adjusted(-4, -4, 4, 4);
+}
+
+std::vector<EdgeMarker> edgeMarkers(const Shown &shown, const Camera &camera, QRectF view, QRectF free,
+                                    std::vector<QRectF> taken)
+{
+    std::vector<EdgeMarker> markers;
+    for (int i = 0; i < shown.points(); ++i) {
+        const QPointF centre = camera.at(shown.state().at(i));
+        const double radius = camera.radius(shown.radius(i));
+        if (view.adjusted(-radius, -radius, radius, radius).contains(centre))
+            continue;
+        EdgeMarker marker;
+        marker.point = i;
+        marker.at = leaving(free, centre);
+        const QPointF d = centre - marker.at;
+        marker.direction = d / std::max(1e-9, std::hypot(d.x(), d.y()));
+        marker.away = sim::length(shown.state().at(i) - camera.back(marker.at));
+        const auto near = std::find_if(markers.begin(), markers.end(), [&](const EdgeMarker &other) {
+            return std::hypot(other.at.x() - marker.at.x(), other.at.y() - marker.at.y()) < shared;
+        });
+        if (near == markers.end()) {
+            markers.push_back(marker);
+            continue;
+        }
+        marker.bodies = near->bodies + 1;
+        if (marker.away < near->away)
+            *near = marker;
+        near->bodies = marker.bodies;
+    }
+    for (const EdgeMarker &marker : markers)
+        taken.push_back(marker.head());
+    LabelPlaces places(std::move(taken));
+    for (EdgeMarker &marker : markers)
+        placeLabel(marker, shown, free, places);
+    return markers;
+}
+
+void drawEdgeMarkers(QPainter &painter, const Shown &shown, const Theme &theme,
+                     const std::vector<EdgeMarker> &markers)
+{
+    painter.setFont(shown.text);
+    for (const EdgeMarker &marker : markers) {
+        const QPointF u = marker.direction;
+        const QPointF n(-u.y(), u.x());
+        const QPointF tail = marker.at - headLength * u;
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(theme.tokens().body);
+        painter.drawPolygon(QPolygonF{marker.at, tail + headWidth / 2 * n, tail - headWidth / 2 * n});
+        painter.setBrush(faded(theme.tokens().scene, 0.85));
+        painter.drawRoundedRect(marker.label, 4, 4);
+        painter.setPen(theme.tokens().ink2);
+        painter.drawText(marker.label, Qt::AlignCenter | Qt::TextDontClip, marker.text);
+    }
+}
+
+}

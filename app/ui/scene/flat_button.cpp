@@ -1,0 +1,104 @@
+#include "app/ui/scene/flat_button.h"
+
+#include <QPainter>
+
+namespace app {
+
+namespace {
+
+constexpr int tall = 28;
+constexpr int padding = 8;
+constexpr int space = 6;
+constexpr int glyph = 16;
+constexpr int arrow = 12;
+
+}
+
+FlatButton::FlatButton(const Theme &theme, QWidget *parent) : QToolButton(parent), m_theme(theme)
+{
+    setPopupMode(QToolButton::InstantPopup);
+    setFocusPolicy(Qt::TabFocus);
+    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+    connect(&theme, &Theme::changed, this, qOverload<>(&QWidget::update));
+}
+
+void FlatButton::setTexts(const QString &caption, const QString &value)
+{
+    m_caption = caption;
+    m_value = value;
+    setAccessibleName(caption.isEmpty() ? value : caption + ' ' + value);
+    updateGeometry();
+    update();
+}
+
+void FlatButton::setIconName(const QString &name)
+{
+    m_icon = name;
+    updateGeometry();
+    update();
+}
+
+void FlatButton::setShort(bool isShort)
+{
+    if (isShort == m_short)
+        return;
+    m_short = isShort;
+    updateGeometry();
+    update();
+}
+
+int FlatButton::widthWith(const QString &caption) const
+{
+    int width = 2 * padding - space;
+    if (!m_icon.isEmpty())
+        width += glyph + space;
+    if (!caption.isEmpty())
+        width += QFontMetrics(m_theme.ui()).horizontalAdvance(caption) + space;
+    if (!m_value.isEmpty())
+        width += QFontMetrics(m_theme.ui(13, QFont::Medium)).horizontalAdvance(m_value) + space;
+    if (menu())
+        width += arrow + space;
+    return width;
+}
+
+QSize FlatButton::sizeHint() const
+{
+    return {widthWith(m_short && !m_value.isEmpty() ? QString() : m_caption), tall};
+}
+
+int FlatButton::fullWidth() const
+{
+    return widthWith(m_caption);
+}
+
+void FlatButton::paintEvent(QPaintEvent *)
+{
+    const Tokens &t = m_theme.tokens();
+    QPainter p(this);
+    p.setRenderHint(QPainter::Antialiasing);
+    if (underMouse() || isDown()) {
+        p.setPen(Qt::NoPen);
+        p.setBrush(t.hover);
+        p.drawRoundedRect(rect(), 6, 6);
+    }
+    int x = m_icon.isEmpty() || !m_value.isEmpty() || !m_caption.isEmpty() ? padding : (width() - glyph) / 2;
+    if (!m_icon.isEmpty()) {
+        m_theme.icon(m_icon).paint(&p, QRect(x, (rect().height() - glyph) / 2, glyph, glyph));
+        x += glyph + space;
+    }
+    const auto write = [&](const QString &text, const QFont &font, const QColor &color) {
+        if (text.isEmpty())
+            return;
+        p.setFont(font);
+        p.setPen(color);
+        p.drawText(QRect(x, 0, width() - x, rect().height()), Qt::AlignVCenter | Qt::AlignLeft, text);
+        x += QFontMetrics(font).horizontalAdvance(text) + space;
+    };
+    if (!m_short || m_value.isEmpty())
+        write(m_caption, m_theme.ui(), t.ink2);
+    write(m_value, m_theme.ui(13, QFont::Medium), t.ink);
+    if (menu())
+        m_theme.icon("down").paint(&p, QRect(x, (rect().height() - arrow) / 2, arrow, arrow));
+}
+
+}

@@ -1,0 +1,97 @@
+#include "app/ui/scene/guide_labels.h"
+
+#include "app/ui/scene/label_places.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace app {
+
+namespace {
+
+using lessons::Guide;
+
+constexpr double smallestArc = 22.0;
+constexpr double outsideBody = 12.0;
+constexpr double pullGap = 8.0;
+constexpr double largestRing = 4000.0; ///< what is larger looks like a line in any view
+
+/// Radius on the screen of the body that stands at `place`; 0 if there is none.
+double bodyAt(const Shown &shown, const Camera &camera, sim::Vec2 place)
+{
+    for (int i = 0; i < shown.points(); ++i) {
+        if (shown.state().at(i) == place)
+            return camera.radius(shown.radius(i));
+    }
+    return 0.0;
+}
+
+QPointF pullVector(const Guide &guide, const Shown &shown)
+{
+    return unitArrow / shown.pullUnit * QPointF(guide.b.x, guide.b.y);
+}
+
+QPointF pullStart(const Guide &guide, const Shown &shown, const Camera &camera)
+{
+    const QPointF vector = pullVector(guide, shown);
+    const double length = std::hypot(vector.x(), vector.y());
+    const double away = length > 0.0 ? (bodyAt(shown, camera, guide.a) + pullGap) / length : 0.0;
+    return camera.at(guide.a) + away * vector;
+}
+
+/// The place that a guide's name belongs to.
+QPointF anchorOf(const Guide &guide, const Shown &shown, const Camera &camera)
+{
+    const QPointF a = camera.at(guide.a);
+    switch (guide.shape) {
+    case Guide::Shape::cross:
+        return a;
+    case Guide::Shape::ring:
+        return a + ringRadius(guide, camera) * std::numbers::sqrt2 / 2 * QPointF(1.0, -1.0);
+    case Guide::Shape::arrow:
+        return pullStart(guide, shown, camera) + pullVector(guide, shown);
+    case Guide::Shape::line:
+        return (a + camera.at(guide.b)) / 2;
+    case Guide::Shape::angle:
+        return a + (arcRadius(guide, shown, camera) + 6.0) *
+                       QPointF(std::cos(guide.size / 2), std::sin(guide.size / 2));
+    }
+    return a;
+}
+
+}
+
+double ringRadius(const Guide &guide, const Camera &camera)
+{
+    return std::min(guide.size * camera.zoom, largestRing);
+}
+
+double arcRadius(const Guide &guide, const Shown &shown, const Camera &camera)
+{
+    return std::max(smallestArc, bodyAt(shown, camera, guide.a) + outsideBody);
+}
+
+Arrow guideArrow(const Guide &guide, const Shown &shown, const Camera &camera, const Theme &theme)
+{
+    return {pullStart(guide, shown, camera), pullVector(guide, shown), {theme.tokens().ink2, 2.0}};
+}
+
+std::vector<GuideLabel> guideLabels(const Shown &shown, const Camera &camera, QRectF area)
+{
+    std::vector<GuideLabel> labels;
+    if (!shown.extras.guides)
+        return labels;
+    const QFontMetricsF metrics(shown.text);
+    LabelPlaces places(bodyBoxes(shown, camera));
+    for (const Guide &guide : shown.picture.guides) {
+        const QPointF anchor = anchorOf(guide, shown, camera);
+        if (guide.label.isEmpty() || !area.contains(anchor))
+            continue;
+        const QSizeF size(metrics.horizontalAdvance(guide.label), metrics.height());
+        labels.push_back({guide.label, places.beside(anchor, size)});
+    }
+    return labels;
+}
+
+}

@@ -1,0 +1,90 @@
+// Lines and names that explain what a step is about.
+
+#include "app/ui/scene/guide_labels.h"
+#include "app/ui/scene/layers.h"
+
+#include <QPainterPath>
+
+#include <cmath>
+#include <numbers>
+
+namespace app {
+
+namespace {
+
+using lessons::Guide;
+
+constexpr double crossArm = 7.0;
+constexpr double beyondArc = 14.0; ///< how far the x axis goes on
+
+void drawCross(const Canvas &canvas, QPointF c)
+{
+    canvas.painter.setPen(solid(canvas.tokens().ink2, 1.5));
+    canvas.painter.drawLine(c - QPointF(crossArm, 0), c + QPointF(crossArm, 0));
+    canvas.painter.drawLine(c - QPointF(0, crossArm), c + QPointF(0, crossArm));
+}
+
+/// From the x axis, which goes to the right; on the screen a positive angle turns clockwise, as y goes down.
+void drawAngle(const Canvas &canvas, const Guide &guide)
+{
+    const QPointF c = canvas.camera.at(guide.a);
+    const double r = arcRadius(guide, canvas.shown, canvas.camera);
+    const double degrees = guide.size * 180.0 / std::numbers::pi;
+    QPainter &p = canvas.painter;
+    p.setPen(solid(canvas.tokens().ink3, 1.0));
+    p.drawLine(c, c + QPointF(r + beyondArc, 0.0));
+    p.setPen(solid(canvas.tokens().ink2, 1.5));
+    p.drawArc(QRectF(c.x() - r, c.y() - r, 2 * r, 2 * r), 0, static_cast<int>(std::lround(-16.0 * degrees)));
+}
+
+void drawGuide(const Canvas &canvas, const Guide &guide)
+{
+    const QPointF a = canvas.camera.at(guide.a);
+    const double radius = ringRadius(guide, canvas.camera);
+    switch (guide.shape) {
+    case Guide::Shape::cross:
+        drawCross(canvas, a);
+        break;
+    case Guide::Shape::ring:
+        canvas.painter.setPen(dashed(canvas.tokens().ink3, 1.2, {2.0, 4.0}));
+        canvas.painter.drawEllipse(a, radius, radius);
+        break;
+    case Guide::Shape::arrow:
+        drawArrow(canvas.painter, guideArrow(guide, canvas.shown, canvas.camera, canvas.theme),
+                  canvas.tokens().scene);
+        break;
+    case Guide::Shape::line:
+        canvas.painter.setPen(dashed(canvas.tokens().ink2, 1.2, {5.0, 4.0}));
+        canvas.painter.drawLine(canvas.cut(a, canvas.camera.at(guide.b)));
+        break;
+    case Guide::Shape::angle:
+        drawAngle(canvas, guide);
+        break;
+    }
+}
+
+/// Text that stays readable over lines.
+void drawLabel(const Canvas &canvas, const GuideLabel &label)
+{
+    const QFontMetricsF metrics(canvas.shown.text);
+    QPainterPath path;
+    path.addText(label.box.left(), label.box.top() + metrics.ascent(), canvas.shown.text, label.text);
+    canvas.painter.strokePath(path, solid(canvas.tokens().scene, 4.0));
+    canvas.painter.setPen(canvas.tokens().ink2);
+    canvas.painter.setFont(canvas.shown.text);
+    canvas.painter.drawText(label.box.topLeft() + QPointF(0.0, metrics.ascent()), label.text);
+}
+
+}
+
+void GuideLayer::draw(const Canvas &canvas) const
+{
+    if (!canvas.shown.extras.guides)
+        return;
+    for (const Guide &guide : canvas.shown.picture.guides)
+        drawGuide(canvas, guide);
+    for (const GuideLabel &label : guideLabels(canvas.shown, canvas.camera, canvas.area))
+        drawLabel(canvas, label);
+}
+
+}

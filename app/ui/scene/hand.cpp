@@ -1,0 +1,64 @@
+#include "app/ui/scene/hand.h"
+
+#include <QLineF>
+
+namespace app {
+
+namespace {
+
+constexpr double reach = 12.0;     ///< px of the screen
+constexpr double clickSlack = 3.0; ///< px of the screen that a click may move
+
+}
+
+int Hand::bodyAt(const Shown &shown, const Camera &camera, QPointF place)
+{
+    int nearest = -1;
+    double least = 0.0;
+    for (int i = 0; i < shown.points(); ++i) {
+        const double distance = QLineF(camera.at(shown.state().at(i)), place).length();
+        if (distance > std::max(reach, camera.radius(shown.radius(i))))
+            continue;
+        if (nearest < 0 || distance < least) {
+            nearest = i;
+            least = distance;
+        }
+    }
+    return nearest;
+}
+
+void Hand::press(const QString &body, sim::Vec2 where, sim::Vec2 place, QPointF pointer)
+{
+    m_body = body;
+    m_offset = where - place;
+    m_pressed = pointer;
+    m_holds = m_session.isPlaying();
+    if (m_holds)
+        m_session.grab(body);
+    else
+        m_session.select(body);
+}
+
+void Hand::carry(sim::Vec2 place, QPointF pointer)
+{
+    if (!m_body)
+        return;
+    if (!m_holds) {
+        if (QLineF(m_pressed, pointer).length() < clickSlack)
+            return;
+        m_holds = true;
+        m_session.grab(*m_body);
+    }
+    m_session.moveHand(place + m_offset);
+}
+
+void Hand::letGo()
+{
+    const bool held = m_holds;
+    m_body.reset();
+    m_holds = false;
+    if (held)
+        m_session.letGo();
+}
+
+}

@@ -1,0 +1,246 @@
+#include "app/ui/scene/overlay.h"
+
+#include "app/ui/scene/arrows.h"
+#include "app/ui/scene/body_text.h"
+#include "app/ui/scene/guide_labels.h"
+#include "app/ui/scene/label_places.h"
+
+#include <QCoreApplication>
+
+#include <array>
+#include <cmath>
+
+namespace app {
+
+namespace {
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(SceneOverlay)
+};
+
+constexpr double margin = 20.0;
+constexpr double lowest = 20.0;        ///< of the bottom lines' marks, above the edge
+constexpr double longestScale = 150.0; ///< px of the screen
+constexpr double legendRow = 20.0;
+constexpr double nameHeight = 20.0;
+constexpr double legendGap = 24.0;
+constexpr double scaleRoom = 220.0; ///< what the scale and its number take of the width
+constexpr double captionRoom = 36.0;
+constexpr double bottomRoom = 36.0;
+constexpr double edge = 8.0;
+constexpr double besideWall = 12.0;
+constexpr double captionShift = 120.0; ///< the farthest that a wall moves the caption
+
+/// The longest of 1, 2, 5, 10, 20... px of the scene that is not longer than longestScale on the screen.
+double scaleLength(double zoom)
+{
+    const double most = longestScale / zoom;
+    const double power = std::pow(10.0, std::floor(std::log10(most)));
+    double best = power;
+    for (const double step : std::array{1.0, 2.0, 5.0}) {
+        if (step * power <= most)
+            best = step * power;
+    }
+    return best;
+}
+
+QString plain(double value)
+{
+    return QString::number(value, 'g', 6);
+}
+
+}
+
+/// A mark and what it means.
+struct Overlay::Entry
+{
+    enum class Mark { pull, velocity, sum, ghost };
+    Mark mark;
+    double width;
+    QString text;
+};
+
+QRectF Overlay::freeArea(QRectF view) const
+{
+    const double top = m_shown.caption.isEmpty() ? edge : captionRoom;
+    return view.adjusted(edge, top, -edge, -bottomRoom);
+}
+
+std::vector<EdgeMarker> Overlay::markers(const Camera &camera, QRectF view) const
+{
+    std::vector<QRectF> taken = bodyBoxes(m_shown, camera);
+    taken.push_back(nameBox(camera, view));
+    return edgeMarkers(m_shown, camera, view, freeArea(view).adjusted(4, 4, -4, -8), std::move(taken));
+}
+
+std::vector<QRectF> Overlay::takenBoxes(const Camera &camera, QRectF view,
+                                        const std::vector<EdgeMarker> &outside) const
+{
+    std::vector<QRectF> taken = bodyBoxes(m_shown, camera);
+    for (const Arrow &arrow : pullArrows(m_shown, camera, m_theme))
+        taken.push_back(arrow.bounds());
+    for (const EdgeMarker &marker : outside)
+        taken.insert(taken.end(), {marker.head(), marker.label});
+    for (const GuideLabel &label : guideLabels(m_shown, camera, view))
+        taken.push_back(label.box);
+    return taken;
+}
+
+void Overlay::draw(QPainter &painter, const Camera &camera, QRectF view) const
+{
+    if (m_shown.points() == 0)
+        return;
+    painter.setFont(m_shown.text);
+    const std::vector<EdgeMarker> outside = markers(camera, view);
+    drawEdgeMarkers(painter, m_shown, m_theme, outside);
+    if (hasCard())
+        drawPullCard(painter, m_shown, m_theme, camera, freeArea(view), takenBoxes(camera, view, outside));
+    else
+        drawName(painter, nameBox(camera, view));
+    drawCaption(painter, camera);
+    const double end = drawScale(painter, camera, view);
+    drawLegend(painter, view, end);
+    if (m_shown.focusVisible)
+        drawFocus(painter, view);
+}
+
+void Overlay::drawCaption(QPainter &painter, const Camera &camera) const
+{
+    if (m_shown.caption.isEmpty())
+        return;
+    double x = margin;
+    if (const std::optional<sim::Room> &room = m_shown.picture.look.room) {
+        const double wall = camera.at({room->left, room->floor}).x();
+        if (wall > margin - besideWall && wall < captionShift)
+            x = std::round(wall + besideWall); // no line runs through the words
+    }
+    painter.setFont(m_shown.text);
+    painter.setPen(m_theme.tokens().ink2);
+    painter.drawText(QPointF(x, margin + 4.0), m_shown.caption);
+}
+
+double Overlay::drawScale(QPainter &painter, const Camera &camera, QRectF view) const
+{
+    const double px = scaleLength(camera.zoom);
+    const double y = std::round(view.bottom() - lowest) - 0.5;
+    const double x = margin + 0.5;
+    const double end = x + std::round(px * camera.zoom);
+    painter.setPen(QPen(m_theme.tokens().ink3, 1.3, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawPolyline(QPolygonF{{x, y - 4.0}, {x, y}, {end, y}, {end, y - 4.0}});
+    const QString text = Text::tr("%1\u2009px").arg(plain(px));
+    painter.setFont(m_shown.text);
+    painter.drawText(QPointF(end + 10.0, y + 2.5), text);
+    return end + 10.0 + QFontMetricsF(m_shown.text).horizontalAdvance(text);
+}
+
+std::vector<Overlay::Entry> Overlay::legend() const
+{
+    std::vector<Entry> entries;
+    if (m_shown.ghost && m_shown.extras.ghost)
+        entries.push_back({Entry::Mark::ghost, 30.0, m_shown.ghostName});
+    if (m_shown.extras.velocities)
+        entries.push_back({Entry::Mark::velocity, unitArrow + 8.0,
+                           Text::tr("%1\u2009px/frame").arg(plain(m_shown.velocityUnit))});
+    if (m_shown.hasPulls)
+        entries.push_back(
+            {Entry::Mark::pull, unitArrow + 8.0, Text::tr("%1\u2009px/frame²").arg(plain(m_shown.pullUnit))});
+    if (m_shown.hasSum())
+        entries.push_back({Entry::Mark::sum, unitArrow + 2.0, Text::tr("sum so far")});
+    return entries;
+}
+
+void Overlay::drawLegend(QPainter &painter, QRectF view, double from) const
+{
+    const QFontMetricsF metrics(m_shown.text);
+    const double left = std::max(from + legendGap, margin);
+    double x = view.right() - margin;
+    double y = std::round(view.bottom() - lowest) + 2.0;
+    std::vector<Entry> entries = legend();
+    for (auto entry = entries.rbegin(); entry != entries.rend(); ++entry) {
+        // Long names of ghosts, in narrow views, lose their end rather than cover the scale.
+        const double most = view.right() - margin - left - entry->width;
+        entry->text = metrics.elidedText(entry->text, Qt::ElideRight, most);
+        const double width = entry->width + metrics.horizontalAdvance(entry->text);
+        if (x - width < left) {
+            x = view.right() - margin;
+            y -= legendRow;
+        }
+        drawEntry(painter, *entry, {x - width, y});
+        x -= width + legendGap;
+    }
+}
+
+void Overlay::drawEntry(QPainter &painter, const Entry &entry, QPointF at) const
+{
+    const Tokens &t = m_theme.tokens();
+    const QPointF mark = at - QPointF(0.0, 4.5);
+    switch (entry.mark) {
+    case Entry::Mark::pull:
+        drawArrow(painter, {mark, {unitArrow, 0.0}, {t.ink3, 2.0}}, t.scene);
+        break;
+    case Entry::Mark::velocity:
+        drawArrow(painter, {mark, {unitArrow, 0.0}, velocityStyle(m_theme)}, t.scene);
+        break;
+    case Entry::Mark::sum:
+        drawArrow(painter, {mark, {30.0, 0.0}, sumStyle(m_theme)}, t.scene);
+        break;
+    case Entry::Mark::ghost:
+        painter.setPen(dashed(t.ghost, 2.0, {3.0, 4.0}));
+        painter.drawLine(mark, mark + QPointF(22.0, 0.0));
+        break;
+    }
+    painter.setFont(m_shown.text);
+    painter.setPen(t.ink3);
+    painter.drawText(at + QPointF(entry.width, 0.0), entry.text);
+}
+
+QString Overlay::name() const
+{
+    const auto point = static_cast<std::size_t>(m_shown.selected);
+    return bodyTitle(QString::fromStdString(m_shown.picture.segment->scene.names[point]));
+}
+
+QRectF Overlay::nameBox(const Camera &camera, QRectF view) const
+{
+    if (m_shown.selected < 0 || hasCard())
+        return {};
+    const QPointF centre = camera.at(m_shown.state().at(m_shown.selected));
+    const double radius = camera.radius(m_shown.radius(m_shown.selected));
+    if (!view.adjusted(-radius, -radius, radius, radius).contains(centre))
+        return {};
+    const double width = std::ceil(QFontMetricsF(m_shown.text).horizontalAdvance(name())) + 26.0;
+    const QRectF free = freeArea(view);
+    double y = centre.y() + radius + 11.0;
+    if (y + nameHeight > free.bottom())
+        y = centre.y() - radius - 11.0 - nameHeight;
+    y = std::clamp(y, free.top(), free.bottom() - nameHeight);
+    const double x = std::clamp(centre.x() - 8.0, free.left(), std::max(free.left(), free.right() - width));
+    return {std::round(x) + 0.5, std::round(y) + 0.5, width, nameHeight};
+}
+
+void Overlay::drawName(QPainter &painter, QRectF box) const
+{
+    if (box.isEmpty())
+        return;
+    painter.setPen(QPen(m_theme.tokens().line2, 1.0));
+    painter.setBrush(m_theme.tokens().scene);
+    painter.drawRoundedRect(box, 5.0, 5.0);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(m_theme.tokens().body);
+    painter.drawRoundedRect(QRectF(box.left() + 7.0, box.top() + 7.0, 6.0, 6.0), 1.5, 1.5);
+    painter.setFont(m_shown.text);
+    painter.setPen(m_theme.tokens().ink);
+    painter.drawText(QPointF(box.left() + 18.0, box.top() + 14.0), name());
+    painter.setBrush(Qt::NoBrush);
+}
+
+void Overlay::drawFocus(QPainter &painter, QRectF view) const
+{
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(m_theme.tokens().ink, 2.0));
+    painter.drawRoundedRect(view.adjusted(2.0, 2.0, -2.0, -2.0), 6.0, 6.0);
+}
+
+}

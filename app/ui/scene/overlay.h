@@ -1,0 +1,47 @@
+#pragma once
+
+#include "app/ui/scene/edge_markers.h"
+
+namespace app {
+
+/// What lies over the picture and keeps its place and size at every zoom: caption, scale, legends, the selected
+/// body's name or its card of pulls, and signs for bodies outside.
+class Overlay
+{
+public:
+    Overlay(const Shown &shown, const Theme &theme) : m_shown(shown), m_theme(theme) {}
+
+    void draw(QPainter &painter, const Camera &camera, QRectF view) const;
+    /// The signs for bodies outside of `view`.
+    std::vector<EdgeMarker> markers(const Camera &camera, QRectF view) const;
+
+private:
+    struct Entry;
+
+    /// The part of `view` that caption, scale and legends leave free.
+    QRectF freeArea(QRectF view) const;
+    std::vector<Entry> legend() const;
+    void drawCaption(QPainter &painter, const Camera &camera) const;
+    /// Returns where it ends.
+    double drawScale(QPainter &painter, const Camera &camera, QRectF view) const;
+    void drawLegend(QPainter &painter, QRectF view, double from) const;
+    void drawEntry(QPainter &painter, const Entry &entry, QPointF at) const;
+    bool hasCard() const { return !m_shown.gathered.empty() && m_shown.selected >= 0; }
+    QString name() const;
+    /// Where the selected body's name stands; empty if it does not.
+    QRectF nameBox(const Camera &camera, QRectF view) const;
+    void drawName(QPainter &painter, QRectF box) const;
+    /// What a card must not cover.
+    std::vector<QRectF> takenBoxes(const Camera &camera, QRectF view,
+                                   const std::vector<EdgeMarker> &outside) const;
+    void drawFocus(QPainter &painter, QRectF view) const;
+
+    const Shown &m_shown;
+    const Theme &m_theme;
+};
+
+/// The card of a stop inside a frame: what each effect pulls with at the selected body, and the sum.
+void drawPullCard(QPainter &painter, const Shown &shown, const Theme &theme, const Camera &camera,
+                  QRectF free, std::vector<QRectF> taken);
+
+}

@@ -1,0 +1,255 @@
+#include "app/ui/scene/scene_bar.h"
+
+#include "app/model/sentences.h"
+#include "app/ui/scene/flat_button.h"
+#include "app/ui/scene/scene_view.h"
+#include "sim/error.h"
+#include "sim/methods/methods.h"
+
+#include <QActionGroup>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QPainter>
+#include <QWidgetAction>
+
+#include <array>
+#include <cmath>
+
+namespace app {
+
+namespace {
+
+constexpr int barHeight = 36;
+
+const std::array offeredSteps{1.0 / 64, 1.0 / 32, 1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0, 2.0};
+
+/// An action of `menu` that one of its group is on.
+QAction *choice(QMenu &menu, QActionGroup &group, const QString &text, const QVariant &data)
+{
+    QAction *action = menu.addAction(text);
+    action->setCheckable(true);
+    action->setData(data);
+    group.addAction(action);
+    return action;
+}
+
+}
+
+QString stepTitle(double h)
+{
+    const double parts = std::round(1.0 / h);
+    if (h < 1.0 && std::abs(parts * h - 1.0) < 1e-9)
+        return SceneBar::tr("1/%1 frame").arg(parts, 0, 'f', 0);
+    if (h == 1.0)
+        return SceneBar::tr("1 frame");
+    return SceneBar::tr("%1 frames").arg(QString::number(h, 'g', 6));
+}
+
+double stepFromText(const QString &text)
+{
+    QString number = text.section(' ', 0, 0).trimmed();
+    number.replace(',', '.');
+    bool isNumber = false;
+    const double above = number.section('/', 0, 0).toDouble(&isNumber);
+    if (!isNumber)
+        return 0.0;
+    if (!number.contains('/'))
+        return above;
+    const double below = number.section('/', 1).toDouble(&isNumber);
+    return isNumber && below != 0.0 ? above / below : 0.0;
+}
+
+SceneBar::SceneBar(Session &session, const Theme &theme, QWidget *parent)
+    : QWidget(parent), m_session(session), m_theme(theme)
+{
+    setFixedHeight(barHeight);
+    m_method = button(tr("How the run is computed from one step to the next"));
+    m_step = button(tr("How much time one step of the method covers"));
+    m_show = button(tr("What the picture shows besides the creature"));
+    m_zoom = button(tr("Zoom to 100\u2009%"));
+    m_fit = button(tr("Show the whole stage (Ctrl+0)"));
+    m_show->setIconName("show");
+    m_show->setTexts({}, tr("Show"));
+    m_fit->setIconName("fit");
+    m_fit->setFixedSize(28, 28);
+    m_fit->setAccessibleName(tr("Fit"));
+    auto *row = new QHBoxLayout(this);
+    row->setContentsMargins(8, 0, 8, 0);
+    row->setSpacing(0);
+    row->addWidget(m_method);
+    row->addWidget(m_step);
+    row->addStretch(1);
+    row->addWidget(m_show);
+    row->addWidget(m_zoom);
+    row->addWidget(m_fit);
+    fillMethods();
+    fillSteps();
+    connect(&session, &Session::stepOpened, this, &SceneBar::showValues);
+    connect(&session, &Session::runChanged, this, &SceneBar::showValues);
+    connect(&theme, &Theme::changed, this, qOverload<>(&QWidget::update));
+    showValues();
+}
+
+FlatButton *SceneBar::button(const QString &tip)
+{
+    auto *made = new FlatButton(m_theme, this);
+    made->setToolTip(tip);
+    return made;
+}
+
+void SceneBar::fillMethods()
+{
+    auto *menu = new QMenu(m_method);
+    auto *group = new QActionGroup(menu);
+    for (const sim::MethodPtr &method : sim::allMethods())
+        choice(*menu, *group, phrase(method->title()), QString::fromStdString(method->id()));
+    connect(group, &QActionGroup::triggered, this, [this](QAction *action) {
+        m_session.setMethod(action->data().toString());
+        showValues(); // a method that does not fit was refused: the mark goes back
+    });
+    connect(menu, &QMenu::aboutToShow, this, &SceneBar::showValues);
+    m_method->setMenu(menu);
+}
+
+void SceneBar::fillSteps()
+{
+    m_steps = new QMenu(m_step);
+    auto *group = new QActionGroup(m_steps);
+    group->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
+    for (const double h : offeredSteps)
+        choice(*m_steps, *group, stepTitle(h), h);
+    connect(group, &QActionGroup::triggered, this, [this](QAction *action) {
+        m_session.setStepSize(action->data().toDouble());
+        showValues();
+    });
+    m_steps->addSeparator();
+    addOtherStep();
+    connect(m_steps, &QMenu::aboutToShow, this, [this] {
+        m_why->hide();
+        showValues();
+    });
+    m_step->setMenu(m_steps);
+}
+
+void SceneBar::addOtherStep()
+{
+    auto *content = new QWidget;
+    auto *label = new QLabel(tr("Other:"), content);
+    m_other = new QLineEdit(content);
+    m_other->setFixedWidth(72);
+    m_other->setPlaceholderText(QStringLiteral("1/6"));
+    m_other->setToolTip(tr("1 divided by a whole number, or a whole number, in frames; Enter takes it"));
+    m_other->setAccessibleName(tr("Other step, in frames"));
+    label->setBuddy(m_other);
+    m_why = new QLabel(content);
+    m_why->setObjectName("caption");
+    m_why->setWordWrap(true);
+    m_why->setFixedWidth(180);
+    m_why->hide();
+    auto *grid = new QGridLayout(content);
+    grid->setContentsMargins(10, 4, 10, 4);
+    grid->addWidget(label, 0, 0);
+    grid->addWidget(m_other, 0, 1);
+    grid->addWidget(new QLabel(tr("frames"), content), 0, 2);
+    grid->addWidget(m_why, 1, 0, 1, 3);
+    auto *action = new QWidgetAction(m_steps);
+    action->setDefaultWidget(content);
+    m_steps->addAction(action);
+    connect(m_other, &QLineEdit::returnPressed, this, &SceneBar::takeOtherStep);
+}
+
+void SceneBar::takeOtherStep()
+{
+    const double h = stepFromText(m_other->text());
+    try {
+        sim::StepSize::of(h);
+    } catch (const sim::Error &error) {
+        m_why->setText(sentenceFor(error));
+        m_why->show();
+        m_steps->adjustSize();
+        return;
+    }
+    m_steps->close();
+    m_session.setStepSize(h);
+}
+
+void SceneBar::attach(SceneView &view)
+{
+    m_view = &view;
+    fillShow();
+    connect(&view, &SceneView::zoomChanged, this, &SceneBar::showZoom);
+    connect(m_zoom, &QToolButton::clicked, &view, &SceneView::zoomTo100);
+    connect(m_fit, &QToolButton::clicked, &view, &SceneView::fit);
+    showZoom(view.zoom());
+}
+
+void SceneBar::fillShow()
+{
+    struct Item
+    {
+        QString text;
+        bool Extras::*member;
+    };
+    const std::array items{
+        Item{tr("Trails"), &Extras::trails}, Item{tr("Velocity arrows"), &Extras::velocities},
+        Item{tr("Grid"), &Extras::grid},     Item{tr("Explaining lines"), &Extras::guides},
+        Item{tr("Eyes"), &Extras::eyes},     Item{tr("Ghost"), &Extras::ghost}};
+    auto *menu = new QMenu(m_show);
+    for (const Item &item : items) {
+        QAction *action = menu->addAction(item.text);
+        action->setCheckable(true);
+        action->setChecked(m_view->extras().*item.member);
+        connect(action, &QAction::toggled, this, [this, member = item.member](bool on) {
+            Extras extras = m_view->extras();
+            extras.*member = on;
+            m_view->setExtras(extras);
+        });
+    }
+    m_show->setMenu(menu);
+    arrange();
+}
+
+void SceneBar::showValues()
+{
+    const sim::Script &script = m_session.timeline().script();
+    m_method->setTexts(tr("Method"), phrase(script.method->title()));
+    m_step->setTexts(tr("Step"), stepTitle(script.step.h));
+    for (QAction *action : m_method->menu()->actions())
+        action->setChecked(action->data().toString().toStdString() == script.method->id());
+    for (QAction *action : m_steps->actions()) {
+        if (action->isCheckable())
+            action->setChecked(std::abs(action->data().toDouble() - script.step.h) < 1e-12);
+    }
+    arrange();
+}
+
+void SceneBar::showZoom(double percent)
+{
+    const QString text = tr("%1\u2009%").arg(qRound(percent));
+    m_zoom->setTexts(text, {});
+    m_zoom->setAccessibleName(tr("Zoom %1").arg(text));
+    arrange();
+}
+
+void SceneBar::arrange()
+{
+    int needed = 16 + m_fit->width() + m_zoom->fullWidth() + m_show->fullWidth();
+    needed += m_method->fullWidth() + m_step->fullWidth();
+    m_method->setShort(needed > width());
+    m_step->setShort(needed > width());
+}
+
+void SceneBar::paintEvent(QPaintEvent *)
+{
+    QPainter(this).fillRect(rect(), m_theme.tokens().panel);
+}
+
+void SceneBar::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    arrange();
+}
+
+}

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "app/model/session.h"
+#include "app/ui/theme/theme.h"
+
+#include <QWidget>
+
+class QLabel;
+class QLineEdit;
+class QMenu;
+
+namespace app {
+
+class FlatButton;
+class SceneView;
+
+/// The bar above the scene: method, step, what is shown, zoom. 36 px high.
+class SceneBar : public QWidget
+{
+    Q_OBJECT
+
+public:
+    SceneBar(Session &session, const Theme &theme, QWidget *parent = nullptr);
+
+    /// The view that "Show" and the zoom are about.
+    void attach(SceneView &view);
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
+
+private:
+    FlatButton *button(const QString &tip);
+    void fillMethods();
+    void fillSteps();
+    void addOtherStep();
+    void takeOtherStep();
+    void fillShow();
+    void showValues();
+    void showZoom(double percent);
+    /// Drops captions when not all of the bar finds room.
+    void arrange();
+
+    Session &m_session;
+    const Theme &m_theme;
+    SceneView *m_view = nullptr;
+    FlatButton *m_method;
+    FlatButton *m_step;
+    FlatButton *m_show;
+    FlatButton *m_zoom;
+    FlatButton *m_fit;
+    QMenu *m_steps = nullptr;
+    QLineEdit *m_other = nullptr;
+    QLabel *m_why = nullptr; ///< why a typed step was refused
+};
+
+/// A step as people read it: "1/4 frame", "2 frames".
+QString stepTitle(double h);
+/// The step that a text means: "1/4", "0.25" or "2", with or without a unit; 0 if none.
+double stepFromText(const QString &text);
+
+}

@@ -1,0 +1,228 @@
+// Mouse, wheel and keys of the scene view.
+
+#include "app/ui/scene/body_text.h"
+#include "app/ui/scene/scene_view.h"
+
+#include <QFocusEvent>
+#include <QHelpEvent>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QNativeGestureEvent>
+#include <QToolTip>
+#include <QWheelEvent>
+
+#include <cmath>
+
+namespace app {
+
+namespace {
+
+constexpr double handStep = 10.0;     ///< px that a key carries a body
+constexpr double wheelOctave = 480.0; ///< eighths of a degree that double the zoom
+constexpr double wheelPan = 0.5;      ///< px of the screen an eighth of a degree
+
+/// Two fingers on a pad move the picture; a wheel zooms.
+bool isPad(const QWheelEvent &event)
+{
+    return event.device()->type() == QInputDevice::DeviceType::TouchPad ||
+           event.phase() != Qt::NoScrollPhase || !event.pixelDelta().isNull();
+}
+
+std::optional<sim::Vec2> arrowKey(int key)
+{
+    switch (key) {
+    case Qt::Key_Left:
+        return sim::Vec2{-1.0, 0.0};
+    case Qt::Key_Right:
+        return sim::Vec2{1.0, 0.0};
+    case Qt::Key_Up:
+        return sim::Vec2{0.0, -1.0};
+    case Qt::Key_Down:
+        return sim::Vec2{0.0, 1.0};
+    default:
+        return std::nullopt;
+    }
+}
+
+}
+
+void SceneView::mousePressEvent(QMouseEvent *event)
+{
+    m_pointer = event->position();
+    event->accept();
+    if (event->button() == Qt::LeftButton) {
+        const int point = Hand::bodyAt(m_shown, camera(), m_pointer);
+        if (point >= 0) {
+            m_hand.press(nameOf(point), m_shown.state().at(point), camera().back(m_pointer), m_pointer);
+        } else if (const EdgeMarker *marker = markerAt(m_pointer)) {
+            const QString body = nameOf(marker->point);
+            m_session.select(body);
+            bringBack(body);
+        } else {
+            m_panFrom = m_pointer;
+        }
+    } else if (event->button() == Qt::MiddleButton && !m_hand.isDown()) {
+        m_panFrom = m_pointer;
+    }
+    updateCursor();
+}
+
+void SceneView::mouseDoubleClickEvent(QMouseEvent *event)
+{
+    mousePressEvent(event);
+}
+
+void SceneView::mouseMoveEvent(QMouseEvent *event)
+{
+    m_pointer = event->position();
+    event->accept();
+    if (m_hand.isDown()) {
+        m_hand.carry(camera().back(m_pointer), m_pointer);
+    } else if (m_panFrom) {
+        pan(m_pointer - *m_panFrom);
+        m_panFrom = m_pointer;
+    }
+    updateCursor();
+}
+
+void SceneView::mouseReleaseEvent(QMouseEvent *event)
+{
+    m_pointer = event->position();
+    event->accept();
+    if (event->button() == Qt::LeftButton)
+        m_hand.letGo();
+    if (event->buttons() == Qt::NoButton)
+        m_panFrom.reset();
+    updateCursor();
+}
+
+void SceneView::wheelEvent(QWheelEvent *event)
+{
+    event->accept();
+    const QPointF turn(event->angleDelta());
+    if (isPad(*event) && !(event->modifiers() & Qt::ControlModifier)) {
+        pan(event->pixelDelta().isNull() ? wheelPan * turn : QPointF(event->pixelDelta()));
+        return;
+    }
+    if (turn.y() == 0.0)
+        pan(wheelPan * turn);
+    else
+        setZoom(transform().m11() * std::exp2(turn.y() / wheelOctave), event->position());
+}
+
+void SceneView::keyPressEvent(QKeyEvent *event)
+{
+    const std::optional<sim::Vec2> way = arrowKey(event->key());
+    event->accept();
+    if (way && (event->modifiers() & ~Qt::KeypadModifier) == Qt::AltModifier)
+        carrySelected(handStep * *way);
+    else if (event->key() == Qt::Key_BracketRight)
+        selectNext();
+    else if (event->key() == Qt::Key_BracketLeft)
+        selectPrevious();
+    else if (event->key() == Qt::Key_Escape && m_hand.isDown())
+        m_hand.letGo();
+    else
+        event->ignore(); // arrows and Page Up belong to the window, not to the scroll bars
+    updateCursor();
+}
+
+void SceneView::selectBeside(int step)
+{
+    const int count = m_shown.points();
+    if (count == 0)
+        return;
+    const int from = m_shown.selected < 0 ? (step > 0 ? -1 : 0) : m_shown.selected;
+    const int next = (from + step + count) % count;
+    m_session.select(nameOf(next));
+    if (!viewRect().contains(camera().at(m_shown.state().at(next))))
+        bringBack(nameOf(next));
+}
+
+void SceneView::carrySelected(sim::Vec2 by)
+{
+    if (m_shown.selected < 0 || m_hand.isDown())
+        return;
+    const QString body = nameOf(m_shown.selected);
+    const sim::Vec2 from = m_shown.state().at(m_shown.selected);
+    m_session.grab(body);
+    m_session.moveHand(from + by);
+    m_session.letGo();
+}
+
+void SceneView::focusInEvent(QFocusEvent *event)
+{
+    m_shown.focusVisible = event->reason() == Qt::TabFocusReason ||
+                           event->reason() == Qt::BacktabFocusReason ||
+                           event->reason() == Qt::ShortcutFocusReason;
+    QGraphicsView::focusInEvent(event);
+    viewport()->update();
+}
+
+void SceneView::focusOutEvent(QFocusEvent *event)
+{
+    m_hand.letGo();
+    m_panFrom.reset();
+    m_shown.focusVisible = false;
+    QGraphicsView::focusOutEvent(event);
+    updateCursor();
+    viewport()->update();
+}
+
+bool SceneView::viewportEvent(QEvent *event)
+{
+    if (event->type() == QEvent::Leave) {
+        m_pointer = {-1.0, -1.0};
+    } else if (event->type() == QEvent::NativeGesture) {
+        pinch(*static_cast<QNativeGestureEvent *>(event));
+        return true;
+    } else if (event->type() == QEvent::ToolTip) {
+        const auto *help = static_cast<QHelpEvent *>(event);
+        QToolTip::showText(help->globalPos(), tipAt(help->pos()), viewport());
+        return true;
+    }
+    return QGraphicsView::viewportEvent(event);
+}
+
+void SceneView::pinch(const QNativeGestureEvent &gesture)
+{
+    if (gesture.gestureType() == Qt::ZoomNativeGesture)
+        setZoom(transform().m11() * (1.0 + gesture.value()), gesture.position());
+}
+
+const EdgeMarker *SceneView::markerAt(QPointF place)
+{
+    m_markers = m_overlay.markers(camera(), viewRect());
+    for (const EdgeMarker &marker : m_markers) {
+        if (marker.contains(place))
+            return &marker;
+    }
+    return nullptr;
+}
+
+QString SceneView::tipAt(QPointF place)
+{
+    const int point = Hand::bodyAt(m_shown, camera(), place);
+    if (point >= 0)
+        return bodySentence(nameOf(point), m_shown.state().at(point), m_shown.state().speed(point));
+    if (markerAt(place))
+        return tr("Outside of the picture: click to bring it back into view");
+    return {};
+}
+
+void SceneView::updateCursor()
+{
+    Qt::CursorShape shape = Qt::ArrowCursor;
+    if (m_hand.isDown())
+        shape = Qt::ClosedHandCursor;
+    else if (m_panFrom)
+        shape = Qt::SizeAllCursor;
+    else if (viewRect().contains(m_pointer) && Hand::bodyAt(m_shown, camera(), m_pointer) >= 0)
+        shape = Qt::OpenHandCursor;
+    else if (viewRect().contains(m_pointer) && markerAt(m_pointer))
+        shape = Qt::PointingHandCursor;
+    if (viewport()->cursor().shape() != shape)
+        viewport()->setCursor(shape);
+}
+
+}

@@ -1,0 +1,159 @@
+#include "app/ui/scene/scene_view.h"
+
+#include "app/ui/scene/body_text.h"
+#include "app/ui/scene/caption.h"
+#include "app/ui/scene/layers.h"
+
+#include <QScrollBar>
+
+#include <algorithm>
+#include <cmath>
+
+namespace app {
+
+namespace {
+
+constexpr double dotStep = 25.0;    ///< px
+constexpr double dotRadius = 1.3;   ///< px of the screen
+constexpr double densest = 18.0;    ///< px of the screen between two dots
+constexpr double ghostShows = 1e-9; ///< px: a ghost that is closer to the run is not drawn
+
+bool differ(const Picture &a, const Picture &b)
+{
+    return a.state.points() != b.state.points() ||
+           ((a.state.position - b.state.position).abs() > ghostShows).any();
+}
+
+}
+
+SceneView::SceneView(Session &session, const Theme &theme, QWidget *parent)
+    : QGraphicsView(parent), m_session(session), m_theme(theme), m_overlay(m_shown, theme), m_hand(session)
+{
+    setFrameShape(QFrame::NoFrame);
+    setRenderHint(QPainter::Antialiasing);
+    setViewportUpdateMode(QGraphicsView::FullViewportUpdate);
+    setOptimizationFlags(DontSavePainterState | DontAdjustForAntialiasing);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setTransformationAnchor(NoAnchor);
+    setResizeAnchor(AnchorViewCenter);
+    setFocusPolicy(Qt::StrongFocus);
+    setMinimumSize(240, 160);
+    setAccessibleName(tr("Scene"));
+    viewport()->setMouseTracking(true);
+
+    m_scene.setItemIndexMethod(QGraphicsScene::NoIndex);
+    m_scene.setSceneRect(-worldReach, -worldReach, 2.0 * worldReach, 2.0 * worldReach);
+    m_scene.addItem(new RoomLayer(m_shown, theme));
+    m_scene.addItem(new GhostLayer(m_shown, theme));
+    m_scene.addItem(new TrailLayer(m_shown, theme));
+    m_scene.addItem(new LegLayer(m_shown, theme));
+    m_scene.addItem(new BodyLayer(m_shown, theme));
+    m_scene.addItem(new GuideLayer(m_shown, theme));
+    m_scene.addItem(new ArrowLayer(m_shown, theme));
+    setScene(&m_scene);
+
+    connect(&session, &Session::stepOpened, this, &SceneView::open);
+    connect(&session, &Session::moved, this, &SceneView::refresh);
+    connect(&session, &Session::runChanged, this, &SceneView::refresh);
+    connect(&session, &Session::selectionChanged, this, &SceneView::refresh);
+    connect(&session, &Session::playingChanged, this, &SceneView::refresh);
+    connect(&theme, &Theme::changed, this, &SceneView::readTheme);
+    readTheme();
+    open();
+}
+
+SceneView::~SceneView()
+{
+    // The scene dies before the view does: the view must not ask it anything then.
+    setScene(nullptr);
+}
+
+void SceneView::readTheme()
+{
+    m_shown.text = m_theme.ui(12);
+    m_shown.figures = m_theme.ui(12, QFont::DemiBold);
+    viewport()->update();
+}
+
+void SceneView::open()
+{
+    m_hand.letGo();
+    m_shown.trail.clear();
+    refresh();
+    showHome();
+}
+
+void SceneView::refresh()
+{
+    const sim::Timeline &timeline = m_session.timeline();
+    m_shown.picture = m_session.picture();
+    m_shown.ghost = m_session.ghost();
+    if (m_shown.ghost && !differ(*m_shown.ghost, m_shown.picture))
+        m_shown.ghost.reset();
+    m_shown.ghostName = m_session.ghostName();
+    m_shown.gathered = m_session.gathered();
+    m_shown.caption = frameCaption(timeline);
+    m_shown.trail.follow(timeline);
+    m_shown.selected = m_shown.picture.segment->scene.find(m_session.selected().toStdString());
+    measureArrows(m_shown, m_session.isPlaying());
+    if (!m_session.isPlaying())
+        describe();
+    updateCursor();
+    viewport()->update();
+}
+
+void SceneView::describe()
+{
+    QString text;
+    if (m_shown.selected >= 0)
+        text = bodySentence(m_session.selected(), m_shown.state().at(m_shown.selected),
+                            m_shown.state().speed(m_shown.selected));
+    if (!m_shown.caption.isEmpty())
+        text += ". " + m_shown.caption;
+    if (text != accessibleDescription())
+        setAccessibleDescription(text);
+}
+
+QString SceneView::nameOf(int point) const
+{
+    return QString::fromStdString(m_shown.picture.segment->scene.names[static_cast<std::size_t>(point)]);
+}
+
+void SceneView::setExtras(const Extras &extras)
+{
+    m_shown.extras = extras;
+    refresh();
+}
+
+void SceneView::drawBackground(QPainter *painter, const QRectF &)
+{
+    const QTransform toView = painter->worldTransform();
+    const QRectF area = viewRect();
+    painter->setWorldTransform({});
+    painter->fillRect(area, m_theme.tokens().scene);
+    if (m_shown.extras.grid) {
+        double step = dotStep * toView.m11();
+        while (step < densest)
+            step *= 2.0;
+        const double left = std::fmod(toView.dx(), step) - step;
+        const double top = std::fmod(toView.dy(), step) - step;
+        painter->setPen(Qt::NoPen);
+        painter->setBrush(m_theme.tokens().dots);
+        for (double y = top; y < area.bottom() + step; y += step) {
+            for (double x = left; x < area.right() + step; x += step)
+                painter->drawEllipse(QPointF(x, y), dotRadius, dotRadius);
+        }
+    }
+    painter->setWorldTransform(toView);
+}
+
+void SceneView::drawForeground(QPainter *painter, const QRectF &)
+{
+    const QTransform toView = painter->worldTransform();
+    painter->setWorldTransform({});
+    m_overlay.draw(*painter, Camera(toView), viewRect());
+    painter->setWorldTransform(toView);
+}
+
+}

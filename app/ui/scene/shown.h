@@ -1,0 +1,65 @@
+#pragma once
+
+#include "app/model/session.h"
+#include "app/ui/scene/trail.h"
+#include "app/ui/theme/theme.h"
+
+#include <QFont>
+
+#include <optional>
+#include <vector>
+
+namespace app {
+
+/// What the scene view can show besides the creature.
+struct Extras
+{
+    bool trails = true;
+    bool velocities = false;
+    bool grid = true;
+    bool guides = true;
+    bool eyes = true;
+    bool ghost = true;
+};
+
+/// All that is drawn at one moment: the layers and the overlay read this and nothing else.
+struct Shown
+{
+    Picture picture;
+    std::optional<Picture> ghost;        ///< only where it differs from the picture
+    QString ghostName;                   ///< what the ghost differs by
+    std::vector<sim::Gathered> gathered; ///< inside a frame: accelerations that no move has spent yet
+    QString caption;                     ///< inside a frame: what has been done, in words
+    Trail trail;
+    Extras extras;
+    int selected = -1;         ///< a point, or -1
+    double pullUnit = 1.0;     ///< px/frame^2 that the legend's arrow stands for
+    double velocityUnit = 1.0; ///< px/frame that the legend's arrow stands for
+    bool hasPulls = false;     ///< whether any arrow in px/frame^2 is drawn
+    bool focusVisible = false; ///< the keyboard is here
+    QFont text;                ///< captions and labels
+    QFont figures;             ///< numbers that matter
+
+    const sim::State &state() const { return picture.state; }
+    int points() const { return picture.segment ? picture.state.points() : 0; }
+    double radius(int point) const { return picture.look.bodies[static_cast<std::size_t>(point)].radius; }
+    bool isBody(int point) const
+    {
+        return picture.look.bodies[static_cast<std::size_t>(point)].shape == lessons::BodyLook::Shape::body;
+    }
+    /// The sum of what is gathered on the selected body.
+    sim::Vec2 sumOnSelected() const;
+    bool hasSum() const { return selected >= 0 && gathered.size() > 1; }
+};
+
+/// What the arrow of a legend stands for, so that the longest of the arrows drawn to that scale stays readable:
+/// 1, 2 or 5 times a power of ten. While `settled` is given and fits well enough, it stays.
+double arrowUnit(double longest, std::optional<double> settled);
+
+/// How long the legend's arrow is, in px of the screen.
+constexpr double unitArrow = 38.0;
+
+/// Renews the units of `shown`. While the run plays a scale that still fits is kept, so that arrows do not jump.
+void measureArrows(Shown &shown, bool playing);
+
+}

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <QObject>
+#include <QPointer>
+
+class QFocusFrame;
+class QWidget;
+
+namespace app {
+
+/// Puts a ring round the standard control that has the focus: fields always, others once the keyboard is used.
+/// Widgets that draw their own get none.
+class FocusRing : public QObject
+{
+    Q_OBJECT
+
+public:
+    static constexpr int gap = 1;
+    static constexpr int width = 2;
+
+    explicit FocusRing(QObject *parent = nullptr);
+    ~FocusRing() override;
+
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
+private:
+    void follow(QWidget *widget);
+    void show();
+    void hide();
+
+    QPointer<QWidget> m_widget;
+    QPointer<QFocusFrame> m_frame;
+};
+
+}

@@ -1,0 +1,252 @@
+#include "app/ui/time/phase_strip.h"
+
+#include "app/model/sentences.h"
+
+#include <QFontMetricsF>
+#include <QPainterPath>
+#include <QRegularExpression>
+
+#include <algorithm>
+#include <numeric>
+
+namespace app {
+
+namespace {
+
+constexpr double tip = 7.0;           ///< how far the present phase points into the next
+constexpr double markAndGap = 14.0;   ///< the square or tick before a name
+constexpr double leastPadding = 12.0; ///< of a name, both sides together
+constexpr double captionLead = 10.0;
+constexpr double corner = 7.0;
+
+QString groupTitle(const sim::Segment &segment, const sim::Phase &phase)
+{
+    const std::vector<sim::Group> &groups = segment.scene.groups;
+    const bool known = phase.group >= 0 && phase.group < static_cast<int>(groups.size());
+    return known ? phrase(groups[static_cast<std::size_t>(phase.group)].title) : QString();
+}
+
+bool goesByGroups(const std::vector<sim::Phase> &phases)
+{
+    return std::any_of(phases.begin(), phases.end(),
+                       [&](const sim::Phase &phase) { return phase.group != phases.front().group; });
+}
+
+QString withWidestDigits(QString text)
+{
+    static const QRegularExpression digit("\\d");
+    return text.replace(digit, "0");
+}
+
+}
+
+void PhaseStrip::setContent(const sim::Segment &segment, const Position &position)
+{
+    const std::vector<sim::Phase> &phases = segment.pipeline.phases;
+    m_cells.clear();
+    m_captions.clear();
+    const QString step = stepOf(position);
+    m_hasStep = !step.isEmpty();
+    if (m_hasStep) {
+        Position last = position;
+        last.step = position.steps - 1;
+        m_captions.push_back({step, withWidestDigits(stepOf(last))});
+    }
+    const bool byGroups = goesByGroups(phases);
+    for (std::size_t i = 0; i < phases.size(); ++i) {
+        Cell cell;
+        cell.title = phrase(phases[i].title);
+        cell.kind = phases[i].kind;
+        const int index = static_cast<int>(i);
+        if (index < position.done)
+            cell.state = index == position.done - 1 ? State::now : State::done;
+        if (byGroups) {
+            cell.group = groupTitle(segment, phases[i]);
+            cell.opensGroup = i == 0 || phases[i].group != phases[i - 1].group;
+            if (cell.opensGroup)
+                m_captions.push_back({cell.group, cell.group, 0, 0, !m_captions.empty()});
+        }
+        m_cells.push_back(std::move(cell));
+    }
+}
+
+void PhaseStrip::measureCaptions(const Theme &theme)
+{
+    const QFontMetricsF metrics(theme.ui(11.5));
+    for (Caption &caption : m_captions)
+        caption.width = captionLead + metrics.horizontalAdvance(caption.widest);
+    if (m_hasStep)
+        m_captions.front().width += captionLead;
+}
+
+std::vector<double> PhaseStrip::widths(double available, const Theme &theme)
+{
+    const QFontMetricsF metrics(theme.ui(12.5, QFont::Medium));
+    std::vector<double> wanted;
+    for (const Cell &cell : m_cells)
+        wanted.push_back(metrics.horizontalAdvance(cell.title) + markAndGap + leastPadding);
+    const double count = static_cast<double>(m_cells.size());
+    const double even = available / count;
+    const double sum = std::accumulate(wanted.begin(), wanted.end(), 0.0);
+    m_names = sum <= available;
+    if (!m_names || *std::max_element(wanted.begin(), wanted.end()) <= even)
+        return std::vector<double>(m_cells.size(), even);
+    for (double &width : wanted)
+        width += (available - sum) / count;
+    return wanted;
+}
+
+void PhaseStrip::arrange(const QRectF &area, const Theme &theme)
+{
+    m_area = area;
+    if (m_cells.empty())
+        return;
+    measureCaptions(theme);
+    double available = area.width();
+    for (const Caption &caption : m_captions)
+        available -= caption.width;
+    const std::vector<double> width = widths(available, theme);
+    double x = area.left();
+    auto caption = m_captions.begin();
+    const auto place = [&] {
+        caption->x = x;
+        x += caption->width;
+        ++caption;
+    };
+    if (m_hasStep)
+        place();
+    for (std::size_t i = 0; i < m_cells.size(); ++i) {
+        if (m_cells[i].opensGroup)
+            place();
+        m_cells[i].area = QRectF(x, area.top(), width[i], area.height());
+        x += width[i];
+    }
+}
+
+int PhaseStrip::phaseAt(const QPointF &place) const
+{
+    for (std::size_t i = 0; i < m_cells.size(); ++i) {
+        if (m_cells[i].area.contains(place))
+            return static_cast<int>(i);
+    }
+    return -1;
+}
+
+QPainterPath PhaseStrip::outline(std::size_t index) const
+{
+    const QRectF area = m_cells[index].area;
+    const double middle = area.center().y();
+    const bool first = index == 0 && m_captions.empty();
+    const bool last = index + 1 == m_cells.size();
+    QPainterPath path;
+    path.moveTo(area.left() + (first ? corner : 0), area.top());
+    if (last) {
+        path.lineTo(area.right() - corner, area.top());
+        path.arcTo(QRectF(area.right() - 2 * corner, area.top(), 2 * corner, 2 * corner), 90, -90);
+        path.arcTo(QRectF(area.right() - 2 * corner, area.bottom() - 2 * corner, 2 * corner, 2 * corner), 0,
+                   -90);
+    } else {
+        path.lineTo(area.right(), area.top());
+        path.lineTo(area.right() + tip, middle);
+        path.lineTo(area.right(), area.bottom());
+    }
+    if (first) {
+        path.lineTo(area.left() + corner, area.bottom());
+        path.arcTo(QRectF(area.left(), area.bottom() - 2 * corner, 2 * corner, 2 * corner), 270, -90);
+        path.arcTo(QRectF(area.left(), area.top(), 2 * corner, 2 * corner), 180, -90);
+    } else {
+        path.lineTo(area.left(), area.bottom());
+        path.lineTo(area.left() + tip, middle);
+    }
+    path.closeSubpath();
+    return path;
+}
+
+bool PhaseStrip::hasChevron(std::size_t index) const
+{
+    const bool last = index + 1 == m_cells.size();
+    if (last || m_cells[index].state == State::now)
+        return false;
+    const Cell &next = m_cells[index + 1];
+    return next.state != State::now && !next.opensGroup;
+}
+
+void PhaseStrip::paintCell(QPainter &painter, const Theme &theme, std::size_t index, bool playing) const
+{
+    const Tokens &t = theme.tokens();
+    const Cell &cell = m_cells[index];
+    const bool now = cell.state == State::now;
+    const QFont font = theme.ui(12.5, now ? QFont::DemiBold : QFont::Medium);
+    const double nameWidth = m_names ? QFontMetricsF(font).horizontalAdvance(cell.title) : -6.0;
+    const double aside = index == 0 && m_captions.empty() ? 0.0 : 3.0;
+    const QPointF mark(cell.area.center().x() + aside - nameWidth / 2 - 3, cell.area.center().y() + 0.5);
+    if (cell.state == State::done) {
+        painter.setPen(QPen(t.ok, 1.7, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        painter.setBrush(Qt::NoBrush);
+        const QPointF tick[] = {mark + QPointF(-4, 0), mark + QPointF(-1.4, 2.6), mark + QPointF(3.6, -2.8)};
+        painter.drawPolyline(tick, 3);
+    } else {
+        painter.setOpacity(now && !playing ? 1.0 : 0.75);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(theme.kindColor(cell.kind));
+        painter.drawRoundedRect(QRectF(mark.x() - 4, mark.y() - 4, 8, 8), 2, 2);
+        painter.setOpacity(1.0);
+    }
+    if (!m_names)
+        return;
+    painter.setFont(font);
+    painter.setPen(now ? t.nowText : cell.state == State::done ? t.ink : t.ink3);
+    painter.drawText(mark + QPointF(10, 4), cell.title);
+}
+
+void PhaseStrip::paint(QPainter &painter, const Theme &theme, bool playing, int hovered) const
+{
+    const Tokens &t = theme.tokens();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(t.line2);
+    painter.setBrush(playing ? t.panel : t.scene);
+    painter.drawRoundedRect(m_area.adjusted(0.5, 0, -0.5, 0), corner, corner);
+    paintCaptions(painter, theme);
+    paintShapes(painter, theme, hovered);
+    for (std::size_t i = 0; i < m_cells.size(); ++i)
+        paintCell(painter, theme, i, playing);
+}
+
+void PhaseStrip::paintCaptions(QPainter &painter, const Theme &theme) const
+{
+    const Tokens &t = theme.tokens();
+    const auto rule = [&](double x) {
+        painter.setPen(t.line2);
+        painter.drawLine(QPointF(x + 0.5, m_area.top() + 0.5), QPointF(x + 0.5, m_area.bottom() - 0.5));
+    };
+    painter.setFont(theme.ui(11.5));
+    for (const Caption &caption : m_captions) {
+        if (caption.rule)
+            rule(caption.x);
+        painter.setPen(t.ink3);
+        painter.drawText(QPointF(caption.x + captionLead, m_area.top() + 17.5), caption.text);
+    }
+    if (m_hasStep && m_captions.size() == 1)
+        rule(m_cells.front().area.left());
+}
+
+void PhaseStrip::paintShapes(QPainter &painter, const Theme &theme, int hovered) const
+{
+    const Tokens &t = theme.tokens();
+    for (std::size_t i = 0; i < m_cells.size(); ++i) {
+        const bool now = m_cells[i].state == State::now;
+        if (now || static_cast<int>(i) == hovered)
+            painter.fillPath(outline(i), now ? t.now : t.hover);
+        if (hasChevron(i)) {
+            const QRectF area = m_cells[i].area;
+            painter.setPen(QPen(t.line2, 1.3));
+            painter.setBrush(Qt::NoBrush);
+            const double middle = area.center().y() - 0.5;
+            const QPointF chevron[] = {
+                {area.right(), area.top() + 5.5}, {area.right() + 5, middle}, {area.right(), middle + 8}};
+            painter.drawPolyline(chevron, 3);
+        }
+    }
+}
+
+}

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "app/ui/theme/theme.h"
+#include "app/ui/time/position.h"
+
+#include <QPainter>
+#include <QRectF>
+
+#include <vector>
+
+namespace app {
+
+/// The phases of one step, side by side: which are done, which was the last, which are to come.
+class PhaseStrip
+{
+public:
+    void setContent(const sim::Segment &segment, const Position &position);
+    /// Gives every phase its place in `area`. Names that do not fit make way for marks.
+    void arrange(const QRectF &area, const Theme &theme);
+    void paint(QPainter &painter, const Theme &theme, bool playing, int hovered) const;
+
+    int count() const { return static_cast<int>(m_cells.size()); }
+    /// The phase at a place, or -1.
+    int phaseAt(const QPointF &place) const;
+    QRectF areaOf(int phase) const { return m_cells[static_cast<std::size_t>(phase)].area; }
+    QString titleOf(int phase) const { return m_cells[static_cast<std::size_t>(phase)].title; }
+    /// What a phase works on, if the step goes group by group.
+    QString groupOf(int phase) const { return m_cells[static_cast<std::size_t>(phase)].group; }
+    bool showsNames() const { return m_names; }
+
+private:
+    enum class State { done, now, toCome };
+    struct Cell
+    {
+        QString title;
+        QString group;
+        sim::Kind kind = sim::Kind::motion;
+        State state = State::toCome;
+        bool opensGroup = false;
+        QRectF area;
+    };
+    struct Caption
+    {
+        QString text;
+        QString widest; ///< what the text could become: places must not jump
+        double x = 0.0;
+        double width = 0.0;
+        bool rule = false; ///< a line before it
+    };
+
+    std::vector<double> widths(double available, const Theme &theme);
+    void measureCaptions(const Theme &theme);
+    QPainterPath outline(std::size_t index) const;
+    bool hasChevron(std::size_t index) const;
+    void paintCaptions(QPainter &painter, const Theme &theme) const;
+    void paintShapes(QPainter &painter, const Theme &theme, int hovered) const;
+    void paintCell(QPainter &painter, const Theme &theme, std::size_t index, bool playing) const;
+
+    std::vector<Cell> m_cells;
+    std::vector<Caption> m_captions; ///< the step's, if it has one, then one a group
+    bool m_hasStep = false;
+    bool m_names = true;
+    QRectF m_area;
+};
+
+}

@@ -1,0 +1,67 @@
+#include "app/ui/time/position.h"
+
+#include "app/model/sentences.h"
+
+#include <QCoreApplication>
+
+namespace app {
+
+namespace {
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(Position)
+};
+
+}
+
+Position positionOf(const sim::Timeline &timeline)
+{
+    const sim::Cursor at = timeline.at();
+    const std::shared_ptr<const sim::Segment> segment = timeline.track().next();
+    Position position;
+    position.frame = at.frame;
+    position.steps = segment->pipeline.step.perRow;
+    position.phases = segment->pipeline.phasesPerStep();
+    if (at.phase > 0) {
+        // Right after a step's last phase that step is shown, all done: what was just computed is what is seen.
+        position.step = (at.phase - 1) / position.phases;
+        position.done = at.phase - position.step * position.phases;
+    }
+    return position;
+}
+
+QString stepOf(const Position &position)
+{
+    if (position.steps == 1)
+        return {};
+    return Text::tr("step %1 of %2").arg(position.step + 1).arg(position.steps);
+}
+
+QString progressOf(const Position &position)
+{
+    if (!position.isInside())
+        return {};
+    const QString phases = Text::tr("%1 of %2 phases done").arg(position.done).arg(position.phases);
+    return position.steps == 1 ? phases : Text::tr("%1, %2").arg(stepOf(position), phases);
+}
+
+QString shortProgressOf(const Position &position)
+{
+    if (!position.isInside())
+        return {};
+    const QString phases = Text::tr("%1 of %2").arg(position.done).arg(position.phases);
+    return position.steps == 1 ? phases : Text::tr("%1, %2").arg(stepOf(position), phases);
+}
+
+QString sentenceOf(const sim::Timeline &timeline)
+{
+    const Position position = positionOf(timeline);
+    if (!position.isInside())
+        return Text::tr("Frame %1").arg(position.frame);
+    const std::shared_ptr<const sim::Segment> segment = timeline.track().next();
+    const QString last = phrase(segment->pipeline.phaseAt(position.done - 1).title);
+    return Text::tr("Frame %1, after %2, %3").arg(position.frame).arg(last, progressOf(position));
+}
+
+}

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "app/ui/theme/theme.h"
+
+#include <QToolButton>
+
+class QActionGroup;
+
+namespace app {
+
+/// "1× 30 frames/s" with a menu of speeds.
+class SpeedButton : public QToolButton
+{
+    Q_OBJECT
+
+public:
+    explicit SpeedButton(const Theme &theme, QWidget *parent = nullptr);
+
+    void setSpeed(double speed);
+    /// Whether there is little room: only the factor is shown.
+    void setBrief(bool brief);
+    /// The next speed of the menu below or above `speed`; `speed` itself if there is none.
+    static double slowerThan(double speed);
+    static double fasterThan(double speed);
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override { return sizeHint(); }
+
+signals:
+    void chosen(double speed);
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+
+private:
+    QString factor() const;
+    QString rate() const;
+
+    const Theme &m_theme;
+    QActionGroup *m_choices;
+    double m_speed = 1.0;
+    bool m_isBrief = false;
+};
+
+}

@@ -1,0 +1,182 @@
+// What mouse, wheel and keyboard do on the timeline.
+#include "app/ui/time/timeline_strip.h"
+
+#include <QContextMenuEvent>
+#include <QHelpEvent>
+#include <QMenu>
+#include <QToolTip>
+
+#include <cstdlib>
+
+namespace app {
+
+namespace {
+
+bool isOnTrack(const QPointF &place)
+{
+    return place.y() < TimelinePlaces::fan;
+}
+
+}
+
+void TimelineStrip::scrubTo(std::int64_t frame)
+{
+    m_session.pause();
+    m_session.goTo({frame, 0});
+}
+
+void TimelineStrip::runTo(int phase)
+{
+    m_session.pause();
+    const Position position = positionOf(m_session.timeline());
+    m_session.goTo({position.frame, position.phaseAfter(phase)});
+}
+
+void TimelineStrip::step(bool forward, bool byPhase)
+{
+    if (byPhase)
+        forward ? m_session.phaseForward() : m_session.phaseBack();
+    else
+        forward ? m_session.frameForward() : m_session.frameBack();
+}
+
+void TimelineStrip::mousePressEvent(QMouseEvent *event)
+{
+    if (event->button() != Qt::LeftButton) {
+        QWidget::mousePressEvent(event);
+        return;
+    }
+    const int phase = m_phases.phaseAt(event->position());
+    if (phase >= 0) {
+        runTo(phase);
+    } else if (isOnTrack(event->position())) {
+        m_scrubbing = true;
+        scrubTo(m_axis.frameAt(event->position().x()));
+    }
+}
+
+void TimelineStrip::mouseMoveEvent(QMouseEvent *event)
+{
+    if (!m_scrubbing) {
+        setHovered(m_phases.phaseAt(event->position()));
+        return;
+    }
+    const std::int64_t frame = m_axis.frameAt(event->position().x());
+    // A hand that trembles within one frame asks for nothing new.
+    if (frame != m_session.goingTo().value_or(this->frame()))
+        scrubTo(frame);
+}
+
+void TimelineStrip::mouseReleaseEvent(QMouseEvent *event)
+{
+    if (event->button() == Qt::LeftButton)
+        m_scrubbing = false;
+}
+
+void TimelineStrip::leaveEvent(QEvent *)
+{
+    setHovered(-1);
+}
+
+void TimelineStrip::setHovered(int phase)
+{
+    if (phase == m_hovered)
+        return;
+    m_hovered = phase;
+    setCursor(phase >= 0 ? Qt::PointingHandCursor : Qt::ArrowCursor);
+    update(0, TimelinePlaces::strip, width(), height() - TimelinePlaces::strip);
+}
+
+void TimelineStrip::wheelEvent(QWheelEvent *event)
+{
+    constexpr int notch = 120;
+    const QPoint turned = event->angleDelta();
+    // Some systems turn a wheel with Shift held into a sideways one.
+    m_wheel += turned.y() != 0 ? turned.y() : turned.x();
+    const bool byPhase = event->modifiers().testFlag(Qt::ShiftModifier);
+    for (; std::abs(m_wheel) >= notch; m_wheel -= m_wheel > 0 ? notch : -notch)
+        step(m_wheel > 0, byPhase);
+    event->accept();
+}
+
+void TimelineStrip::keyPressEvent(QKeyEvent *event)
+{
+    if (!m_byKeyboard)
+        update();
+    m_byKeyboard = true;
+    const bool shift = event->modifiers() == Qt::ShiftModifier;
+    if (event->modifiers() != Qt::NoModifier && event->modifiers() != Qt::KeypadModifier && !shift) {
+        event->ignore();
+        return;
+    }
+    switch (event->key()) {
+    case Qt::Key_Left:
+        return step(false, shift);
+    case Qt::Key_Right:
+        return step(true, shift);
+    case Qt::Key_Home:
+        return m_session.rewind();
+    case Qt::Key_End:
+        return scrubTo(m_session.timeline().computed());
+    default:
+        event->ignore();
+    }
+}
+
+void TimelineStrip::contextMenuEvent(QContextMenuEvent *event)
+{
+    if (!m_view.old) {
+        event->ignore();
+        return;
+    }
+    QMenu *menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    connect(menu->addAction(tr("Forget the old run")), &QAction::triggered, &m_session,
+            &Session::forgetGhost);
+    menu->popup(event->globalPos());
+}
+
+void TimelineStrip::focusInEvent(QFocusEvent *event)
+{
+    m_byKeyboard = event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason ||
+                   event->reason() == Qt::ShortcutFocusReason;
+    update();
+}
+
+void TimelineStrip::focusOutEvent(QFocusEvent *)
+{
+    update();
+}
+
+QString TimelineStrip::hintAt(const QPoint &place) const
+{
+    const int phase = m_phases.phaseAt(place);
+    if (phase >= 0) {
+        const QString group = m_phases.groupOf(phase);
+        const QString title = m_phases.titleOf(phase);
+        return tr("%1: phase %2 of %3. Click to run to it.")
+            .arg(group.isEmpty() ? title : tr("%1, %2").arg(group, title))
+            .arg(phase + 1)
+            .arg(m_phases.count());
+    }
+    if (!isOnTrack(place))
+        return {};
+    if (m_view.old && oldRunArea(m_axis, *m_view.old, m_theme).contains(place))
+        return tr("The old run, %1. Right-click to forget it.").arg(m_view.old->name);
+    return tr("frame %1").arg(m_axis.frameAt(place.x()));
+}
+
+bool TimelineStrip::event(QEvent *event)
+{
+    if (event->type() != QEvent::ToolTip)
+        return QWidget::event(event);
+    const QHelpEvent *help = static_cast<QHelpEvent *>(event);
+    const QString hint = hintAt(help->pos());
+    if (hint.isEmpty())
+        QToolTip::hideText();
+    else
+        QToolTip::showText(help->globalPos(), hint, this);
+    return true;
+}
+
+}

@@ -1,0 +1,171 @@
+#include "app/ui/time/timeline_painter.h"
+
+#include <QFontMetricsF>
+#include <QPainterPath>
+
+#include <algorithm>
+#include <cmath>
+
+namespace app {
+
+namespace {
+
+using Places = TimelinePlaces;
+
+constexpr double labelBaseline = 10.0;
+constexpr double nameGap = 8.0;
+
+/// Where the dots of the old run end and its name begins. The name stays on the screen: near the right end it
+/// takes the place of the last dots, and if there are none before it, it stands left of the fork.
+struct OldRunPlace
+{
+    double from = 0.0;
+    double to = 0.0;
+    double name = 0.0;
+    double nameWidth = 0.0;
+};
+
+OldRunPlace placeOf(const TimelineAxis &axis, const OldRun &old, const Theme &theme)
+{
+    constexpr double bend = 16.0;
+    OldRunPlace place;
+    place.from = axis.xOf(old.fork);
+    place.to = std::max(axis.xOf(old.end), place.from + bend);
+    place.nameWidth = QFontMetricsF(theme.ui(11.5)).horizontalAdvance(old.name);
+    place.name = std::min(place.to + nameGap, axis.right() - place.nameWidth);
+    if (place.name - nameGap >= place.from + bend)
+        place.to = place.name - nameGap;
+    else
+        place.name = std::max(axis.left(), place.from - nameGap - place.nameWidth);
+    return place;
+}
+
+void paintTicks(QPainter &painter, const TimelineAxis &axis, const Theme &theme)
+{
+    const QFont font = theme.ui(11);
+    const QFontMetricsF metrics(font);
+    painter.setFont(font);
+    const double widest = metrics.horizontalAdvance(QString::number(axis.frames()));
+    for (const std::int64_t frame : axis.ticks(widest)) {
+        const double x = axis.xOf(frame);
+        const QString label = QString::number(frame);
+        const double width = metrics.horizontalAdvance(label);
+        const double start = std::clamp(x - width / 2, axis.left(), axis.right() - width);
+        painter.setPen(theme.tokens().ink3);
+        painter.drawText(QPointF(start, labelBaseline), label);
+        const double line = std::min(std::floor(x), axis.right() - 1) + 0.5;
+        painter.setPen(theme.tokens().line2);
+        painter.drawLine(QPointF(line, 13), QPointF(line, 17));
+    }
+}
+
+void paintBar(QPainter &painter, double from, double to, const QColor &color)
+{
+    constexpr double thickness = 6.0;
+    if (to <= from)
+        return;
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(color);
+    const QRectF bar(from, Places::track - thickness / 2, to - from, thickness);
+    painter.drawRoundedRect(bar, 3, 3);
+}
+
+void paintTrack(QPainter &painter, const TimelineAxis &axis, const RunView &view, const Tokens &t)
+{
+    paintBar(painter, axis.left(), axis.right(), t.sunk);
+    paintBar(painter, axis.left(), axis.xOf(view.computed), t.line2);
+    paintBar(painter, axis.left(), axis.xOf(view.at), t.ink2);
+    for (const Stretch &stretch : view.hand) {
+        // What is over in a moment can still be seen.
+        const double from = std::min(axis.xOf(stretch.from), axis.right() - 3);
+        paintBar(painter, from, std::max(axis.xOf(stretch.to), from + 3), t.driver);
+    }
+}
+
+void paintOldRun(QPainter &painter, const TimelineAxis &axis, const OldRun &old, const Theme &theme)
+{
+    const Tokens &t = theme.tokens();
+    const OldRunPlace place = placeOf(axis, old, theme);
+    const double drop = Places::oldRun - Places::track;
+    QPainterPath path({place.from, Places::track});
+    path.cubicTo(QPointF(place.from + 8, Places::track), QPointF(place.from + 6, Places::track + drop),
+                 QPointF(place.from + 16, Places::oldRun));
+    path.lineTo(place.to, Places::oldRun);
+    QPen dots(t.ghost, 3.0, Qt::CustomDashLine, Qt::RoundCap);
+    dots.setDashPattern({1.0 / 3.0, 2.0});
+    painter.setPen(dots);
+    painter.setBrush(Qt::NoBrush);
+    painter.drawPath(path);
+    painter.setPen(QPen(t.ink, 1.5));
+    painter.setBrush(t.panel);
+    painter.drawEllipse(QPointF(place.from, Places::track), 4, 4);
+    painter.setFont(theme.ui(11.5));
+    painter.setPen(t.ink3);
+    painter.drawText(QPointF(place.name, Places::oldRun + 4), old.name);
+}
+
+void paintFan(QPainter &painter, const TimelineAxis &axis, double x, bool playing, const Tokens &t)
+{
+    QColor pale = t.now;
+    pale.setAlphaF(playing ? 0.10F : 0.20F);
+    painter.setPen(QPen(t.now, 2.0, Qt::SolidLine, Qt::FlatCap));
+    painter.drawLine(QPointF(x, Places::track + 5), QPointF(x, Places::fan));
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(pale);
+    const QPointF fan[] = {{x - 1, Places::fan},
+                           {axis.left(), Places::strip},
+                           {axis.right(), Places::strip},
+                           {x + 1, Places::fan}};
+    painter.drawConvexPolygon(fan, 4);
+}
+
+void paintHead(QPainter &painter, double x, const Tokens &t)
+{
+    const double top = Places::track - 10;
+    painter.setPen(QPen(t.panel, 1.5, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
+    painter.setBrush(t.now);
+    const QPointF head[] = {{x - 5, top}, {x + 5, top}, {x + 5, top + 9}, {x, top + 15}, {x - 5, top + 9}};
+    painter.drawConvexPolygon(head, 5);
+}
+
+}
+
+void paintTimeline(QPainter &painter, const TimelineAxis &axis, const RunView &view, const Theme &theme)
+{
+    painter.setRenderHint(QPainter::Antialiasing);
+    paintTicks(painter, axis, theme);
+    paintTrack(painter, axis, view, theme.tokens());
+    if (view.old)
+        paintOldRun(painter, axis, *view.old, theme);
+    const double x = axis.xOf(view.at);
+    paintFan(painter, axis, x, view.playing, theme.tokens());
+    paintHead(painter, x, theme.tokens());
+}
+
+QRectF oldRunArea(const TimelineAxis &axis, const OldRun &old, const Theme &theme)
+{
+    const OldRunPlace place = placeOf(axis, old, theme);
+    const double left = std::min(place.from, place.name) - 4;
+    const double right = std::max(place.to, place.name + place.nameWidth) + 4;
+    return {left, Places::oldRun - 8, right - left, 16};
+}
+
+QRegion changedByMove(const TimelineAxis &axis, const RunView &was, const RunView &is)
+{
+    constexpr int reach = 8; // half a head, and what rounded ends and smoothing add
+    QRegion region(0, Places::fan, static_cast<int>(std::ceil(axis.right() + reach)),
+                   Places::strip - Places::fan);
+    const auto add = [&](std::int64_t from, std::int64_t to, int top, int bottom) {
+        const int left = static_cast<int>(std::floor(axis.xOf(std::min(from, to)))) - reach;
+        const int right = static_cast<int>(std::ceil(axis.xOf(std::max(from, to)))) + reach;
+        region += QRect(left, top, right - left, bottom - top);
+    };
+    const int track = static_cast<int>(Places::track);
+    add(was.at, was.at, track - 12, Places::fan);
+    add(is.at, is.at, track - 12, Places::fan);
+    add(was.at, is.at, track - 4, track + 4);
+    add(was.computed, is.computed, track - 4, track + 4);
+    return region;
+}
+
+}

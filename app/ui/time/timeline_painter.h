@@ -1,0 +1,60 @@
+#pragma once
+
+#include "app/ui/theme/theme.h"
+#include "app/ui/time/timeline_axis.h"
+
+#include <QPainter>
+#include <QRectF>
+#include <QRegion>
+
+#include <optional>
+
+namespace app {
+
+/// Some frames in a row.
+struct Stretch
+{
+    std::int64_t from = 0;
+    std::int64_t to = 0;
+};
+
+/// The run as it was before a change to its past.
+struct OldRun
+{
+    std::int64_t fork = 0; ///< the last frame that both runs share
+    std::int64_t end = 0;
+    QString name;
+};
+
+/// What the upper part of the timeline shows of a run.
+struct RunView
+{
+    std::int64_t at = 0;
+    std::int64_t computed = 0;
+    std::vector<Stretch> hand;
+    bool holding = false; ///< whether the last stretch goes on with the run
+    std::optional<OldRun> old;
+    bool playing = false;
+};
+
+/// Heights, in px from the top of the timeline.
+struct TimelinePlaces
+{
+    static constexpr int height = 98;
+    static constexpr double track = 25.0;
+    static constexpr double oldRun = 40.0;
+    static constexpr int fan = 48;
+    static constexpr int strip = 60;
+    static constexpr int stripHeight = 28;
+};
+
+/// Tick labels, track, old run, fan and head; not the phase strip.
+void paintTimeline(QPainter &painter, const TimelineAxis &axis, const RunView &view, const Theme &theme);
+
+/// Where the old run's dots and name are.
+QRectF oldRunArea(const TimelineAxis &axis, const OldRun &old, const Theme &theme);
+
+/// What looks different when nothing but the cursor and what is computed change from `was` to `is`.
+QRegion changedByMove(const TimelineAxis &axis, const RunView &was, const RunView &is);
+
+}

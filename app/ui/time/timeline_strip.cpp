@@ -1,0 +1,141 @@
+#include "app/ui/time/timeline_strip.h"
+
+#include "app/ui/theme/focus_ring.h"
+#include "app/ui/time/run_view.h"
+#include "app/ui/time/timeline_access.h"
+
+#include <QAccessible>
+#include <QPaintEvent>
+
+namespace app {
+
+namespace {
+
+using Places = TimelinePlaces;
+
+QRectF stripArea(const TimelineAxis &axis)
+{
+    return {axis.left(), Places::strip + 0.5, axis.right() - axis.left(), Places::stripHeight};
+}
+
+}
+
+TimelineStrip::TimelineStrip(Session &session, const Theme &theme, QWidget *parent)
+    : QWidget(parent), m_session(session), m_theme(theme)
+{
+    installTimelineAccess();
+    setObjectName("timeline");
+    setAccessibleName(tr("Timeline"));
+    setAccessibleDescription(
+        tr("Left and Right: one frame. With Shift: one phase. Home: frame 0. End: the last "
+           "computed frame."));
+    setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    connect(&session, &Session::stepOpened, this, &TimelineStrip::startNew);
+    connect(&session, &Session::runChanged, this, &TimelineStrip::refresh);
+    connect(&session, &Session::playingChanged, this, &TimelineStrip::refresh);
+    connect(&session, &Session::moved, this, &TimelineStrip::follow);
+    connect(&theme, &Theme::changed, this, &TimelineStrip::refresh);
+    startNew();
+}
+
+QSize TimelineStrip::sizeHint() const
+{
+    return {600, Places::height};
+}
+
+QSize TimelineStrip::minimumSizeHint() const
+{
+    return {280, Places::height};
+}
+
+QString TimelineStrip::sentence() const
+{
+    return sentenceOf(m_session.timeline());
+}
+
+void TimelineStrip::startNew()
+{
+    m_axis.reset();
+    refresh();
+}
+
+bool TimelineStrip::coverRun()
+{
+    bool grown = m_axis.cover(m_view.computed);
+    if (m_view.old)
+        grown = m_axis.cover(m_view.old->end) || grown;
+    if (!m_view.hand.empty())
+        grown = m_axis.cover(m_view.hand.back().to) || grown;
+    return grown;
+}
+
+void TimelineStrip::refresh()
+{
+    m_view = runViewOf(m_session);
+    coverRun();
+    readPhases();
+    update();
+    announce();
+}
+
+void TimelineStrip::readPhases()
+{
+    m_position = positionOf(m_session.timeline());
+    m_segment = m_session.timeline().track().next();
+    m_phases.setContent(*m_segment, m_position);
+    m_phases.arrange(stripArea(m_axis), m_theme);
+}
+
+void TimelineStrip::follow()
+{
+    const RunView was = m_view;
+    const Position before = m_position;
+    app::follow(m_view, m_session);
+    const bool grown = coverRun();
+    Position now = positionOf(m_session.timeline());
+    const bool samePhases =
+        m_segment == m_session.timeline().track().next() && !before.isInside() && !now.isInside();
+    if (grown || !samePhases) {
+        readPhases();
+        update();
+    } else {
+        m_position = now;
+        // The strip looks the same between any two frames: while playing only the upper part changes.
+        update(changedByMove(m_axis, was, m_view));
+    }
+    announce();
+}
+
+void TimelineStrip::announce()
+{
+    if (!QAccessible::isActive() || m_session.isPlaying())
+        return;
+    QAccessibleValueChangeEvent event(this, QVariant::fromValue<qlonglong>(frame()));
+    QAccessible::updateAccessibility(&event);
+}
+
+void TimelineStrip::resizeEvent(QResizeEvent *)
+{
+    m_axis.setWidth(width());
+    m_phases.arrange(stripArea(m_axis), m_theme);
+}
+
+void TimelineStrip::paintEvent(QPaintEvent *event)
+{
+    QPainter painter(this);
+    painter.fillRect(event->rect(), m_theme.tokens().panel);
+    paintTimeline(painter, m_axis, m_view, m_theme);
+    if (event->region().intersects(stripArea(m_axis).toAlignedRect()))
+        m_phases.paint(painter, m_theme, m_view.playing, m_hovered);
+    if (hasFocus() && m_byKeyboard) {
+        constexpr double half = FocusRing::width / 2.0;
+        painter.setPen(QPen(m_theme.tokens().ink, FocusRing::width));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRoundedRect(QRectF(rect()).adjusted(half, half, -half, -half), 8, 8);
+    }
+}
+
+}

@@ -1,0 +1,74 @@
+#pragma once
+
+#include "app/model/session.h"
+#include "app/ui/theme/theme.h"
+#include "app/ui/time/phase_strip.h"
+#include "app/ui/time/timeline_painter.h"
+
+#include <QWidget>
+
+namespace app {
+
+/// The run in time, to scrub in, and under it the phases of the step at the cursor, enlarged.
+class TimelineStrip : public QWidget
+{
+    Q_OBJECT
+
+public:
+    TimelineStrip(Session &session, const Theme &theme, QWidget *parent = nullptr);
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
+    const TimelineAxis &axis() const { return m_axis; }
+    const PhaseStrip &phases() const { return m_phases; }
+    /// "Frame 41, after gravity, 2 of 5 phases done".
+    QString sentence() const;
+    std::int64_t frame() const { return m_session.timeline().at().frame; }
+    int rowFrames() const { return m_session.timeline().track().rowFrames(); }
+    /// Pauses, and goes to a frame.
+    void scrubTo(std::int64_t frame);
+    /// What is at a place, and what it does; empty where nothing is.
+    QString hintAt(const QPoint &place) const;
+
+protected:
+    bool event(QEvent *event) override;
+    void paintEvent(QPaintEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
+    void mousePressEvent(QMouseEvent *event) override;
+    void mouseMoveEvent(QMouseEvent *event) override;
+    void mouseReleaseEvent(QMouseEvent *event) override;
+    void leaveEvent(QEvent *event) override;
+    void wheelEvent(QWheelEvent *event) override;
+    void keyPressEvent(QKeyEvent *event) override;
+    void contextMenuEvent(QContextMenuEvent *event) override;
+    void focusInEvent(QFocusEvent *event) override;
+    void focusOutEvent(QFocusEvent *event) override;
+
+private:
+    void startNew();
+    /// Reads all of the session again.
+    void refresh();
+    /// Reads where the cursor is, and repaints what that changes.
+    void follow();
+    void readPhases();
+    bool coverRun();
+    void setHovered(int phase);
+    void runTo(int phase);
+    void step(bool forward, bool byPhase);
+    void announce();
+
+    Session &m_session;
+    const Theme &m_theme;
+    TimelineAxis m_axis;
+    PhaseStrip m_phases;
+    RunView m_view;
+    Position m_position;
+    std::shared_ptr<const sim::Segment> m_segment; ///< whose phases are shown
+    int m_hovered = -1;
+    int m_wheel = 0; ///< what is left of a notch
+    bool m_scrubbing = false;
+    bool m_byKeyboard = false; ///< whether focus came with the keyboard, and shows
+};
+
+}

@@ -1,0 +1,80 @@
+#pragma once
+
+#include "app/model/session.h"
+#include "app/ui/theme/theme.h"
+
+#include <QElapsedTimer>
+#include <QWidget>
+
+class QAction;
+class QBoxLayout;
+class QShortcut;
+class QToolButton;
+
+namespace app {
+
+class FrameCounter;
+class SpeedButton;
+
+/// Play, pause and step in time; the frame; the playing speed. 52 px high.
+class TransportBar : public QWidget
+{
+    Q_OBJECT
+
+public:
+    TransportBar(Session &session, const Theme &theme, QWidget *parent = nullptr);
+
+    /// "Go to frame", with its shortcut Ctrl+G; it works wherever the focus is, and may be put into a menu.
+    QAction *goToFrameAction() const { return m_goToFrame; }
+
+    /// Less high and wide than this is not to be had.
+    QSize minimumSizeHint() const override;
+
+public slots:
+    /// The next speed of the menu.
+    void slower();
+    void faster();
+    /// Turns the counter into an editor.
+    void editFrame();
+    /// Ends going to a far frame where it is; if nothing goes anywhere, plays or pauses.
+    void playOrPause();
+
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+
+private:
+    QToolButton *addButton(const QString &name, int width, int least, void (TransportBar::*pressed)());
+    void addSpace(int width);
+    void build();
+    void dress();
+    void refresh();
+    void follow();
+    void showFrame();
+    void showButtons();
+    void showPlay();
+    void fit();
+    QString whyNoPast() const;
+    QString whyNoFuture() const;
+    void rewind() { m_session.rewind(); }
+    void phaseBack() { m_session.phaseBack(); }
+    void frameBack() { m_session.frameBack(); }
+    void frameForward() { m_session.frameForward(); }
+    void phaseForward() { m_session.phaseForward(); }
+
+    Session &m_session;
+    const Theme &m_theme;
+    QBoxLayout *m_layout;
+    QToolButton *m_reset;
+    QToolButton *m_phaseBack;
+    QToolButton *m_frameBack;
+    QToolButton *m_play;
+    QToolButton *m_frameForward;
+    QToolButton *m_phaseForward;
+    FrameCounter *m_frame;
+    SpeedButton *m_speed;
+    QAction *m_goToFrame;
+    QShortcut *m_cancel; ///< Escape, while the session goes to a far frame
+    QElapsedTimer m_sinceFrame;
+};
+
+}

@@ -1,0 +1,245 @@
+// The window's commands: menus, keys and the header that holds them.
+
+#include "app/ui/code/code_panel.h"
+#include "app/ui/panels/help_page.h"
+#include "app/ui/scene/scene_view.h"
+#include "app/ui/time/timeline_strip.h"
+#include "app/ui/time/transport_bar.h"
+#include "app/ui/window/main_window.h"
+
+#include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QAbstractSlider>
+#include <QAbstractSpinBox>
+#include <QApplication>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenuBar>
+#include <QSettings>
+#include <QTextEdit>
+#include <QToolButton>
+
+namespace app {
+
+namespace {
+
+/// Whether the widget with the focus needs this key for itself, so that the window's command must not take it.
+bool needsKey(const QWidget *widget, const QKeyEvent &key)
+{
+    const bool arrows = key.key() >= Qt::Key_Left && key.key() <= Qt::Key_Down;
+    const bool plain = (key.modifiers() & ~(Qt::KeypadModifier | Qt::ShiftModifier)) == Qt::NoModifier;
+    if (!plain)
+        return false;
+    if (qobject_cast<const QLineEdit *>(widget) || qobject_cast<const QAbstractSpinBox *>(widget))
+        return arrows || key.key() == Qt::Key_Home || key.key() == Qt::Key_End || !key.text().isEmpty();
+    if (qobject_cast<const QAbstractSlider *>(widget))
+        return arrows || key.key() == Qt::Key_Home || key.key() == Qt::Key_End;
+    if (qobject_cast<const QAbstractItemView *>(widget))
+        return arrows || key.key() == Qt::Key_Home || key.key() == Qt::Key_End || key.key() == Qt::Key_Space;
+    if (qobject_cast<const QComboBox *>(widget))
+        return arrows || key.key() == Qt::Key_Space;
+    if (qobject_cast<const QAbstractButton *>(widget))
+        return key.key() == Qt::Key_Space;
+    return false;
+}
+
+QToolButton *headerButton(QAction *action, const QIcon &icon)
+{
+    auto *button = new QToolButton;
+    button->setFocusPolicy(Qt::TabFocus);
+    button->setIcon(icon);
+    button->setIconSize({16, 16});
+    button->setFixedSize(28, 28);
+    button->setToolTip(action->toolTip());
+    button->setAccessibleName(action->text().remove('&'));
+    QObject::connect(button, &QToolButton::clicked, action, &QAction::trigger);
+    return button;
+}
+
+}
+
+QAction *MainWindow::action(const QString &text, const QList<QKeySequence> &keys, const QString &group)
+{
+    auto *action = new QAction(text, this);
+    action->setShortcuts(keys);
+    QString plain = text;
+    plain.remove('&');
+    if (!keys.isEmpty())
+        action->setToolTip(tr("%1 (%2)").arg(plain, keys.front().toString(QKeySequence::NativeText)));
+    addAction(action);
+    m_actions.push_back({action, group});
+    return action;
+}
+
+void MainWindow::makeActions()
+{
+    m_file = new QMenu(tr("&File"), this);
+    m_run = new QMenu(tr("&Run"), this);
+    m_view = new QMenu(tr("&View"), this);
+    m_help = new QMenu(tr("&Help"), this);
+    makeFileActions();
+    makeTimeActions();
+    makeViewActions();
+    m_helpAction = action(tr("&Keys and mouse"), {QKeySequence(Qt::Key_F1), QKeySequence("?")}, tr("Window"));
+    connect(m_helpAction, &QAction::triggered, this, &MainWindow::showHelp);
+    m_help->addAction(m_helpAction);
+}
+
+void MainWindow::makeFileActions()
+{
+    const QString group = tr("Experiments");
+    const auto add = [&](const QString &text, const QKeySequence &key, auto slot) {
+        QAction *made = action(text, {key}, group);
+        connect(made, &QAction::triggered, this, slot);
+        m_file->addAction(made);
+    };
+    add(tr("&Open an experiment…"), QKeySequence::Open, &MainWindow::askOpen);
+    add(tr("&Save the experiment"), QKeySequence::Save,
+        [this] { m_path.isEmpty() ? askSave() : void(saveFile(m_path)); });
+    add(tr("Save &as…"), QKeySequence("Ctrl+Shift+S"), &MainWindow::askSave);
+    m_file->addSeparator();
+    add(tr("&Quit"), QKeySequence("Ctrl+Q"), [this] { close(); });
+}
+
+void MainWindow::makeTimeActions()
+{
+    const QString group = tr("Time");
+    const auto add = [&](const QString &text, const QList<QKeySequence> &keys, const QString &where,
+                         auto slot) {
+        QAction *made = action(text, keys, where);
+        connect(made, &QAction::triggered, this, slot);
+        m_run->addAction(made);
+        return made;
+    };
+    const auto end = [this] { m_session.goTo({m_session.timeline().computed(), 0}); };
+    m_play = add(tr("&Play or pause"), {QKeySequence(Qt::Key_Space)}, group,
+                 [this] { m_transport->playOrPause(); });
+    add(tr("Next &frame"), {QKeySequence(Qt::Key_Right)}, group, [this] { m_session.frameForward(); });
+    add(tr("Frame &back"), {QKeySequence(Qt::Key_Left)}, group, [this] { m_session.frameBack(); });
+    add(tr("&Next phase"), {QKeySequence("Shift+Right")}, group, [this] { m_session.phaseForward(); });
+    add(tr("P&hase back"), {QKeySequence("Shift+Left")}, group, [this] { m_session.phaseBack(); });
+    add(tr("To the &start"), {QKeySequence(Qt::Key_Home)}, group, [this] { m_session.rewind(); });
+    add(tr("To the &end of what was computed"), {QKeySequence(Qt::Key_End)}, group, end);
+    m_run->addAction(m_transport->goToFrameAction());
+    m_actions.push_back({m_transport->goToFrameAction(), group});
+    add(tr("S&lower"), {QKeySequence("-")}, group, [this] { m_transport->slower(); });
+    add(tr("Faste&r"), {QKeySequence("+"), QKeySequence("=")}, group, [this] { m_transport->faster(); });
+    m_run->addSeparator();
+    add(tr("Start the step &afresh"), {QKeySequence("Ctrl+R")}, group, [this] { m_session.startAfresh(); });
+    add(tr("Forget the &old run"), {QKeySequence("Ctrl+D")}, group, [this] { m_session.forgetGhost(); });
+    m_run->addSeparator();
+    const QString steps = tr("Steps");
+    add(tr("Ne&xt step"), {QKeySequence(Qt::Key_PageDown)}, steps, [this] { m_session.openFollowing(); });
+    add(tr("Pre&vious step"), {QKeySequence(Qt::Key_PageUp)}, steps, [this] { m_session.openPreceding(); });
+}
+
+void MainWindow::makeViewActions()
+{
+    const auto add = [&](const QString &text, const QList<QKeySequence> &keys, const QString &where,
+                         auto slot) {
+        QAction *made = action(text, keys, where);
+        connect(made, &QAction::triggered, this, slot);
+        m_view->addAction(made);
+        return made;
+    };
+    const QString picture = tr("Picture");
+    add(tr("Zoom &in"), {QKeySequence("Ctrl++"), QKeySequence("Ctrl+=")}, picture,
+        [this] { m_scene->zoomIn(); });
+    add(tr("Zoom &out"), {QKeySequence("Ctrl+-")}, picture, [this] { m_scene->zoomOut(); });
+    add(tr("&Fit the scene"), {QKeySequence("Ctrl+0")}, picture, [this] { m_scene->fit(); });
+    m_view->addSeparator();
+    const QString window = tr("Window");
+    const auto toggle = [&](const QString &text, const char *key, std::vector<QDockWidget *> docks) {
+        QAction *made = add(text, {QKeySequence(key)}, window, [docks](bool shown) {
+            for (QDockWidget *dock : docks)
+                dock->setVisible(shown);
+        });
+        made->setCheckable(true);
+        made->setChecked(true);
+        connect(docks.front(), &QDockWidget::visibilityChanged, made,
+                [made, dock = docks.front()] { made->setChecked(!dock->isHidden()); });
+        return made;
+    };
+    toggle(tr("&Lessons"), "Ctrl+1", {m_left})->setObjectName("showLessons");
+    toggle(tr("&Code and parameters"), "Ctrl+2", {m_codeDock, m_parameterDock})->setObjectName("showCode");
+    m_dark = add(tr("&Dark"), {QKeySequence("Ctrl+Shift+D")}, window, [this](bool dark) {
+        m_theme.setScheme(dark ? Scheme::dark : Scheme::light);
+        QSettings().setValue("window/dark", dark);
+    });
+    m_dark->setCheckable(true);
+    m_dark->setChecked(m_theme.scheme() == Scheme::dark);
+    QAction *full = add(tr("F&ull screen"), {QKeySequence("F11")}, window, [this](bool on) {
+        setWindowState(on ? windowState() | Qt::WindowFullScreen : windowState() & ~Qt::WindowFullScreen);
+    });
+    full->setCheckable(true);
+}
+
+QWidget *MainWindow::header()
+{
+    auto *header = new QWidget(this);
+    header->setObjectName("header");
+    header->setAttribute(Qt::WA_StyledBackground);
+    header->setFixedHeight(40);
+    auto *logo = new QLabel(header);
+    logo->setPixmap(QIcon(":/app/springstep.svg").pixmap(QSize(20, 20), devicePixelRatioF()));
+    auto *menus = new QMenuBar(header);
+    menus->setNativeMenuBar(false);
+    for (QMenu *menu : {m_file, m_run, m_view, m_help})
+        menus->addMenu(menu);
+    auto *row = new QHBoxLayout(header);
+    row->setContentsMargins(12, 0, 8, 0);
+    row->setSpacing(4);
+    row->addWidget(logo);
+    row->addWidget(menus, 1, Qt::AlignVCenter);
+    struct Button
+    {
+        QAction *action;
+        const char *icon;
+    };
+    const std::vector<Button> buttons = {{findChild<QAction *>("showLessons"), "panel-left"},
+                                         {findChild<QAction *>("showCode"), "panel-right"},
+                                         {m_helpAction, "help"}};
+    for (const Button &one : buttons) {
+        QToolButton *button = headerButton(one.action, m_theme.icon(one.icon));
+        row->addWidget(button);
+        connect(&m_theme, &Theme::changed, button,
+                [this, button, icon = QString(one.icon)] { button->setIcon(m_theme.icon(icon)); });
+    }
+    return header;
+}
+
+void MainWindow::showHelp()
+{
+    if (!m_helpPage) {
+        m_helpPage = new HelpPage(m_theme, this);
+        for (const Listed &listed : m_actions)
+            m_helpPage->addAction(listed.group, listed.action);
+        m_helpPage->addGesture(tr("Picture"), tr("Drag a body"),
+                               tr("grab it; let go while moving to throw it"));
+        m_helpPage->addGesture(tr("Picture"), tr("Drag the background"), tr("move the picture"));
+        m_helpPage->addGesture(tr("Picture"), tr("Wheel"), tr("zoom where the pointer is"));
+        m_helpPage->addGesture(tr("Time"), tr("Drag the timeline"), tr("go anywhere in time"));
+        m_helpPage->addGesture(tr("Time"), tr("Click a phase"), tr("run to it"));
+    }
+    m_helpPage->show();
+    m_helpPage->raise();
+    m_helpPage->activateWindow();
+}
+
+bool MainWindow::eventFilter(QObject *watched, QEvent *event)
+{
+    if (event->type() == QEvent::ShortcutOverride) {
+        const QWidget *focus = QApplication::focusWidget();
+        if (focus && focus->window() == this && needsKey(focus, *static_cast<QKeyEvent *>(event))) {
+            event->accept();
+            return true;
+        }
+    }
+    return QMainWindow::eventFilter(watched, event);
+}
+
+}

@@ -1,0 +1,82 @@
+#include "app/ui/window/gui.h"
+
+#include "app/model/session.h"
+#include "app/ui/window/main_window.h"
+
+#include <QApplication>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QTextStream>
+
+namespace app {
+
+namespace {
+
+int refuse(const QString &sentence)
+{
+    QTextStream(stderr) << "springstep: " << sentence << '\n';
+    return 2;
+}
+
+QString noLessons()
+{
+    return QApplication::translate("Gui",
+                                   "No lesson was found in %1. Build the lessons, or name their folder in "
+                                   "SPRINGSTEP_LESSONS.")
+        .arg(LessonLibrary::folders().join(", "));
+}
+
+}
+
+int runWindow(QApplication &application, const QString &file)
+{
+    const LessonLibrary library = LessonLibrary::load(LessonLibrary::folders());
+    if (library.lessons.empty())
+        return refuse(noLessons());
+    Theme theme(QSettings().value("window/dark").toBool() ? Scheme::dark : Scheme::light);
+    theme.apply(application);
+    Session session(library);
+    MainWindow window(session, theme);
+    window.show();
+    if (!file.isEmpty())
+        window.openFile(file);
+    return QApplication::exec();
+}
+
+int takeScreenshot(QApplication &application, const ScreenshotRequest &request)
+{
+    // A learner's own settings and progress stay out of the picture, and untouched.
+    const QTemporaryDir settings;
+    QSettings::setDefaultFormat(QSettings::IniFormat);
+    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings.path());
+
+    const LessonLibrary library = LessonLibrary::load(LessonLibrary::folders());
+    if (library.lessons.empty())
+        return refuse(noLessons());
+    try {
+        const Experiment experiment = newExperiment(request.lesson, request.step, library);
+        Theme theme(request.dark ? Scheme::dark : Scheme::light);
+        theme.apply(application);
+        Session session(library);
+        session.open(experiment);
+        MainWindow window(session, theme);
+        window.setAttribute(Qt::WA_DontShowOnScreen);
+        window.resize(request.size);
+        window.show();
+        QApplication::processEvents();
+        session.goTo({request.frame, request.phase});
+        while (session.goingTo())
+            QApplication::processEvents(QEventLoop::WaitForMoreEvents);
+        QApplication::processEvents();
+        if (!window.grab().save(request.out))
+            return refuse(QApplication::translate("Gui",
+                                                  "%1 cannot be written: name a folder that you may write "
+                                                  "to, and a file that ends in .png or .jpg.")
+                              .arg(request.out));
+    } catch (const Refusal &refusal) {
+        return refuse(refusal.sentence());
+    }
+    return 0;
+}
+
+}

@@ -1,0 +1,243 @@
+#include "app/ui/window/main_window.h"
+
+#include "app/model/sentences.h"
+#include "app/ui/code/code_panel.h"
+#include "app/ui/panels/dock_title.h"
+#include "app/ui/panels/help_page.h"
+#include "app/ui/panels/learn_panel.h"
+#include "app/ui/panels/parameter_panel.h"
+#include "app/ui/scene/scene_bar.h"
+#include "app/ui/scene/scene_view.h"
+#include "app/ui/time/timeline_strip.h"
+#include "app/ui/time/transport_bar.h"
+#include "app/ui/window/notice.h"
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenuBar>
+#include <QSettings>
+#include <QStatusBar>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace app {
+
+namespace {
+
+QFrame *divider(QWidget *parent)
+{
+    auto *line = new QFrame(parent);
+    line->setObjectName("divider");
+    line->setFixedHeight(1);
+    return line;
+}
+
+}
+
+MainWindow::MainWindow(Session &session, Theme &theme, QWidget *parent)
+    : QMainWindow(parent), m_session(session), m_theme(theme)
+{
+    setWindowIcon(QIcon(":/app/springstep.svg"));
+    setDockOptions(QMainWindow::AnimatedDocks);
+    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    setCentralWidget(centre());
+    makeDocks();
+    makeActions();
+    setMenuWidget(header());
+    makeStatus();
+    connect(&theme, &Theme::changed, this, [this] { m_theme.apply(*qApp); });
+    connect(&session, &Session::stepOpened, this, &MainWindow::nameWindow);
+    nameWindow();
+    restore();
+    qApp->installEventFilter(this);
+    m_scene->setFocus();
+}
+
+MainWindow::~MainWindow()
+{
+    qApp->removeEventFilter(this);
+}
+
+QWidget *MainWindow::centre()
+{
+    auto *centre = new QWidget(this);
+    centre->setObjectName("panel");
+    centre->setAttribute(Qt::WA_StyledBackground);
+    m_notice = new Notice(m_theme, centre);
+    m_sceneBar = new SceneBar(m_session, m_theme, centre);
+    m_scene = new SceneView(m_session, m_theme, centre);
+    m_scene->setMinimumSize(480, 320);
+    m_transport = new TransportBar(m_session, m_theme, centre);
+    m_timeline = new TimelineStrip(m_session, m_theme, centre);
+    m_sceneBar->attach(*m_scene);
+    auto *column = new QVBoxLayout(centre);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(m_notice);
+    column->addWidget(m_sceneBar);
+    column->addWidget(divider(centre));
+    column->addWidget(m_scene, 1);
+    column->addWidget(divider(centre));
+    column->addWidget(m_transport);
+    column->addWidget(m_timeline);
+    return centre;
+}
+
+QDockWidget *MainWindow::dock(const QString &name, QWidget *title, QWidget *content, Qt::DockWidgetArea area)
+{
+    auto *dock = new QDockWidget(name, this);
+    dock->setObjectName(name);
+    dock->setFeatures(QDockWidget::DockWidgetClosable);
+    dock->setTitleBarWidget(title);
+    dock->setWidget(content);
+    addDockWidget(area, dock);
+    return dock;
+}
+
+void MainWindow::makeDocks()
+{
+    m_learn = new LearnPanel(m_session, m_theme, this);
+    m_left = dock("lessons", new QWidget(this), m_learn, Qt::LeftDockWidgetArea);
+
+    m_code = new CodePanel(m_session, m_theme, this);
+    auto *codeTitle = new DockTitle(tr("Code"), m_theme, this);
+    codeTitle->setCaption(m_code->caption());
+    connect(m_code, &CodePanel::captionChanged, codeTitle, &DockTitle::setCaption);
+    codeTitle->addAction(m_code->titleActions());
+    connect(m_code, &CodePanel::said, &m_session, &Session::said);
+    m_codeDock = dock("code", codeTitle, m_code, Qt::RightDockWidgetArea);
+
+    m_parameters = new ParameterPanel(m_session, m_theme, this);
+    m_parameterDock = dock("parameters", new QWidget(this), m_parameters, Qt::RightDockWidgetArea);
+    connect(m_parameters, &ParameterPanel::wantedHeightChanged, this, &MainWindow::fitParameters);
+}
+
+void MainWindow::fitParameters()
+{
+    // The code gets all the height that the parameters do not need.
+    const int wanted = m_parameters->sizeHint().height();
+    resizeDocks({m_codeDock, m_parameterDock}, {std::max(1, height() - wanted), wanted}, Qt::Vertical);
+}
+
+void MainWindow::makeStatus()
+{
+    m_status = new QLabel(this);
+    m_status->setTextFormat(Qt::RichText);
+    m_status->setContentsMargins(8, 0, 8, 0);
+    statusBar()->addWidget(m_status, 1);
+    statusBar()->setSizeGripEnabled(false);
+    statusBar()->setFixedHeight(28);
+    connect(&m_session, &Session::moved, this, &MainWindow::showStatus);
+    connect(&m_session, &Session::playingChanged, this, &MainWindow::showStatus);
+    connect(&m_session, &Session::said, this, [this](const QString &sentence) {
+        m_said = sentence;
+        showStatus();
+    });
+    connect(&m_session, &Session::stepOpened, this, [this] { m_said.clear(); });
+    showStatus();
+}
+
+void MainWindow::showStatus()
+{
+    const sim::Track &track = m_session.timeline().track();
+    const sim::Cursor at = track.at();
+    QString text;
+    if (!m_said.isEmpty()) {
+        text = m_said.toHtmlEscaped();
+        m_said.clear();
+    } else if (m_session.isPlaying()) {
+        text = tr("Playing. Press <b>Space</b> to stop anywhere.");
+    } else if (at.phase > 0) {
+        const QString phase = phrase(track.shown().pipeline.phaseAt(at.phase - 1).title).toHtmlEscaped();
+        text = tr("Inside frame %1, after %2. <b>Shift+→</b> next phase, <b>→</b> next frame.")
+                   .arg(at.frame)
+                   .arg(phase);
+    } else {
+        text = tr("<b>Space</b> plays, <b>→</b> next frame, <b>Shift+→</b> into the frame. Drag anything.");
+    }
+    if (text != m_status->text())
+        m_status->setText(text);
+}
+
+void MainWindow::nameWindow()
+{
+    const QString name = m_path.isEmpty() ? m_session.step().title : QFileInfo(m_path).fileName();
+    setWindowTitle(tr("%1 – Springstep").arg(name));
+}
+
+void MainWindow::openFile(const QString &path)
+{
+    try {
+        m_session.open(readExperiment(path, m_session.library()));
+        m_path = path;
+        m_notice->say({});
+        nameWindow();
+    } catch (const Refusal &refusal) {
+        m_notice->say(tr("Experiment not opened: %1 Your scene is unchanged.").arg(refusal.sentence()));
+    } catch (const sim::Error &error) {
+        m_notice->say(tr("Experiment not opened: %1 Your scene is unchanged.").arg(sentenceFor(error)));
+    }
+}
+
+bool MainWindow::saveFile(const QString &path)
+{
+    try {
+        writeExperiment(path, m_session.experiment(), m_session.library());
+    } catch (const Refusal &refusal) {
+        m_notice->say(tr("Experiment not saved: %1").arg(refusal.sentence()));
+        return false;
+    }
+    m_path = path;
+    nameWindow();
+    emit m_session.said(tr("Saved as %1.").arg(QFileInfo(path).fileName()));
+    return true;
+}
+
+void MainWindow::askOpen()
+{
+    const QString path =
+        QFileDialog::getOpenFileName(this, tr("Open an experiment"), m_path, tr("Experiments (*.json)"));
+    if (!path.isEmpty())
+        openFile(path);
+}
+
+void MainWindow::askSave()
+{
+    const QString suggestion = m_path.isEmpty() ? m_session.step().id + ".json" : m_path;
+    const QString path =
+        QFileDialog::getSaveFileName(this, tr("Save the experiment"), suggestion, tr("Experiments (*.json)"));
+    if (!path.isEmpty())
+        saveFile(path);
+}
+
+void MainWindow::restore()
+{
+    const QSettings settings;
+    if (!restoreGeometry(settings.value("window/geometry").toByteArray()))
+        resize(1280, 800);
+    if (!restoreState(settings.value("window/docks").toByteArray()))
+        resizeDocks({m_left, m_codeDock}, {280, 400}, Qt::Horizontal);
+    fitParameters();
+}
+
+void MainWindow::showEvent(QShowEvent *event)
+{
+    QMainWindow::showEvent(event);
+    fitParameters();
+}
+
+void MainWindow::closeEvent(QCloseEvent *event)
+{
+    QSettings settings;
+    settings.setValue("window/geometry", saveGeometry());
+    settings.setValue("window/docks", saveState());
+    QMainWindow::closeEvent(event);
+}
+
+}

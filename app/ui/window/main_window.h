@@ -1,0 +1,98 @@
+#pragma once
+
+#include "app/model/session.h"
+#include "app/ui/theme/theme.h"
+
+#include <QMainWindow>
+
+#include <vector>
+
+class QDockWidget;
+class QLabel;
+
+namespace app {
+
+class CodePanel;
+class HelpPage;
+class LearnPanel;
+class Notice;
+class ParameterPanel;
+class SceneBar;
+class SceneView;
+class TimelineStrip;
+class TransportBar;
+
+/// The window: lessons on the left, the scene with its time in the middle, code and parameters on the right.
+class MainWindow : public QMainWindow
+{
+    Q_OBJECT
+
+public:
+    MainWindow(Session &session, Theme &theme, QWidget *parent = nullptr);
+    ~MainWindow() override;
+
+    /// Opens an experiment file. A file that is refused is named with the reason, and nothing changes.
+    void openFile(const QString &path);
+    /// Writes the run so far. Returns whether it was written; a failure is shown.
+    bool saveFile(const QString &path);
+
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
+    void closeEvent(QCloseEvent *event) override;
+    void showEvent(QShowEvent *event) override;
+
+private:
+    QAction *action(const QString &text, const QList<QKeySequence> &keys, const QString &group);
+    void makeActions();
+    void makeFileActions();
+    void makeTimeActions();
+    void makeViewActions();
+    QWidget *header();
+    QWidget *centre();
+    void makeDocks();
+    QDockWidget *dock(const QString &name, QWidget *title, QWidget *content, Qt::DockWidgetArea area);
+    void fitParameters();
+    void makeStatus();
+    void showStatus();
+    void showHelp();
+    void askOpen();
+    void askSave();
+    void restore();
+    void nameWindow();
+
+    /// An action with the group of the help page that lists it.
+    struct Listed
+    {
+        QAction *action;
+        QString group;
+    };
+
+    Session &m_session;
+    Theme &m_theme;
+    std::vector<Listed> m_actions;
+    QMenu *m_file = nullptr;
+    QMenu *m_run = nullptr;
+    QMenu *m_view = nullptr;
+    QMenu *m_help = nullptr;
+    QAction *m_play = nullptr;
+    QAction *m_helpAction = nullptr;
+    QAction *m_dark = nullptr;
+
+    LearnPanel *m_learn = nullptr;
+    SceneBar *m_sceneBar = nullptr;
+    SceneView *m_scene = nullptr;
+    TransportBar *m_transport = nullptr;
+    TimelineStrip *m_timeline = nullptr;
+    CodePanel *m_code = nullptr;
+    ParameterPanel *m_parameters = nullptr;
+    Notice *m_notice = nullptr;
+    HelpPage *m_helpPage = nullptr;
+    QDockWidget *m_left = nullptr;
+    QDockWidget *m_codeDock = nullptr;
+    QDockWidget *m_parameterDock = nullptr;
+    QLabel *m_status = nullptr;
+    QString m_said;
+    QString m_path; ///< the experiment's file, if it has one
+};
+
+}
