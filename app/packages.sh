@@ -5,7 +5,7 @@ app_packages=(
     "cmake                   configures the build"
     "ninja-build             runs the build"
     "qt6-base-dev            the window, files and plugins"
-    "libqt6svg6-dev          the window's icons"
+    "qt6-svg-dev             the window's icons"
     "libeigen3-dev           arrays of the simulation core"
     "libqscintilla2-qt6-dev  the code panel"
     "rapidjson-dev           reads experiment files with the line of every value"

@@ -35,16 +35,21 @@ struct Heading
 
 /// The direction of the distance `d` from point `from` to point `to`. Points closer than 1e-150 px count as in one
 /// place: the square of a smaller distance loses digits and then vanishes, so its direction would not have length 1.
+// Shown lines are short.
+// clang-format off
+inline
 //! [direction]
-inline Heading direction(Vec2 d, int from, int to)
+Heading direction(Vec2 d, int from, int to)
 {
-    const double length = std::sqrt(d.x * d.x + d.y * d.y);
-    if (length < 1e-150)
+    double square = d.x * d.x + d.y * d.y;
+    double length = std::sqrt(square);
+    if (length < 1e-150) // in one place
         return {length, partingDirection(from, to)};
-    const Vec2 out = {d.x / length, d.y / length};
+    Vec2 out = {d.x / length, d.y / length};
     return {length, out};
 }
 //! [direction]
+// clang-format on
 
 /// The direction of a distance by its angle, with that angle.
 struct PublishedHeading
@@ -53,15 +58,23 @@ struct PublishedHeading
     Vec2 out;
 };
 
+using std::atan2;
+using std::cos;
+using std::sin;
+
 /// The direction of `d` as the tutorials compute it. atan2(0, 0) is 0, so points in one place part along (1, 0).
 /// Published: Creatures I, step 7.
+// Shown lines are short.
+// clang-format off
+inline
 //! [published_direction]
-inline PublishedHeading publishedDirection(Vec2 d)
+PublishedHeading publishedDirection(Vec2 d)
 {
-    const double angle = std::atan2(d.y, d.x);
-    const Vec2 out = {std::cos(angle), std::sin(angle)};
+    double angle = atan2(d.y, d.x);
+    Vec2 out = {cos(angle), sin(angle)};
     return {angle, out};
 }
 //! [published_direction]
+// clang-format on
 
 }

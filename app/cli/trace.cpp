@@ -70,6 +70,7 @@ int writeTrace(const Experiment &experiment)
 {
     sim::Track track(experiment.script, historyBudget);
     Output output;
+    listenForInterrupt();
     const bool isWhole = writeRows(track, experiment.frames, output);
     if (!output.flush()) {
         if (output.failure().isEmpty())
@@ -92,7 +93,6 @@ int writeTrace(const Experiment &experiment)
 
 int trace(const QString &file)
 {
-    listenForInterrupt();
     try {
         const LessonLibrary library = LessonLibrary::load(LessonLibrary::folders());
         return writeTrace(readExperiment(file, library));

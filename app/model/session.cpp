@@ -174,10 +174,8 @@ void Session::phaseBack()
 
 void Session::goTo(sim::Cursor cursor)
 {
-    m_goingTo = cursor.frame;
+    m_goingTo = {std::max<std::int64_t>(0, cursor.frame), cursor.phase};
     approach();
-    if (!m_goingTo && cursor.phase > 0)
-        m_timeline->seek({m_timeline->at().frame, cursor.phase});
     checkTries();
     emit moved();
 }
@@ -189,7 +187,7 @@ void Session::approach()
     QElapsedTimer clock;
     clock.start();
     const int rowFrames = m_timeline->track().rowFrames();
-    const std::int64_t target = std::max<std::int64_t>(0, *m_goingTo);
+    const std::int64_t target = m_goingTo->frame;
     const std::int64_t slice =
         std::max<std::int64_t>(1, sliceSteps / m_timeline->script().step.perRow) * rowFrames;
     // Frames that were computed before, and every way back, cost one seek at the most.
@@ -199,7 +197,10 @@ void Session::approach()
            !m_timeline->stop())
         m_timeline->seek({std::min(target, m_timeline->at().frame + slice), 0});
     if (m_timeline->at().frame + rowFrames > target || m_timeline->stop()) {
+        const int phase = m_goingTo->phase;
         m_goingTo.reset();
+        if (phase > 0)
+            m_timeline->seek({m_timeline->at().frame, phase});
         return;
     }
     // One call at a time, however often the goal changes meanwhile.

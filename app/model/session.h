@@ -68,7 +68,10 @@ public:
     void phaseBack();
     /// Goes to a moment. A far one is approached in slices, so that the window never waits; goingTo() tells.
     void goTo(sim::Cursor cursor);
-    std::optional<std::int64_t> goingTo() const { return m_goingTo; }
+    std::optional<std::int64_t> goingTo() const
+    {
+        return m_goingTo ? std::optional(m_goingTo->frame) : std::nullopt;
+    }
     /// Back to frame 0; the input and what was computed stay, so play repeats the run.
     void rewind();
     /// The step as it was when it was first opened: no input, presets, published start.
@@ -141,7 +144,7 @@ private:
     QString m_selected;
     QString m_ghostName;
     bool m_holding = false;
-    std::optional<std::int64_t> m_goingTo;
+    std::optional<sim::Cursor> m_goingTo;
     bool m_approachDue = false; ///< whether the next slice of the way is already asked for
     std::map<QString, Left> m_left; ///< steps that were open before, as they were left
 };

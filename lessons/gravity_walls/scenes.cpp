@@ -6,6 +6,9 @@
 #include "sim/effects/radial_spring.h"
 #include "sim/random.h"
 
+// Learners read these functions in a narrow panel.
+// clang-format off
+
 using namespace sim;
 using namespace lessons;
 
@@ -16,23 +19,25 @@ namespace walls {
 //! [walls]
 Scene setUp(const Values &values)
 {
-    const int feet = values.whole("feet");
+    int feet = values.whole("feet");
     Scene scene = creatureWithFeet(feet);
-    const int body = feet; // the feet are points 0, 1, 2...
+    const int body = feet; // feet come first
     scene.start.place(body, {420, 320});
     scene.start.push(body, {14, 9});
-    placeFeet(scene, {{450, 310}, {400, 330}, {430, 260}, {390, 290}, {460, 280}});
+    placeFeet(scene, {{450, 310}, {400, 330},
+                      {430, 260}, {390, 290},
+                      {460, 280}});
 
     std::vector<Link> links;
     for (int i = 0; i < feet; ++i) {
         links.push_back({i, body});
         links.push_back({body, i});
     }
-    const double k = values["k"];
-    const double radius = values["radius"];
+    double k = values["k"];
+    double radius = values["radius"];
     add<RadialSpring>(scene, links, k, radius);
 
-    const double damp = values["damp"];
+    double damp = values["damp"];
     add<Damping>(scene, damp);
 
     Room room;
@@ -52,13 +57,15 @@ namespace gravity {
 //! [gravity]
 Scene setUp(const Values &values)
 {
-    const int feet = values.whole("feet");
+    int feet = values.whole("feet");
     Scene scene = creatureWithFeet(feet);
-    const int body = feet; // the feet are points 0, 1, 2...
+    const int body = feet; // feet come first
+    const auto seed = values.seed;
     for (int i = 0; i < feet; ++i) {
-        const double right = 100 * uniform(values.seed, 0, 2 * i) - 50;
-        const double down = 100 * uniform(values.seed, 0, 2 * i + 1) - 50;
-        scene.start.place(i, {270 + right, 200 + down});
+        double right = uniform(seed, 0, 2 * i);
+        double down = uniform(seed, 0, 2 * i + 1);
+        scene.start.place(i, {270 + 100 * right - 50,
+                              200 + 100 * down - 50});
     }
 
     std::vector<Link> links;
@@ -66,14 +73,14 @@ Scene setUp(const Values &values)
         links.push_back({i, body});
         links.push_back({body, i});
     }
-    const double k = values["k"];
-    const double radius = values["radius"];
+    double k = values["k"];
+    double radius = values["radius"];
     add<RadialSpring>(scene, links, k, radius);
 
-    const double gravity = values["gravity"];
+    double gravity = values["gravity"];
     add<Gravity>(scene, gravity);
 
-    const double damp = values["damp"];
+    double damp = values["damp"];
     add<Damping>(scene, damp);
 
     Room room;

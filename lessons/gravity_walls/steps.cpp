@@ -45,7 +45,7 @@ void addParameters(Step &step, const std::vector<Parameter> &more)
 Step wallsStep()
 {
     Step step = stepCalled("walls", Text::tr("Walls"));
-    addParameters(step, {stiffness(), damping(0.85), radius(), feet(5), bounce()});
+    addParameters(step, {bounce(), stiffness(), damping(0.85), radius(), feet(5)});
     addParameters(step, room());
     step.narration = Text::tr(
         "Two walls and a floor. After each move they ask: **is an edge past me?** A place is the middle of "
@@ -64,7 +64,7 @@ Step wallsStep()
 Step gravityStep()
 {
     Step step = stepCalled("gravity", Text::tr("Gravity"));
-    addParameters(step, {stiffness(), damping(0.85), radius(), feet(4), lessons::gravity(), bounce()});
+    addParameters(step, {lessons::gravity(), bounce(), stiffness(), damping(0.85), radius(), feet(4)});
     addParameters(step, room());
     step.narration = Text::tr(
         "**Gravity** is one more pull that adds up: straight down, and the same for everything. y points "

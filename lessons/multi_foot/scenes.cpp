@@ -5,6 +5,9 @@
 #include "sim/effects/radial_spring.h"
 #include "sim/random.h"
 
+// Learners read these functions in a narrow panel.
+// clang-format off
+
 using namespace sim;
 using namespace lessons;
 
@@ -17,7 +20,7 @@ Scene setUp(const Values &values)
 {
     const int feet = 2;
     Scene scene = creatureWithFeet(feet);
-    const int body = feet; // the feet are points 0 and 1
+    const int body = feet; // feet come first
     scene.start.place(0, {310, 240});
     scene.start.place(1, {220, 180});
 
@@ -26,11 +29,11 @@ Scene setUp(const Values &values)
     links.push_back({body, 0});
     links.push_back({1, body});
     links.push_back({body, 1});
-    const double k = values["k"];
-    const double radius = values["radius"];
+    double k = values["k"];
+    double radius = values["radius"];
     add<RadialSpring>(scene, links, k, radius);
 
-    const double damp = values["damp"];
+    double damp = values["damp"];
     add<Damping>(scene, damp);
     return scene;
 }
@@ -43,21 +46,23 @@ namespace any_number {
 //! [any_number]
 Scene setUp(const Values &values)
 {
-    const int feet = values.whole("feet");
+    int feet = values.whole("feet");
     Scene scene = creatureWithFeet(feet);
-    const int body = feet; // the feet are points 0, 1, 2...
-    placeFeet(scene, {{300, 210}, {250, 230}, {280, 160}, {240, 190}, {310, 180}});
+    const int body = feet; // feet come first
+    placeFeet(scene, {{300, 210}, {250, 230},
+                      {280, 160}, {240, 190},
+                      {310, 180}});
 
     std::vector<Link> links;
     for (int i = 0; i < feet; ++i) {
         links.push_back({i, body});
         links.push_back({body, i});
     }
-    const double k = values["k"];
-    const double radius = values["radius"];
+    double k = values["k"];
+    double radius = values["radius"];
     add<RadialSpring>(scene, links, k, radius);
 
-    const double damp = values["damp"];
+    double damp = values["damp"];
     add<Damping>(scene, damp);
     return scene;
 }
@@ -70,13 +75,15 @@ namespace grown_feet {
 //! [grown_feet]
 Scene setUp(const Values &values)
 {
-    const int feet = values.whole("feet");
+    int feet = values.whole("feet");
     Scene scene = creatureWithFeet(feet);
-    const int body = feet; // the feet are points 0, 1, 2...
+    const int body = feet; // feet come first
+    const auto seed = values.seed;
     for (int i = 0; i < feet; ++i) {
-        const double right = 100 * uniform(values.seed, 0, 2 * i) - 50;
-        const double down = 100 * uniform(values.seed, 0, 2 * i + 1) - 50;
-        scene.start.place(i, {270 + right, 200 + down});
+        double right = uniform(seed, 0, 2 * i);
+        double down = uniform(seed, 0, 2 * i + 1);
+        scene.start.place(i, {270 + 100 * right - 50,
+                              200 + 100 * down - 50});
     }
 
     std::vector<Link> links;
@@ -84,11 +91,11 @@ Scene setUp(const Values &values)
         links.push_back({i, body});
         links.push_back({body, i});
     }
-    const double k = values["k"];
-    const double radius = values["radius"];
+    double k = values["k"];
+    double radius = values["radius"];
     add<RadialSpring>(scene, links, k, radius);
 
-    const double damp = values["damp"];
+    double damp = values["damp"];
     add<Damping>(scene, damp);
     return scene;
 }

@@ -20,7 +20,7 @@ Scene setUp(const Values &values)
     Scene scene = loneFoot();
     scene.start.place(foot, {420, 120});
 
-    const double damp = values["damp"];
+    double damp = values["damp"];
     add<Damping>(scene, damp);
     return scene;
 }
@@ -39,10 +39,10 @@ Scene setUp(const Values &values)
     Vec2 centre;
     centre.x = values["centre_x"];
     centre.y = values["centre_y"];
-    const double k = values["k"];
+    double k = values["k"];
     add<PointSpring>(scene, foot, centre, k);
 
-    const double damp = values["damp"];
+    double damp = values["damp"];
     add<Damping>(scene, damp);
     return scene;
 }
@@ -58,11 +58,11 @@ Scene setUp(const Values &values)
     Scene scene = creatureOnHandle();
     scene.start.place(foot, {100, 300});
 
-    const std::vector<Link> links = {{foot, body}};
-    const double k = values["k"];
+    std::vector<Link> links = {{foot, body}};
+    double k = values["k"];
     add<BodySpring>(scene, links, k);
 
-    const double damp = values["damp"];
+    double damp = values["damp"];
     add<Damping>(scene, damp);
     return scene;
 }
@@ -78,12 +78,12 @@ Scene setUp(const Values &values)
     Scene scene = creatureOnHandle();
     scene.start.place(foot, {100, 300});
 
-    const std::vector<Link> links = {{foot, body}};
-    const double k = values["k"];
-    const double offset = values["offset"];
+    std::vector<Link> links = {{foot, body}};
+    double k = values["k"];
+    double offset = values["offset"];
     add<OffsetSpring>(scene, links, k, offset);
 
-    const double damp = values["damp"];
+    double damp = values["damp"];
     add<Damping>(scene, damp);
     return scene;
 }
@@ -99,12 +99,12 @@ Scene setUp(const Values &values)
     Scene scene = creatureOnHandle();
     scene.start.place(foot, {300, 230});
 
-    const std::vector<Link> links = {{foot, body}};
-    const double k = values["k"];
-    const double radius = values["radius"];
+    std::vector<Link> links = {{foot, body}};
+    double k = values["k"];
+    double radius = values["radius"];
     add<RadialSpring>(scene, links, k, radius);
 
-    const double damp = values["damp"];
+    double damp = values["damp"];
     add<Damping>(scene, damp);
     return scene;
 }

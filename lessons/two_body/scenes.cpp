@@ -4,6 +4,9 @@
 #include "sim/effects/damping.h"
 #include "sim/effects/radial_spring.h"
 
+// Learners read these functions in a narrow panel.
+// clang-format off
+
 using namespace sim;
 using namespace lessons;
 
@@ -17,12 +20,13 @@ Scene setUp(const Values &values)
     Scene scene = creature(1);
     scene.start.place(foot, {330, 260});
 
-    const std::vector<Link> links = {{foot, body}, {body, foot}};
-    const double k = values["k"];
-    const double radius = values["radius"];
+    std::vector<Link> links = {{foot, body},
+                               {body, foot}};
+    double k = values["k"];
+    double radius = values["radius"];
     add<RadialSpring>(scene, links, k, radius);
 
-    const double damp = values["damp"];
+    double damp = values["damp"];
     add<Damping>(scene, damp);
     return scene;
 }
@@ -44,12 +48,13 @@ Scene setUp(const Values &values)
     Scene scene = creature(1);
     scene.start.place(foot, {330, 260});
 
-    const std::vector<Link> links = {{foot, body}, {body, foot}};
-    const double k = values["k"];
-    const double radius = values["radius"];
+    std::vector<Link> links = {{foot, body},
+                               {body, foot}};
+    double k = values["k"];
+    double radius = values["radius"];
     add<RadialSpring>(scene, links, k, radius);
 
-    const double damp = values["damp"];
+    double damp = values["damp"];
     add<Damping>(scene, damp);
     return scene;
 }

@@ -4,11 +4,11 @@ namespace sim {
 
 namespace {
 
-//! [damping]
 /// The factor that a velocity keeps over h frames.
-inline double kept(double damp, double h)
+//! [damping]
+double kept(double damp, double h)
 {
-    const double keep = std::pow(damp, h);
+    double keep = std::pow(damp, h);
     return keep;
 }
 //! [damping]

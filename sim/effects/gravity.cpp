@@ -6,9 +6,10 @@ namespace {
 
 /// Published: Creatures I, step 19.
 //! [gravity]
-inline double fall(double gravity)
+Vec2 fall(double gravity)
 {
-    const double pull = gravity; // the same for every point, and y points down
+    // for every point; y points down
+    Vec2 pull = {0, gravity};
     return pull;
 }
 //! [gravity]
@@ -29,7 +30,7 @@ void Gravity::add(const State &state, Points movers, double scale, Directions, E
 {
     for (int i = movers.first; i < movers.end(); ++i) {
         if (state.feels(i))
-            into(i, 1) += scale * fall(m_gravity);
+            into(i, 1) += scale * fall(m_gravity).y;
     }
 }
 
@@ -37,7 +38,7 @@ std::vector<Live> Gravity::explain(const State &state, int mover, Directions) co
 {
     if (!state.feels(mover))
         return {};
-    return {{"pull", Vec2{0.0, fall(m_gravity)}}};
+    return {{"pull", fall(m_gravity)}};
 }
 
 }

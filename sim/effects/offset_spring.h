@@ -5,13 +5,18 @@
 namespace sim {
 
 /// A place beside a point. Published: Creatures I, step 6.
+// Shown lines are short.
+// clang-format off
+inline
 //! [offset_target]
-inline Vec2 offsetTarget(Vec2 anchor, double offset)
+Vec2 offsetTarget(Vec2 anchor, double offset)
 {
-    const Vec2 target = {anchor.x + offset, anchor.y};
+    Vec2 target = anchor;
+    target.x += offset;
     return target;
 }
 //! [offset_target]
+// clang-format on
 
 /// Springs from points to places that lie `offset` pixels to the right of other points.
 class OffsetSpring : public Force

@@ -14,18 +14,25 @@ struct RadialPull
 };
 
 /// A spring to the nearest place that is `radius` pixels away from `anchor`, in the direction in which `mover`
-/// already is. `headingOf(d)` gives that direction. k in 1/frame^2.
+/// already is. `direction(d)` gives it. k in 1/frame^2.
 /// Published: Creatures I, step 7.
-//! [radial_spring]
+// Shown lines are short.
+// clang-format off
 template <class HeadingOf>
-inline RadialPull radialSpring(Vec2 mover, Vec2 anchor, double k, double radius, HeadingOf headingOf)
+//! [radial_spring]
+RadialPull radialSpring(
+    Vec2 mover, Vec2 anchor, double k,
+    double radius, HeadingOf direction)
 {
-    const Vec2 from = mover - anchor;
-    const Vec2 out = headingOf(from);
-    const Vec2 target = anchor + radius * out;
-    return {from, target, spring(mover, target, k)};
+    Vec2 from = mover - anchor;
+    Vec2 out = direction(from);
+    Vec2 reach = radius * out;
+    Vec2 target = anchor + reach;
+    auto end = spring(mover, target, k);
+    return {from, target, end};
 }
 //! [radial_spring]
+// clang-format on
 
 /// Springs that keep points at a distance from other points, in whatever direction they are.
 class RadialSpring : public Force

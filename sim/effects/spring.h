@@ -13,13 +13,18 @@ struct SpringPull
 
 /// Hooke's law: the pull on `mover` is k times its distance to `target`. k in 1/frame^2.
 /// Published: Creatures I, step 4.
+// Shown lines are short.
+// clang-format off
+inline
 //! [spring]
-inline SpringPull spring(Vec2 mover, Vec2 target, double k)
+SpringPull spring(
+    Vec2 mover, Vec2 target, double k)
 {
-    const Vec2 d = target - mover;
-    const Vec2 pull = k * d;
+    Vec2 d = target - mover;
+    Vec2 pull = k * d;
     return {d, pull};
 }
 //! [spring]
+// clang-format on
 
 }

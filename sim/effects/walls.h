@@ -22,8 +22,13 @@ struct Motion
 
 /// Puts a body that is past a wall back to where its edge touches it, and turns its velocity round. `half` is
 /// half the body's width. Published: Creatures I, steps 17 and 18, in that order: right, left, floor.
+// Shown lines are short.
+// clang-format off
+inline
 //! [walls]
-inline Motion walls(Vec2 x, Vec2 v, double half, const Room &room)
+Motion walls(
+    Vec2 x, Vec2 v, double half,
+    const Room &room)
 {
     if (x.x > room.right - half) {
         x.x = room.right - half;
@@ -40,6 +45,7 @@ inline Motion walls(Vec2 x, Vec2 v, double half, const Room &room)
     return {x, v};
 }
 //! [walls]
+// clang-format on
 
 /// Two walls and a floor that bodies bounce off. There is no ceiling.
 class Walls : public Contact
@@ -54,6 +60,8 @@ public:
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
     void resolve(State &state, Points points) const override;
+
+    const Room &room() const { return m_room; }
 
 private:
     Room m_room;

@@ -6,13 +6,49 @@ namespace {
 
 const char *const here = "sim/methods/parts.h";
 
-/// What changed from `before` to `after`, for a line that assigns to `name`.
-std::vector<Live> changed(const char *name, Vec2 before, Vec2 after)
+/// A phase that is the method's own work.
+Phase ownPhase(const char *id, const char *title, const Share &share)
 {
-    return {Live{name, after, before}};
+    Phase phase;
+    phase.id = id;
+    phase.title = title;
+    phase.points = share.points;
+    phase.group = share.group;
+    phase.regions = {{here, id}};
+    return phase;
 }
 
-Phase effectPhase(const EffectPtr &effect, Share share, Directions directions)
+}
+
+PhaseList::PhaseList(const Scene &scene, Directions directions, double h)
+    : m_scene(scene), m_directions(directions), m_h(h)
+{
+}
+
+Share PhaseList::everything() const
+{
+    return {{0, m_scene.start.points()}, -1};
+}
+
+std::vector<Share> PhaseList::groups() const
+{
+    std::vector<Share> shares;
+    for (const Group &group : m_scene.groups)
+        shares.push_back({group.points, static_cast<int>(shares.size())});
+    return shares;
+}
+
+template <class Type, class Visit>
+void PhaseList::forEach(const Share &share, Visit &&visit) const
+{
+    for (const EffectPtr &effect : m_scene.effects) {
+        const auto typed = std::dynamic_pointer_cast<const Type>(effect);
+        if (typed && typed->count(m_scene.start, share.points) > 0)
+            visit(typed);
+    }
+}
+
+Phase PhaseList::phaseOf(const EffectPtr &effect, const Share &share) const
 {
     Phase phase;
     phase.id = effect->id();
@@ -21,92 +57,63 @@ Phase effectPhase(const EffectPtr &effect, Share share, Directions directions)
     phase.effect = effect;
     phase.points = share.points;
     phase.group = share.group;
-    phase.regions = effect->regions(directions);
+    phase.regions = effect->regions(m_directions);
     return phase;
 }
 
-/// Calls `visit(effect, ptr)` for the effects of one type that have something to do among `points`.
-template <class Type, class Visit>
-void forEach(const Scene &scene, Points points, Visit &&visit)
-{
-    for (const EffectPtr &effect : scene.effects) {
-        const auto *typed = dynamic_cast<const Type *>(effect.get());
-        if (typed && typed->count(scene.start, points) > 0)
-            visit(*typed, effect);
-    }
-}
-
-template <class Type>
-bool hasAny(const Scene &scene, Points points)
-{
-    bool any = false;
-    forEach<Type>(scene, points, [&](const Type &, const EffectPtr &) { any = true; });
-    return any;
-}
-
-}
-
-Share everything(const Scene &scene)
-{
-    return {{0, scene.start.points()}, -1};
-}
-
-bool canMove(const Scene &scene, Points points)
+bool PhaseList::canMove(Points points) const
 {
     for (int i = points.first; i < points.end(); ++i) {
-        if (scene.start.feels(i))
+        if (m_scene.start.feels(i))
             return true;
     }
     return false;
 }
 
-void addForcePhases(std::vector<Phase> &phases, const Scene &scene, Share share, Directions directions,
-                    const Region &shown, const RunForce &run)
+void PhaseList::forces(const Share &share, AddForce add, const Region &shown)
 {
-    forEach<Force>(scene, share.points, [&](const Force &force, const EffectPtr &effect) {
-        Phase phase = effectPhase(effect, share, directions);
+    forEach<Force>(share, [&](const std::shared_ptr<const Force> &force) {
+        Phase phase = phaseOf(force, share);
         phase.regions.push_back(shown);
-        phase.run = [&force, effect, run](State &state) { run(force, state); };
-        phase.explain = [&force, effect, directions](const State &before, const State &after, int point) {
-            std::vector<Live> live = force.explain(before, point, directions);
-            if (!live.empty() && !sameBits(before, after) && before.speed(point) != after.speed(point))
+        phase.run = [force, add, points = share.points, h = m_h](State &state) {
+            add(*force, state, points, h);
+        };
+        phase.explain = [force, way = m_directions](const State &before, const State &after, int point) {
+            std::vector<Live> live = force->explain(before, point, way);
+            if (!live.empty() && before.speed(point) != after.speed(point))
                 live.push_back({"velocity", after.speed(point), before.speed(point)});
             return live;
         };
-        phases.push_back(std::move(phase));
+        m_phases.push_back(std::move(phase));
     });
 }
 
-void addKickPhase(std::vector<Phase> &phases, const Scene &scene, Share share, double h)
+void PhaseList::kick(const Share &share)
 {
-    if (!hasAny<Force>(scene, share.points))
+    bool any = false;
+    forEach<Force>(share, [&](const auto &) { any = true; });
+    if (!any)
         return;
-    Phase phase;
-    phase.id = "kick";
-    phase.title = SIM_TEXT("kick");
-    phase.points = share.points;
-    phase.group = share.group;
-    phase.regions = {{here, "kick"}};
-    phase.run = [points = share.points, h](State &state) {
+    Phase phase = ownPhase("kick", SIM_TEXT("kick"), share);
+    phase.run = [points = share.points, h = m_h](State &state) {
         for (int i = points.first; i < points.end(); ++i) {
             const Vec2 a = {state.acceleration(i, 0), state.acceleration(i, 1)};
             if (state.feels(i))
-                state.push(i, kick(state.speed(i), a, h));
+                state.push(i, sim::kick(state.speed(i), a, h));
         }
     };
     phase.explain = [](const State &before, const State &after, int point) {
-        return changed("v", before.speed(point), after.speed(point));
+        return std::vector<Live>{{"v", after.speed(point), before.speed(point)}};
     };
-    phases.push_back(std::move(phase));
+    m_phases.push_back(std::move(phase));
 }
 
-void addDampPhases(std::vector<Phase> &phases, const Scene &scene, Share share, Directions directions,
-                   double h)
+void PhaseList::damping(const Share &share)
 {
-    forEach<Drag>(scene, share.points, [&](const Drag &drag, const EffectPtr &effect) {
-        Phase phase = effectPhase(effect, share, directions);
+    forEach<Drag>(share, [&](const std::shared_ptr<const Drag> &drag) {
+        Phase phase = phaseOf(drag, share);
         phase.regions.push_back({here, "damp"});
-        const double keep = drag.keep(h);
+        const double keep = drag->keep(m_h);
         phase.run = [points = share.points, keep](State &state) {
             for (int i = points.first; i < points.end(); ++i) {
                 if (state.feels(i))
@@ -114,44 +121,35 @@ void addDampPhases(std::vector<Phase> &phases, const Scene &scene, Share share, 
             }
         };
         phase.explain = [keep](const State &before, const State &after, int point) {
-            std::vector<Live> live = changed("v", before.speed(point), after.speed(point));
-            live.insert(live.begin(), Live{"keep", keep});
-            return live;
+            return std::vector<Live>{{"keep", keep, {}}, {"v", after.speed(point), before.speed(point)}};
         };
-        phases.push_back(std::move(phase));
+        m_phases.push_back(std::move(phase));
     });
 }
 
-void addMovePhase(std::vector<Phase> &phases, const Scene &scene, Share share, double h)
+void PhaseList::move(const Share &share)
 {
-    if (!canMove(scene, share.points))
+    if (!canMove(share.points))
         return;
-    Phase phase;
-    phase.id = "move";
-    phase.title = SIM_TEXT("move");
+    Phase phase = ownPhase("move", SIM_TEXT("move"), share);
     phase.moves = true;
-    phase.points = share.points;
-    phase.group = share.group;
-    phase.regions = {{here, "move"}};
-    phase.run = [points = share.points, h](State &state) {
+    phase.run = [points = share.points, h = m_h](State &state) {
         for (int i = points.first; i < points.end(); ++i) {
             if (state.feels(i))
-                state.place(i, move(state.at(i), state.speed(i), h));
+                state.place(i, sim::move(state.at(i), state.speed(i), h));
         }
     };
     phase.explain = [](const State &before, const State &after, int point) {
-        return changed("x", before.at(point), after.at(point));
+        return std::vector<Live>{{"x", after.at(point), before.at(point)}};
     };
-    phases.push_back(std::move(phase));
+    m_phases.push_back(std::move(phase));
 }
 
-void addContactPhases(std::vector<Phase> &phases, const Scene &scene, Share share, Directions directions)
+void PhaseList::contacts(const Share &share)
 {
-    forEach<Contact>(scene, share.points, [&](const Contact &contact, const EffectPtr &effect) {
-        Phase phase = effectPhase(effect, share, directions);
-        phase.run = [&contact, effect, points = share.points](State &state) {
-            contact.resolve(state, points);
-        };
+    forEach<Contact>(share, [&](const std::shared_ptr<const Contact> &contact) {
+        Phase phase = phaseOf(contact, share);
+        phase.run = [contact, points = share.points](State &state) { contact->resolve(state, points); };
         phase.explain = [](const State &before, const State &after, int point) {
             std::vector<Live> live;
             if (before.at(point) != after.at(point))
@@ -160,7 +158,7 @@ void addContactPhases(std::vector<Phase> &phases, const Scene &scene, Share shar
                 live.push_back({"v", after.speed(point), before.speed(point)});
             return live;
         };
-        phases.push_back(std::move(phase));
+        m_phases.push_back(std::move(phase));
     });
 }
 

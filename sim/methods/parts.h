@@ -11,53 +11,84 @@ struct Share
     int group = -1;
 };
 
-/// All points at once.
-Share everything(const Scene &scene);
-
-/// Whether any of `points` can move in `scene`.
-bool canMove(const Scene &scene, Points points);
-
 /// One step of velocity: h in frames, a in px/frame^2.
+// The marker leaves out what learners need not read.
+// clang-format off
+inline
 //! [kick]
-inline Vec2 kick(Vec2 v, Vec2 a, double h)
+Vec2 kick(Vec2 v, Vec2 a, double h)
 {
     v = v + h * a;
     return v;
 }
 //! [kick]
+// clang-format on
 
 /// What damping leaves of a velocity.
+// The marker leaves out what learners need not read.
+// clang-format off
+inline
 //! [damp]
-inline Vec2 damp(Vec2 v, double keep)
+Vec2 damp(Vec2 v, double keep)
 {
     v = keep * v;
     return v;
 }
 //! [damp]
+// clang-format on
 
 /// One step of position.
+// The marker leaves out what learners need not read.
+// clang-format off
+inline
 //! [move]
-inline Vec2 move(Vec2 x, Vec2 v, double h)
+Vec2 move(Vec2 x, Vec2 v, double h)
 {
     x = x + h * v;
     return x;
 }
 //! [move]
+// clang-format on
 
-// The phases that methods are made of. A phase for an effect that has nothing to do among `share` is not added.
+/// How a method adds up one force: onto what, and how much of it. `h` in frames.
+using AddForce = void (*)(const Force &force, State &state, Points movers, double h);
 
-/// Each force of the scene, as `run` applies it; `shown` is the region that says how the method adds it up.
-using RunForce = std::function<void(const Force &force, State &state)>;
-void addForcePhases(std::vector<Phase> &phases, const Scene &scene, Share share, Directions directions,
-                    const Region &shown, const RunForce &run);
-/// v = v + h a, from the gathered accelerations.
-void addKickPhase(std::vector<Phase> &phases, const Scene &scene, Share share, double h);
-/// v = keep v, for each drag of the scene.
-void addDampPhases(std::vector<Phase> &phases, const Scene &scene, Share share, Directions directions,
-                   double h);
-/// x = x + h v.
-void addMovePhase(std::vector<Phase> &phases, const Scene &scene, Share share, double h);
-/// Each contact of the scene.
-void addContactPhases(std::vector<Phase> &phases, const Scene &scene, Share share, Directions directions);
+/// The phases of one step in the making, from the parts that methods are made of. Each function adds the phases of
+/// a share of the points; an effect that has nothing to do there adds none.
+class PhaseList
+{
+public:
+    /// `h` in frames.
+    PhaseList(const Scene &scene, Directions directions, double h);
+
+    /// All points at once.
+    Share everything() const;
+    /// The scene's groups, in order.
+    std::vector<Share> groups() const;
+
+    /// Each force of the scene as `add` adds it up; `shown` is the source of `add`.
+    void forces(const Share &share, AddForce add, const Region &shown);
+    /// v = v + h a, from the gathered accelerations.
+    void kick(const Share &share);
+    /// v = keep v, for each drag of the scene.
+    void damping(const Share &share);
+    /// x = x + h v.
+    void move(const Share &share);
+    /// Each contact of the scene.
+    void contacts(const Share &share);
+
+    std::vector<Phase> take() { return std::move(m_phases); }
+
+private:
+    template <class Type, class Visit>
+    void forEach(const Share &share, Visit &&visit) const;
+    Phase phaseOf(const EffectPtr &effect, const Share &share) const;
+    bool canMove(Points points) const;
+
+    const Scene &m_scene;
+    Directions m_directions;
+    double m_h;
+    std::vector<Phase> m_phases;
+};
 
 }

@@ -8,12 +8,20 @@ namespace {
 
 /// How the published code adds up forces: each pull goes onto the velocity at once. The order of these sums is
 /// part of what it computes.
+// Shown lines are short.
+// clang-format off
 //! [published_forces]
-void pullAtOnce(const Force &force, State &state, Points movers, double h)
+void pullAtOnce(
+    const Force &force, State &state,
+    Points movers, double h)
 {
-    force.add(state, movers, h, Directions::published, state.velocity);
+    // onto the velocity, pull after pull
+    force.add(state, movers, h,
+        Directions::published,
+        state.velocity);
 }
 //! [published_forces]
+// clang-format on
 
 }
 
@@ -24,22 +32,18 @@ void Published::prepare(State &state) const
 
 std::vector<Phase> Published::phases(const Scene &scene, double h) const
 {
-    std::vector<Phase> phases;
-    const Region forces = {"sim/methods/published.cpp", "published_forces"};
+    PhaseList step(scene, directions(), h);
+    const Region pull = {"sim/methods/published.cpp", "published_forces"};
     //! [published_order]
-    // One group after the other: each sees what has already moved.
-    for (int group = 0; group < static_cast<int>(scene.groups.size()); ++group) {
-        const Points points = scene.groups[static_cast<std::size_t>(group)].points;
-        const Share share = {points, group};
-        addForcePhases(
-            phases, scene, share, directions(), forces,
-            [points, h](const Force &force, State &state) { pullAtOnce(force, state, points, h); });
-        addDampPhases(phases, scene, share, directions(), h);
-        addMovePhase(phases, scene, share, h);
-        addContactPhases(phases, scene, share, directions());
+    // each group sees what has already moved
+    for (const Share &group : step.groups()) {
+        step.forces(group, pullAtOnce, pull);
+        step.damping(group);
+        step.move(group);
+        step.contacts(group);
     }
     //! [published_order]
-    return phases;
+    return step.take();
 }
 
 }

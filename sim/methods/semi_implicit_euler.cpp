@@ -7,13 +7,19 @@ namespace sim {
 namespace {
 
 /// Adds a force to the accelerations gathered so far.
+// Shown lines are short.
+// clang-format off
 //! [gather]
-void gather(const Force &force, State &state)
+void gather(
+    const Force &force, State &state,
+    Points movers, double)
 {
-    const Points all = {0, state.points()};
-    force.add(state, all, 1.0, Directions::apart, state.acceleration);
+    force.add(state, movers, 1.0,
+        Directions::apart,
+        state.acceleration);
 }
 //! [gather]
+// clang-format on
 
 }
 
@@ -24,20 +30,20 @@ void SemiImplicitEuler::prepare(State &state) const
 
 std::vector<Phase> SemiImplicitEuler::phases(const Scene &scene, double h) const
 {
-    std::vector<Phase> phases;
-    const Share all = everything(scene);
-    const Region shown = {"sim/methods/semi_implicit_euler.cpp", "gather"};
+    PhaseList step(scene, directions(), h);
+    const Region sum = {"sim/methods/semi_implicit_euler.cpp", "gather"};
     //! [semi_implicit_order]
-    // All points at once: every force sees the same positions.
-    addForcePhases(phases, scene, all, directions(), shown, gather);
-    addKickPhase(phases, scene, all, h);
-    addDampPhases(phases, scene, all, directions(), h);
-    addMovePhase(phases, scene, all, h);
-    addContactPhases(phases, scene, all, directions());
+    // every force sees the same positions
+    Share all = step.everything();
+    step.forces(all, gather, sum);
+    step.kick(all);
+    step.damping(all);
+    step.move(all);
+    step.contacts(all);
     //! [semi_implicit_order]
+    std::vector<Phase> phases = step.take();
     if (!phases.empty()) {
-        const auto first = phases.front().run;
-        phases.front().run = [first](State &state) {
+        phases.front().run = [first = phases.front().run](State &state) {
             state.acceleration.setZero();
             first(state);
         };

@@ -9,6 +9,8 @@
 
 #include <QApplication>
 #include <QMouseEvent>
+#include <QSettings>
+#include <QStandardPaths>
 #include <QWheelEvent>
 
 using namespace app;
@@ -78,6 +80,13 @@ LessonLibrary sceneLibrary()
     LessonLibrary library;
     library.lessons = {entry};
     return library;
+}
+
+void useOwnSettings(const QTemporaryDir &folder)
+{
+    QStandardPaths::setTestModeEnabled(true);
+    QSettings::setDefaultFormat(QSettings::IniFormat);
+    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder.path());
 }
 
 SceneBench::SceneBench(const char *step)

@@ -3,9 +3,14 @@
 #include "app/model/session.h"
 #include "app/ui/scene/scene_view.h"
 
+#include <QTemporaryDir>
+
 /// A library with one lesson made for the tests of the scene: "creature" (two feet and a body, spring and
 /// gravity), "room" (the same between walls) and "lone" (one foot, with a guide).
 app::LessonLibrary sceneLibrary();
+
+/// Keeps the settings of whoever runs the tests out of them.
+void useOwnSettings(const QTemporaryDir &folder);
 
 /// A session, a theme and a view of 600 x 470 px, as the window has it.
 struct SceneBench

@@ -76,6 +76,29 @@ private slots:
         QCOMPARE(none.code, 2);
     }
 
+    void screenshotNeedsNoDisplay()
+    {
+        const QString picture = m_folder.filePath("picture.png");
+        const Answer answer = springstep({"screenshot", "two_body/mutual", "--frame", "20", "--phase", "1",
+                                          "--size", "1000x700", picture});
+        QCOMPARE(answer.err, QString());
+        QCOMPARE(answer.code, 0);
+        QFile file(picture);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray header = file.read(24);
+        QVERIFY(header.startsWith("\x89PNG"));
+        QCOMPARE(header.mid(16), QByteArray::fromHex("000003e8000002bc")); // 1000 x 700
+    }
+
+    void screenshotOfAStepThatIsNotThereListsWhatThereIs()
+    {
+        const Answer answer = springstep({"screenshot", "two_body/sideways", m_folder.filePath("none.png")});
+        QCOMPARE(answer.err,
+                 "springstep: The lesson \"two_body\" has no step \"sideways\"; it has \"mutual\", "
+                 "\"leg_line\".\n");
+        QCOMPARE(answer.code, 2);
+    }
+
     void helpAndVersionAreAnswers()
     {
         for (const QStringList &arguments :

@@ -98,8 +98,8 @@ private slots:
         QTest::newRow("text") << QByteArray("not a library");
         QTest::newRow("empty") << QByteArray();
         QTest::newRow("the first bytes of a plugin") << whole.left(64);
-        for (const int percent : {5, 20, 40, 60})
-            QTest::addRow("the first %d %% of a plugin", percent) << whole.left(whole.size() * percent / 100);
+        for (const int bytes : {500, 1000, 5000, 20000, 60000}) // what is loaded is longer; symbols follow it
+            QTest::addRow("the first %d bytes of a plugin", bytes) << whole.left(bytes);
         QTest::newRow("a library without a plugin") << read(QString(LESSON_DIR) + "/../libsim.so");
     }
     void aFileThatIsNoPluginIsNamed()

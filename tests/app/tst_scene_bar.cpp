@@ -5,8 +5,6 @@
 
 #include <QLineEdit>
 #include <QMenu>
-#include <QSettings>
-#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QToolButton>
 #include <QtTest>
@@ -44,7 +42,7 @@ class SceneBarTest : public QObject
     Q_OBJECT
 
 private slots:
-    void initTestCase();
+    void initTestCase() { useOwnSettings(m_settings); }
     void stepsAreReadAsTyped_data();
     void stepsAreReadAsTyped();
     void theBarSetsMethodAndStep();
@@ -56,13 +54,6 @@ private slots:
 private:
     QTemporaryDir m_settings;
 };
-
-void SceneBarTest::initTestCase()
-{
-    QStandardPaths::setTestModeEnabled(true);
-    QSettings::setDefaultFormat(QSettings::IniFormat);
-    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_settings.path());
-}
 
 void SceneBarTest::stepsAreReadAsTyped_data()
 {

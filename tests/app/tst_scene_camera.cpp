@@ -2,9 +2,7 @@
 
 #include "scene_bench.h"
 
-#include <QSettings>
 #include <QSignalSpy>
-#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -15,7 +13,7 @@ class SceneCameraTest : public QObject
     Q_OBJECT
 
 private slots:
-    void initTestCase();
+    void initTestCase() { useOwnSettings(m_settings); }
     void theWheelZoomsAroundThePointer();
     void twoFingersMoveThePicture();
     void draggingTheBackgroundMovesThePicture_data();
@@ -29,13 +27,6 @@ private slots:
 private:
     QTemporaryDir m_settings;
 };
-
-void SceneCameraTest::initTestCase()
-{
-    QStandardPaths::setTestModeEnabled(true);
-    QSettings::setDefaultFormat(QSettings::IniFormat);
-    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_settings.path());
-}
 
 void SceneCameraTest::theWheelZoomsAroundThePointer()
 {

@@ -204,6 +204,23 @@ private slots:
         QVERIFY(track.moments("nobody").empty());
     }
 
+    void theShownSceneBelongsToTheState()
+    {
+        Script script = support::script(support::sample("creature in a room"), "published");
+        script.input = {{10, Set{"feet", 2}}, {20, Set{"feet", 4}}};
+        Track track(script, tinyBudget);
+        support::Dice dice(1);
+        for (int i = 0; i < 300; ++i) {
+            track.seek({dice.whole(0, 30), dice.whole(0, 9)});
+            // The row that ends at frame 10 is the first with two feet: its phases already have them.
+            const std::int64_t end = track.at().frame + (track.at().phase > 0 ? 1 : 0);
+            const int feet = end < 10 ? 5 : end < 20 ? 2 : 4;
+            QCOMPARE(track.now().points(), feet + 1);
+            QCOMPARE(track.shown().scene.start.points(), feet + 1);
+            QCOMPARE(track.shown().values.whole("feet"), feet);
+        }
+    }
+
     void previewShowsTheRowsInputBeforeItRuns()
     {
         Script script = support::script(support::sample("creature in a room"), "published");

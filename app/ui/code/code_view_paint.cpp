@@ -8,6 +8,8 @@
 #include <QPainterPath>
 #include <QScrollBar>
 
+#include <algorithm>
+
 namespace app {
 
 namespace {
@@ -19,10 +21,11 @@ constexpr int barWidth = 3;
 constexpr int textLeft = 53;
 constexpr int chipRight = 8;      ///< from the right edge
 constexpr int chipRightOfBar = 4; ///< likewise, with a scroll bar there
-constexpr int chipGap = 4;        ///< between code and chip
+constexpr int chipGap = 2;        ///< between code and chip
 constexpr int chipHeight = 16;
 constexpr int chipPixels = 11; ///< of its letters
 constexpr int chipPadding = 6;
+constexpr int tightPadding = 3;
 constexpr int noteRight = 12;
 
 }
@@ -72,15 +75,19 @@ CodeView::Box CodeView::chipBox(std::size_t row) const
     const QFontMetrics metrics(m_theme.mono(chipPixels));
     const int right = rect.right() + 1 - (verticalScrollBar()->isVisible() ? chipRightOfBar : chipRight);
     const int room = right - endOfCode(row) - chipGap;
-    const auto widthOf = [&](const QString &text) {
-        return metrics.horizontalAdvance(text) + 2 * chipPadding;
-    };
-    QString text = its->text;
-    for (qsizetype i = 0; i < its->shorter.size() && widthOf(text) > room; ++i)
-        text = its->shorter[i];
-    if (widthOf(text) > room)
-        text = QStringLiteral("…"); // a part of a number would be another number
-    const int width = widthOf(text);
+    const QString dots = QStringLiteral("…"); // a part of a number would be another number
+    QString text = dots;
+    int width = metrics.horizontalAdvance(dots) + 2 * chipPadding;
+    for (const int padding : {tightPadding, chipPadding}) {
+        const QStringList forms = QStringList(its->text) + its->shorter;
+        const auto fits = std::find_if(forms.begin(), forms.end(), [&](const QString &form) {
+            return metrics.horizontalAdvance(form) + 2 * padding <= room;
+        });
+        if (fits == forms.end())
+            continue;
+        text = *fits;
+        width = metrics.horizontalAdvance(text) + 2 * padding;
+    }
     const int top = rect.top() + (rect.height() - chipHeight) / 2;
     return {QRect(right - width, top, width, chipHeight), text};
 }

@@ -22,10 +22,11 @@ constexpr int rowHeight = 28;
 constexpr int longestPage = 720;
 constexpr int headHeight = 90;
 
-QLabel *label(const QString &text, const QFont &font, QWidget *parent)
+/// `name`: how the style sheet knows it.
+QLabel *label(const QString &text, const char *name, QWidget *parent)
 {
     auto *label = new QLabel(text, parent);
-    label->setFont(font);
+    label->setObjectName(name);
     label->setTextFormat(Qt::PlainText);
     return label;
 }
@@ -45,10 +46,9 @@ HelpPage::HelpPage(const Theme &theme, QWidget *parent) : QDialog(parent), m_the
     setModal(false);
     m_page->setObjectName("panel");
     m_page->setAttribute(Qt::WA_StyledBackground);
-    auto *title = label(tr("Keys and mouse"), theme.ui(17, QFont::DemiBold), m_page);
+    auto *title = label(tr("Keys and mouse"), "stepTitle", m_page);
     auto *hint =
-        label(tr("Everything works without the mouse, too. Esc closes this page."), theme.ui(12), m_page);
-    hint->setObjectName("caption");
+        label(tr("Everything works without the mouse, too. Esc closes this page."), "caption", m_page);
     auto *columns = new QHBoxLayout;
     columns->setSpacing(2 * margin);
     for (QVBoxLayout *&column : m_columns) {
@@ -101,7 +101,7 @@ HelpPage::Group &HelpPage::groupCalled(const QString &name)
     grid->setHorizontalSpacing(16);
     grid->setVerticalSpacing(0);
     grid->setColumnStretch(0, 1);
-    grid->addWidget(label(name, m_theme.ui(13, QFont::DemiBold), box), 0, 0, 1, 2);
+    grid->addWidget(label(name, "heading", box), 0, 0, 1, 2);
     grid->setRowMinimumHeight(0, rowHeight);
     return m_groups.emplace(name, Group{box, grid, 0}).first->second;
 }
@@ -110,10 +110,9 @@ void HelpPage::addRow(const QString &group, const QString &text, QWidget *caps)
 {
     Group &to = groupCalled(group);
     ++to.rows;
-    auto *what = label(text, m_theme.ui(), to.box);
+    auto *what = label(text, "action", to.box);
     what->setWordWrap(true);
     what->setAccessibleName(tr("%1: %2").arg(text, caps->accessibleName()));
-    what->setObjectName("action");
     to.grid->addWidget(what, to.rows, 0, Qt::AlignVCenter);
     to.grid->addWidget(caps, to.rows, 1, Qt::AlignRight | Qt::AlignVCenter);
     to.grid->setRowMinimumHeight(to.rows, rowHeight);

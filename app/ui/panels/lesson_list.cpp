@@ -104,6 +104,14 @@ void LessonList::mousePressEvent(QMouseEvent *event)
     QTreeView::mousePressEvent(event);
 }
 
+void LessonList::resizeEvent(QResizeEvent *event)
+{
+    QTreeView::resizeEvent(event);
+    // The rows have moved away from under the pointer.
+    QHoverEvent leave(QEvent::HoverLeave, QPointF(), QPointF(), QPointF());
+    viewportEvent(&leave);
+}
+
 void LessonList::initViewItemOption(QStyleOptionViewItem *option) const
 {
     QTreeView::initViewItemOption(option);

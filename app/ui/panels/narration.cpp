@@ -52,11 +52,13 @@ QWidget *Narration::makeText()
     // The width decides how high the text is; the height at its least width must not count.
     page->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);
     m_title = new QLabel(page);
+    m_title->setObjectName("stepTitle");
     m_title->setWordWrap(true);
     m_title->setTextFormat(Qt::PlainText);
     m_title->setMinimumHeight(titleHeight);
     m_text = new NarrationText(m_theme, page);
     m_heading = new QLabel(tr("Try this"), page);
+    m_heading->setObjectName("heading");
     m_heading->setFixedHeight(headingHeight);
     m_tryColumn = new QVBoxLayout;
     m_tryColumn->setSpacing(0);
@@ -136,10 +138,6 @@ void Narration::showProgress()
 
 void Narration::dress()
 {
-    QFont title = m_theme.ui(17, QFont::DemiBold);
-    title.setLetterSpacing(QFont::AbsoluteSpacing, -0.17);
-    m_title->setFont(title);
-    m_heading->setFont(m_theme.ui(13, QFont::DemiBold));
     m_back->setIcon(m_theme.icon("left", m_theme.tokens().ink));
     showProgress();
 }

@@ -41,16 +41,4 @@ private:
     QHBoxLayout *m_row;
 };
 
-/// The title of a dock, for QDockWidget::setTitleBarWidget.
-class DockTitle : public PanelTitle
-{
-    Q_OBJECT
-
-public:
-    DockTitle(const QString &title, const Theme &theme, QWidget *parent = nullptr)
-        : PanelTitle(title, CaptionPlace::besideTitle, theme, parent)
-    {
-    }
-};
-
 }

@@ -36,7 +36,7 @@ ParameterPanel::ParameterPanel(Session &session, const Theme &theme, QWidget *pa
     page->setObjectName("panel");
     page->setAttribute(Qt::WA_StyledBackground);
     m_column = new QVBoxLayout(page);
-    m_column->setContentsMargins(0, 0, 0, bottomMargin);
+    m_column->setContentsMargins(0, 0, 0, 4); // less than wanted: a dock may be a little lower than asked
     m_column->setSpacing(0);
     m_area->setWidget(page);
     makeDisclosure();
@@ -167,7 +167,7 @@ void ParameterPanel::unfoldIfRoom()
 {
     if (m_chosen || !m_placed || m_rows.size() <= alwaysShown)
         return;
-    const bool room = height() >= heightOf(m_rows.size(), true);
+    const bool room = height() >= fullHeight();
     if (room != m_unfolded)
         unfold(room);
 }
@@ -178,6 +178,11 @@ int ParameterPanel::heightOf(std::size_t rows, bool disclosure) const
            (disclosure ? disclosureHeight : 0) + bottomMargin;
 }
 
+int ParameterPanel::fullHeight() const
+{
+    return heightOf(m_rows.size(), m_rows.size() > alwaysShown);
+}
+
 QSize ParameterPanel::sizeHint() const
 {
     const bool some = m_rows.size() > alwaysShown;
@@ -186,7 +191,8 @@ QSize ParameterPanel::sizeHint() const
 
 QSize ParameterPanel::minimumSizeHint() const
 {
-    return {300, heightOf(std::min<std::size_t>(m_rows.size(), 2), false)};
+    const bool some = m_rows.size() > alwaysShown;
+    return {300, heightOf(std::min(m_rows.size(), alwaysShown), some)};
 }
 
 void ParameterPanel::resizeEvent(QResizeEvent *event)

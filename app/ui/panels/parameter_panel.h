@@ -27,6 +27,8 @@ public:
 
     /// The height that shows what is unfolded, with the title.
     QSize sizeHint() const override;
+    /// The height from which every parameter is shown unasked.
+    int fullHeight() const;
     QSize minimumSizeHint() const override;
 
 signals:

@@ -60,7 +60,7 @@ void placeLabel(EdgeMarker &marker, const Shown &shown, QRectF free, LabelPlaces
 
 QRectF EdgeMarker::head() const
 {
-    return QRectF(at, at - headLength * direction).normalized().adjusted(-4, -4, 4, 4);
+    return QRectF(at, at - headLength * direction).normalized().adjusted(-7, -7, 7, 7);
 }
 
 std::vector<EdgeMarker> edgeMarkers(const Shown &shown, const Camera &camera, QRectF view, QRectF free,

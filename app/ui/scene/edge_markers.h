@@ -19,7 +19,8 @@ struct EdgeMarker
 
     /// The box of the arrow.
     QRectF head() const;
-    bool contains(QPointF place) const { return head().contains(place) || label.contains(place); }
+    /// Whether a click at `place` means it: 24 px high at the least.
+    bool contains(QPointF place) const { return head().united(label).adjusted(-4, -5, 4, 5).contains(place); }
 };
 
 /// The markers of all bodies that do not show in `view`, within `free`. Bodies in one direction share one.

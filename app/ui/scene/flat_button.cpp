@@ -63,12 +63,17 @@ int FlatButton::widthWith(const QString &caption) const
 
 QSize FlatButton::sizeHint() const
 {
-    return {widthWith(m_short && !m_value.isEmpty() ? QString() : m_caption), tall};
+    return {m_short ? shortWidth() : fullWidth(), tall};
 }
 
 int FlatButton::fullWidth() const
 {
     return widthWith(m_caption);
+}
+
+int FlatButton::shortWidth() const
+{
+    return widthWith(m_value.isEmpty() ? m_caption : QString());
 }
 
 void FlatButton::paintEvent(QPaintEvent *)

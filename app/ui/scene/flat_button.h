@@ -25,6 +25,8 @@ public:
     QSize minimumSizeHint() const override { return sizeHint(); }
     /// How wide it is with its caption.
     int fullWidth() const;
+    /// How wide it is without, if it has a value.
+    int shortWidth() const;
 
 protected:
     void paintEvent(QPaintEvent *event) override;

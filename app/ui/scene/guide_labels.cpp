@@ -1,5 +1,6 @@
 #include "app/ui/scene/guide_labels.h"
 
+#include "app/ui/scene/free_area.h"
 #include "app/ui/scene/label_places.h"
 
 #include <algorithm>
@@ -83,7 +84,9 @@ std::vector<GuideLabel> guideLabels(const Shown &shown, const Camera &camera, QR
     if (!shown.extras.guides)
         return labels;
     const QFontMetricsF metrics(shown.text);
-    LabelPlaces places(bodyBoxes(shown, camera));
+    std::vector<QRectF> taken = bodyBoxes(shown, camera);
+    taken.push_back(nameBox(shown, camera, area));
+    LabelPlaces places(std::move(taken));
     for (const Guide &guide : shown.picture.guides) {
         const QPointF anchor = anchorOf(guide, shown, camera);
         if (guide.label.isEmpty() || !area.contains(anchor))

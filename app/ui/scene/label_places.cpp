@@ -7,7 +7,6 @@ namespace app {
 
 namespace {
 
-constexpr double apart = 8.0;     ///< px between an anchor and its label
 constexpr double raster = 16.0;   ///< px between two places that are tried
 constexpr double coverCost = 4.0; ///< px of distance that a covered square px is worth
 
@@ -28,16 +27,18 @@ QRectF LabelPlaces::beside(QPointF anchor, QSizeF size)
 {
     const double w = size.width();
     const double h = size.height();
-    const std::array places{QPointF(apart, -h / 2),     QPointF(-w / 2, -h - apart),
-                            QPointF(-w / 2, apart),     QPointF(-w - apart, -h / 2),
-                            QPointF(apart, -h - apart), QPointF(apart, apart),
-                            QPointF(-w - apart, apart), QPointF(-w - apart, -h - apart)};
     QRectF best;
     double least = -1.0;
-    for (const QPointF &place : places) {
-        const QRectF box(anchor + place, size);
-        const double cost = covered(box);
-        if (least < 0.0 || cost < least) {
+    for (const double away : {8.0, 20.0, 36.0}) {
+        const std::array places{QPointF(away, -h / 2),    QPointF(-w / 2, -h - away),
+                                QPointF(-w / 2, away),    QPointF(-w - away, -h / 2),
+                                QPointF(away, -h - away), QPointF(away, away),
+                                QPointF(-w - away, away), QPointF(-w - away, -h - away)};
+        for (const QPointF &place : places) {
+            const QRectF box(anchor + place, size);
+            const double cost = covered(box);
+            if (least >= 0.0 && cost >= least)
+                continue;
             least = cost;
             best = box;
         }

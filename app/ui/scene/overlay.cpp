@@ -1,7 +1,7 @@
 #include "app/ui/scene/overlay.h"
 
 #include "app/ui/scene/arrows.h"
-#include "app/ui/scene/body_text.h"
+#include "app/ui/scene/free_area.h"
 #include "app/ui/scene/guide_labels.h"
 #include "app/ui/scene/label_places.h"
 
@@ -23,12 +23,7 @@ constexpr double margin = 20.0;
 constexpr double lowest = 20.0;        ///< of the bottom lines' marks, above the edge
 constexpr double longestScale = 150.0; ///< px of the screen
 constexpr double legendRow = 20.0;
-constexpr double nameHeight = 20.0;
 constexpr double legendGap = 24.0;
-constexpr double scaleRoom = 220.0; ///< what the scale and its number take of the width
-constexpr double captionRoom = 36.0;
-constexpr double bottomRoom = 36.0;
-constexpr double edge = 8.0;
 constexpr double besideWall = 12.0;
 constexpr double captionShift = 120.0; ///< the farthest that a wall moves the caption
 
@@ -61,17 +56,12 @@ struct Overlay::Entry
     QString text;
 };
 
-QRectF Overlay::freeArea(QRectF view) const
-{
-    const double top = m_shown.caption.isEmpty() ? edge : captionRoom;
-    return view.adjusted(edge, top, -edge, -bottomRoom);
-}
-
 std::vector<EdgeMarker> Overlay::markers(const Camera &camera, QRectF view) const
 {
     std::vector<QRectF> taken = bodyBoxes(m_shown, camera);
-    taken.push_back(nameBox(camera, view));
-    return edgeMarkers(m_shown, camera, view, freeArea(view).adjusted(4, 4, -4, -8), std::move(taken));
+    taken.push_back(nameBox(m_shown, camera, view));
+    return edgeMarkers(m_shown, camera, view, freeArea(m_shown, view).adjusted(4, 4, -4, -8),
+                       std::move(taken));
 }
 
 std::vector<QRectF> Overlay::takenBoxes(const Camera &camera, QRectF view,
@@ -94,10 +84,11 @@ void Overlay::draw(QPainter &painter, const Camera &camera, QRectF view) const
     painter.setFont(m_shown.text);
     const std::vector<EdgeMarker> outside = markers(camera, view);
     drawEdgeMarkers(painter, m_shown, m_theme, outside);
-    if (hasCard())
-        drawPullCard(painter, m_shown, m_theme, camera, freeArea(view), takenBoxes(camera, view, outside));
+    if (hasCard(m_shown))
+        drawPullCard(painter, m_shown, m_theme, camera, cardArea(m_shown, camera, view),
+                     takenBoxes(camera, view, outside));
     else
-        drawName(painter, nameBox(camera, view));
+        drawName(painter, nameBox(m_shown, camera, view));
     drawCaption(painter, camera);
     const double end = drawScale(painter, camera, view);
     drawLegend(painter, view, end);
@@ -196,30 +187,6 @@ void Overlay::drawEntry(QPainter &painter, const Entry &entry, QPointF at) const
     painter.drawText(at + QPointF(entry.width, 0.0), entry.text);
 }
 
-QString Overlay::name() const
-{
-    const auto point = static_cast<std::size_t>(m_shown.selected);
-    return bodyTitle(QString::fromStdString(m_shown.picture.segment->scene.names[point]));
-}
-
-QRectF Overlay::nameBox(const Camera &camera, QRectF view) const
-{
-    if (m_shown.selected < 0 || hasCard())
-        return {};
-    const QPointF centre = camera.at(m_shown.state().at(m_shown.selected));
-    const double radius = camera.radius(m_shown.radius(m_shown.selected));
-    if (!view.adjusted(-radius, -radius, radius, radius).contains(centre))
-        return {};
-    const double width = std::ceil(QFontMetricsF(m_shown.text).horizontalAdvance(name())) + 26.0;
-    const QRectF free = freeArea(view);
-    double y = centre.y() + radius + 11.0;
-    if (y + nameHeight > free.bottom())
-        y = centre.y() - radius - 11.0 - nameHeight;
-    y = std::clamp(y, free.top(), free.bottom() - nameHeight);
-    const double x = std::clamp(centre.x() - 8.0, free.left(), std::max(free.left(), free.right() - width));
-    return {std::round(x) + 0.5, std::round(y) + 0.5, width, nameHeight};
-}
-
 void Overlay::drawName(QPainter &painter, QRectF box) const
 {
     if (box.isEmpty())
@@ -232,7 +199,7 @@ void Overlay::drawName(QPainter &painter, QRectF box) const
     painter.drawRoundedRect(QRectF(box.left() + 7.0, box.top() + 7.0, 6.0, 6.0), 1.5, 1.5);
     painter.setFont(m_shown.text);
     painter.setPen(m_theme.tokens().ink);
-    painter.drawText(QPointF(box.left() + 18.0, box.top() + 14.0), name());
+    painter.drawText(QPointF(box.left() + 18.0, box.top() + 14.0), selectedName(m_shown));
     painter.setBrush(Qt::NoBrush);
 }
 

@@ -18,18 +18,12 @@ public:
 private:
     struct Entry;
 
-    /// The part of `view` that caption, scale and legends leave free.
-    QRectF freeArea(QRectF view) const;
     std::vector<Entry> legend() const;
     void drawCaption(QPainter &painter, const Camera &camera) const;
     /// Returns where it ends.
     double drawScale(QPainter &painter, const Camera &camera, QRectF view) const;
     void drawLegend(QPainter &painter, QRectF view, double from) const;
     void drawEntry(QPainter &painter, const Entry &entry, QPointF at) const;
-    bool hasCard() const { return !m_shown.gathered.empty() && m_shown.selected >= 0; }
-    QString name() const;
-    /// Where the selected body's name stands; empty if it does not.
-    QRectF nameBox(const Camera &camera, QRectF view) const;
     void drawName(QPainter &painter, QRectF box) const;
     /// What a card must not cover.
     std::vector<QRectF> takenBoxes(const Camera &camera, QRectF view,

@@ -8,6 +8,7 @@
 
 #include <QActionGroup>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
@@ -22,8 +23,20 @@ namespace app {
 namespace {
 
 constexpr int barHeight = 36;
+constexpr int sideMargin = 8;
 
 const std::array offeredSteps{1.0 / 64, 1.0 / 32, 1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0, 2.0};
+
+/// Keeps Return to itself: in a menu it would trigger an entry besides the field that it was typed in.
+class FieldRow : public QWidget
+{
+protected:
+    void keyPressEvent(QKeyEvent *event) override
+    {
+        const bool isReturn = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+        event->setAccepted(isReturn);
+    }
+};
 
 /// An action of `menu` that one of its group is on.
 QAction *choice(QMenu &menu, QActionGroup &group, const QString &text, const QVariant &data)
@@ -76,8 +89,9 @@ SceneBar::SceneBar(Session &session, const Theme &theme, QWidget *parent)
     m_fit->setFixedSize(28, 28);
     m_fit->setAccessibleName(tr("Fit"));
     auto *row = new QHBoxLayout(this);
-    row->setContentsMargins(8, 0, 8, 0);
+    row->setContentsMargins(sideMargin, 0, sideMargin, 0);
     row->setSpacing(0);
+    row->setSizeConstraint(QLayout::SetNoConstraint); // captions give way: see minimumSizeHint()
     row->addWidget(m_method);
     row->addWidget(m_step);
     row->addStretch(1);
@@ -135,7 +149,7 @@ void SceneBar::fillSteps()
 
 void SceneBar::addOtherStep()
 {
-    auto *content = new QWidget;
+    auto *content = new FieldRow;
     auto *label = new QLabel(tr("Other:"), content);
     m_other = new QLineEdit(content);
     m_other->setFixedWidth(72);
@@ -143,6 +157,8 @@ void SceneBar::addOtherStep()
     m_other->setToolTip(tr("1 divided by a whole number, or a whole number, in frames; Enter takes it"));
     m_other->setAccessibleName(tr("Other step, in frames"));
     label->setBuddy(m_other);
+    content->setFocusPolicy(Qt::StrongFocus); // the menu gives it the focus when its keys come there
+    content->setFocusProxy(m_other);
     m_why = new QLabel(content);
     m_why->setObjectName("caption");
     m_why->setWordWrap(true);
@@ -235,10 +251,19 @@ void SceneBar::showZoom(double percent)
 
 void SceneBar::arrange()
 {
-    int needed = 16 + m_fit->width() + m_zoom->fullWidth() + m_show->fullWidth();
-    needed += m_method->fullWidth() + m_step->fullWidth();
-    m_method->setShort(needed > width());
-    m_step->setShort(needed > width());
+    const bool isShort = widthWith(m_method->fullWidth(), m_step->fullWidth()) > width();
+    m_method->setShort(isShort);
+    m_step->setShort(isShort);
+}
+
+int SceneBar::widthWith(int method, int step) const
+{
+    return 2 * sideMargin + method + step + m_show->fullWidth() + m_zoom->fullWidth() + m_fit->width();
+}
+
+QSize SceneBar::minimumSizeHint() const
+{
+    return {widthWith(m_method->shortWidth(), m_step->shortWidth()), barHeight};
 }
 
 void SceneBar::paintEvent(QPaintEvent *)

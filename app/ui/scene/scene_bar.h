@@ -24,6 +24,8 @@ public:
 
     /// The view that "Show" and the zoom are about.
     void attach(SceneView &view);
+    /// Without the captions of method and step.
+    QSize minimumSizeHint() const override;
 
 protected:
     void paintEvent(QPaintEvent *event) override;
@@ -40,6 +42,7 @@ private:
     void showZoom(double percent);
     /// Drops captions when not all of the bar finds room.
     void arrange();
+    int widthWith(int method, int step) const;
 
     Session &m_session;
     const Theme &m_theme;

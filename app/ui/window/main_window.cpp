@@ -29,6 +29,8 @@ namespace app {
 
 namespace {
 
+constexpr int wide = 1600; ///< px, from here on the docks are broader
+
 QFrame *divider(QWidget *parent)
 {
     auto *line = new QFrame(parent);
@@ -121,7 +123,7 @@ void MainWindow::makeDocks()
 void MainWindow::fitParameters()
 {
     // The code gets all the height that the parameters do not need.
-    const int wanted = m_parameters->sizeHint().height();
+    const int wanted = m_parameterDock->sizeHint().height();
     resizeDocks({m_codeDock, m_parameterDock}, {std::max(1, height() - wanted), wanted}, Qt::Vertical);
 }
 
@@ -221,14 +223,15 @@ void MainWindow::restore()
     const QSettings settings;
     if (!restoreGeometry(settings.value("window/geometry").toByteArray()))
         resize(1280, 800);
-    if (!restoreState(settings.value("window/docks").toByteArray()))
-        resizeDocks({m_left, m_codeDock}, {280, 400}, Qt::Horizontal);
-    fitParameters();
+    m_docksKnown = restoreState(settings.value("window/docks").toByteArray());
 }
 
 void MainWindow::showEvent(QShowEvent *event)
 {
     QMainWindow::showEvent(event);
+    if (!m_docksKnown)
+        resizeDocks({m_left, m_codeDock}, width() < wide ? QList{280, 400} : QList{320, 480}, Qt::Horizontal);
+    m_docksKnown = true;
     fitParameters();
 }
 

@@ -92,6 +92,8 @@ private:
     QDockWidget *m_parameterDock = nullptr;
     QLabel *m_status = nullptr;
     QString m_said;
+    bool m_docksKnown =
+        false;      ///< whether the docks have the sizes that the learner left or that fit the window
     QString m_path; ///< the experiment's file, if it has one
 };
 

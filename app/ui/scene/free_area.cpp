@@ -1,0 +1,69 @@
+#include "app/ui/scene/free_area.h"
+
+#include "app/ui/scene/body_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace app {
+
+namespace {
+
+constexpr double captionRoom = 36.0;
+constexpr double bottomRoom = 36.0;
+constexpr double edge = 8.0;
+constexpr double nameHeight = 20.0;
+constexpr double belowBody = 11.0;
+constexpr double leastCardRoom = 240.0; ///< px between two walls, below which a card lies over them
+
+}
+
+QRectF freeArea(const Shown &shown, QRectF view)
+{
+    return view.adjusted(edge, shown.caption.isEmpty() ? edge : captionRoom, -edge, -bottomRoom);
+}
+
+QRectF cardArea(const Shown &shown, const Camera &camera, QRectF view)
+{
+    QRectF area = freeArea(shown, view);
+    if (const std::optional<sim::Room> &room = shown.picture.look.room) {
+        const double left = camera.at({room->left, room->floor}).x() + edge;
+        const double right = camera.at({room->right, room->floor}).x() - edge;
+        if (std::min(right, area.right()) - std::max(left, area.left()) >= leastCardRoom) {
+            area.setLeft(std::max(left, area.left()));
+            area.setRight(std::min(right, area.right()));
+        }
+    }
+    return area;
+}
+
+bool hasCard(const Shown &shown)
+{
+    return !shown.gathered.empty() && shown.selected >= 0;
+}
+
+QString selectedName(const Shown &shown)
+{
+    const auto point = static_cast<std::size_t>(shown.selected);
+    return bodyTitle(QString::fromStdString(shown.picture.segment->scene.names[point]));
+}
+
+QRectF nameBox(const Shown &shown, const Camera &camera, QRectF view)
+{
+    if (shown.selected < 0 || hasCard(shown))
+        return {};
+    const QPointF centre = camera.at(shown.state().at(shown.selected));
+    const double radius = camera.radius(shown.radius(shown.selected));
+    if (!view.adjusted(-radius, -radius, radius, radius).contains(centre))
+        return {};
+    const double width = std::ceil(QFontMetricsF(shown.text).horizontalAdvance(selectedName(shown))) + 26.0;
+    const QRectF free = freeArea(shown, view);
+    double y = centre.y() + radius + belowBody;
+    if (y + nameHeight > free.bottom())
+        y = centre.y() - radius - belowBody - nameHeight;
+    y = std::clamp(y, free.top(), std::max(free.top(), free.bottom() - nameHeight));
+    const double x = std::clamp(centre.x() - 8.0, free.left(), std::max(free.left(), free.right() - width));
+    return {std::round(x) + 0.5, std::round(y) + 0.5, width, nameHeight};
+}
+
+}

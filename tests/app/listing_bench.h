@@ -1,0 +1,54 @@
+#pragma once
+
+#include "app/model/code_marks.h"
+#include "app/model/lesson_library.h"
+#include "sim/methods/methods.h"
+
+#include <QTest>
+
+/// What the suites of the shown code share.
+namespace listing_bench {
+
+using namespace app;
+
+inline const LessonLibrary &library()
+{
+    static const LessonLibrary loaded = LessonLibrary::load({LESSON_DIR});
+    return loaded;
+}
+
+inline const lessons::Step &stepOf(const QString &lesson, const QString &step)
+{
+    return *library().lesson(lesson)->step(step);
+}
+
+inline sim::Timeline runOf(const lessons::Step &step, const QString &method = "published")
+{
+    sim::Script script = step.script();
+    script.method = sim::findMethod(method.toStdString());
+    return sim::Timeline(std::move(script));
+}
+
+inline CodeListing listingOf(const lessons::Step &step, const sim::Timeline &run)
+{
+    return app::listingOf(step, run.track().shown(), *run.script().method);
+}
+
+/// A row for every step of every lesson with every method.
+inline void everyStepAndMethod()
+{
+    QTest::addColumn<QString>("lesson");
+    QTest::addColumn<QString>("step");
+    QTest::addColumn<QString>("method");
+    for (const LessonEntry &lesson : library().lessons) {
+        for (const lessons::Step &step : lesson.steps) {
+            for (const sim::MethodPtr &method : sim::allMethods()) {
+                const QString id = QString::fromStdString(method->id());
+                QTest::addRow("%s/%s, %s", qPrintable(lesson.id), qPrintable(step.id), qPrintable(id))
+                    << lesson.id << step.id << id;
+            }
+        }
+    }
+}
+
+}

@@ -1,0 +1,236 @@
+#include "tests/app/listing_bench.h"
+
+#include <algorithm>
+
+using namespace listing_bench;
+
+namespace {
+
+QString textAt(const CodeListing &listing, const CodeChip &chip)
+{
+    return listing.sections[chip.section].lines[chip.line].source.text.trimmed();
+}
+
+QList<When> whens(const std::vector<SectionMark> &marks)
+{
+    QList<When> all;
+    for (const SectionMark &mark : marks)
+        all << mark.when;
+    return all;
+}
+
+std::vector<CodeChip> chipsAt(const CodeListing &listing, const sim::Timeline &run, const std::string &body)
+{
+    const sim::Segment &segment = run.track().shown();
+    return chipsOf(listing, run.track().moments(body), segment, segment.scene.find(body));
+}
+
+}
+
+/// The values beside the shown code, and what of it is done, now and to come.
+class TestCodeValues : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void noValueIsLost_data() { everyStepAndMethod(); }
+    void noValueIsLost()
+    {
+        QFETCH(QString, lesson);
+        QFETCH(QString, step);
+        QFETCH(QString, method);
+        sim::Timeline run = runOf(stepOf(lesson, step), method);
+        const CodeListing listing = listingOf(stepOf(lesson, step), run);
+        for (int frame = 1; frame <= 60; ++frame) {
+            run.stepRow();
+            for (const std::string &body : run.track().shown().scene.names) {
+                for (const sim::Moment &moment : run.track().moments(body)) {
+                    const auto section =
+                        std::find_if(listing.sections.begin(), listing.sections.end(),
+                                     [&](const CodeSection &one) { return one.has(moment.phase); });
+                    QVERIFY(section != listing.sections.end());
+                    for (const sim::Live &live : moment.live)
+                        QVERIFY2(lineOf(*section, live), live.name.c_str());
+                }
+            }
+        }
+    }
+
+    void aValueStandsOnTheLineThatAssignsIt_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QString>("line");
+        QTest::newRow("from") << "from"
+                              << "from = mover - anchor";
+        QTest::newRow("angle") << "angle"
+                               << "angle = std::atan2";
+        QTest::newRow("d") << "d"
+                           << "d = target - mover";
+        QTest::newRow("pull") << "pull"
+                              << "pull = k * d";
+        QTest::newRow("v") << "v"
+                           << "v = keep * v";
+        QTest::newRow("x") << "x"
+                           << "x = x + h * v";
+        QTest::newRow("velocity") << "velocity"
+                                  << "state.velocity";
+    }
+    void aValueStandsOnTheLineThatAssignsIt()
+    {
+        QFETCH(QString, name);
+        QFETCH(QString, line);
+        const lessons::Step &step = stepOf("single_spring", "radial");
+        sim::Timeline run = runOf(step);
+        run.seek({3, 0});
+        const CodeListing listing = listingOf(step, run);
+        const std::vector<CodeChip> chips = chipsAt(listing, run, "foot");
+        const auto chip = std::find_if(chips.begin(), chips.end(),
+                                       [&](const CodeChip &one) { return one.tip.startsWith(name + ':'); });
+        QVERIFY(chip != chips.end());
+        QVERIFY2(textAt(listing, *chip).contains(line), qPrintable(textAt(listing, *chip)));
+    }
+
+    void aBounceOnTheFloorStandsOnTheFloorsLines()
+    {
+        const lessons::Step &step = stepOf("gravity_walls", "gravity");
+        sim::Timeline run = runOf(step);
+        const CodeListing listing = listingOf(step, run);
+        for (int frame = 0; frame < 600; ++frame) {
+            run.stepRow();
+            for (const CodeChip &chip : chipsAt(listing, run, "foot0")) {
+                if (!chip.tip.startsWith("v.y"))
+                    continue;
+                const CodeSection &walls = listing.sections[chip.section];
+                QVERIFY(walls.title.endsWith("Walls"));
+                QVERIFY(textAt(listing, chip).startsWith("v.y"));
+                QVERIFY(walls.lines[chip.line - 1].source.text.contains("room.floor"));
+                QVERIFY(chip.text.contains("→"));
+                return;
+            }
+        }
+        QFAIL("the foot never met the floor");
+    }
+
+    void numbersHaveThreeDigitsOrSoAndARealMinusSign_data()
+    {
+        QTest::addColumn<double>("value");
+        QTest::addColumn<QString>("shown");
+        QTest::newRow("zero") << 0.0 << "0";
+        QTest::newRow("minus zero") << -0.0 << "0";
+        QTest::newRow("hundreds") << 347.84 << "347.8";
+        QTest::newRow("tens") << -55.21 << "−55.2";
+        QTest::newRow("ones") << 7.318 << "7.32";
+        QTest::newRow("tenths") << -0.2749 << "−0.27";
+        QTest::newRow("hundredths") << 0.02749 << "0.027";
+        QTest::newRow("thousandths") << 0.002749 << "0.0027";
+        QTest::newRow("huge") << 1.23e9 << "1.2e9";
+        QTest::newRow("tiny") << -1.23e-7 << "−1.2e−7";
+    }
+    void numbersHaveThreeDigitsOrSoAndARealMinusSign()
+    {
+        QFETCH(double, value);
+        QTEST(shownNumber(value), "shown");
+    }
+
+    void aPairHasOneScale()
+    {
+        QCOMPARE(shownValue(sim::Vec2{15.71, -55.24}), QString("(15.7, −55.2)"));
+        QCOMPARE(shownValue(sim::Vec2{-0.18, -0.0585}), QString("(−0.18, −0.06)"));
+        QCOMPARE(shownValue(sim::Vec2{100.0, -1e-16}), QString("(100.0, 0.0)"));
+    }
+
+    void setUpLinesShowTheParametersThatTheyRead()
+    {
+        const lessons::Step &step = stepOf("multi_foot", "any_number");
+        sim::Timeline run = runOf(step);
+        run.set("feet", 7);
+        const CodeListing listing = listingOf(step, run);
+        int feet = 0;
+        for (const CodeChip &chip : parameterChips(listing, step, run.values())) {
+            QVERIFY(listing.sections[chip.section].role == CodeSection::Role::scene);
+            const QString id = chip.text.section(' ', 0, 0);
+            QVERIFY2(textAt(listing, chip).contains('"' + id + '"'), qPrintable(chip.text));
+            feet += chip.text == "feet 7";
+        }
+        QCOMPARE(feet, 1);
+    }
+
+    void betweenFramesNothingIsMarked()
+    {
+        const lessons::Step &step = stepOf("multi_foot", "any_number");
+        sim::Timeline run = runOf(step);
+        const CodeListing listing = listingOf(step, run);
+        run.seek({4, 0});
+        QCOMPARE(whens(marksOf(listing, run, {}, 0)), QList<When>(5, When::plain));
+    }
+
+    void insideAFrameSectionsAreDoneNowOrToCome_data()
+    {
+        QTest::addColumn<QString>("body");
+        QTest::addColumn<int>("phase");
+        QTest::addColumn<QList<When>>("sections");
+        using enum When;
+        // Feet: springs, damping, move; then the body: springs, damping, move.
+        const auto row = [](const char *name, const char *body, int phase, const QList<When> &phases) {
+            QTest::newRow(name) << body << phase << (QList<When>{plain, plain} + phases);
+        };
+        row("after the feet's springs", "foot0", 1, {now, next, later});
+        row("after the feet's damping", "foot0", 2, {done, now, next});
+        row("after the feet's move", "foot0", 3, {done, done, now});
+        row("the same, seen from the body", "body", 3, {next, later, now});
+        row("after the body's springs", "body", 4, {now, next, later});
+        row("the same, seen from a foot", "foot0", 4, {now, done, done});
+    }
+    void insideAFrameSectionsAreDoneNowOrToCome()
+    {
+        QFETCH(QString, body);
+        QFETCH(int, phase);
+        const lessons::Step &step = stepOf("multi_foot", "any_number");
+        sim::Timeline run = runOf(step);
+        run.seek({4, phase});
+        const CodeListing listing = listingOf(step, run);
+        const std::vector<CodeChip> chips = chipsAt(listing, run, body.toStdString());
+        const std::vector<SectionMark> marks =
+            marksOf(listing, run, chips, run.track().shown().scene.find(body.toStdString()));
+        QTEST(whens(marks), "sections");
+        for (std::size_t i = 0; i < marks.size(); ++i)
+            QCOMPARE(marks[i].result.has_value(), marks[i].when == When::now);
+    }
+
+    void theResultIsTheLineOfTheLastValue()
+    {
+        const lessons::Step &step = stepOf("gravity_walls", "gravity");
+        sim::Timeline run = runOf(step, "semi_implicit_euler");
+        run.seek({4, 2});
+        const CodeListing listing = listingOf(step, run);
+        const int body = run.track().shown().scene.find("body");
+        const auto marks = marksOf(listing, run, chipsAt(listing, run, "body"), body);
+        const auto now = std::find_if(marks.begin(), marks.end(),
+                                      [](const SectionMark &mark) { return mark.when == When::now; });
+        QVERIFY(now != marks.end());
+        const CodeSection &section = listing.sections[static_cast<std::size_t>(now - marks.begin())];
+        QCOMPARE(section.title, QString("2 Gravity"));
+        QVERIFY(section.lines[*now->result].source.text.contains("pull = "));
+        QVERIFY(now->selected);
+        QCOMPARE(now->note, QString("now · 5 points"));
+    }
+
+    void halfStepsAreMarkedAsWholeOnesAre()
+    {
+        const lessons::Step &step = stepOf("single_spring", "radial");
+        sim::Script script = step.script();
+        script.step = sim::StepSize::of(0.5);
+        sim::Timeline run(std::move(script));
+        const int perStep = run.track().shown().pipeline.phasesPerStep();
+        const CodeListing listing = listingOf(step, run);
+        run.seek({4, 1});
+        const QList<When> first = whens(marksOf(listing, run, {}, 0));
+        run.seek({4, perStep + 1});
+        QCOMPARE(run.at().phase, perStep + 1);
+        QCOMPARE(whens(marksOf(listing, run, {}, 0)), first);
+        QVERIFY(first.contains(When::now));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestCodeValues)
+#include "tst_code_values.moc"

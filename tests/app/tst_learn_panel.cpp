@@ -1,0 +1,258 @@
+// The lessons and the text of the open step, driven with mouse and keyboard.
+
+#include "app/ui/panels/learn_panel.h"
+#include "app/ui/panels/lesson_list.h"
+#include "app/ui/panels/lesson_model.h"
+#include "app/ui/panels/panel_title.h"
+#include "app/ui/panels/step_button.h"
+#include "app/ui/panels/try_row.h"
+#include "panels_bench.h"
+
+#include <QScrollArea>
+#include <QTest>
+#include <QTreeView>
+
+using namespace app;
+
+namespace {
+
+QTreeView &listOf(LearnPanel &panel)
+{
+    return *panel.findChild<LessonList *>();
+}
+
+void clickRow(QTreeView &list, const QModelIndex &index)
+{
+    QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, list.visualRect(index).center());
+}
+
+QModelIndex stepIndex(const QTreeView &list, int lesson, int step)
+{
+    return list.model()->index(step, 0, list.model()->index(lesson, 0));
+}
+
+}
+
+class LearnPanelTest : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { prepareProgram(); }
+    void init() { forgetProgress(); }
+
+    void clickingAStepOpensIt();
+    void clickingALessonOpensItsFirstStepThatIsNotDone();
+    void theOpenLessonAloneShowsItsSteps();
+    void theArrowKeysMoveAndEnterOpens();
+    void theListSaysHowFarTheLearnerIs();
+    void aFileThatIsNoLessonIsNamedLast();
+    void aLowWindowKeepsTheOpenLessonInSight();
+    void nextAndBackCrossLessons();
+    void theEndsSayWhyNothingFollows();
+    void aTryIsTickedWhenItIsDone();
+    void aTryCannotBeTickedByHand();
+    void theButtonsStayInSight_data();
+    void theButtonsStayInSight();
+};
+
+void LearnPanelTest::clickingAStepOpensIt()
+{
+    World world;
+    LearnPanel panel(world.session, world.theme);
+    show(panel, {280, 732});
+    QTreeView &list = listOf(panel);
+    clickRow(list, stepIndex(list, 0, 1));
+    QCOMPARE(world.session.step().id, QString("second"));
+    QVERIFY(stepIndex(list, 0, 1).data(LessonModel::openRole).toBool());
+    QVERIFY(!stepIndex(list, 0, 0).data(LessonModel::openRole).toBool());
+}
+
+void LearnPanelTest::clickingALessonOpensItsFirstStepThatIsNotDone()
+{
+    World world;
+    world.session.progress().markDone("one", "first", 0);
+    world.session.openStep("two", "many");
+    LearnPanel panel(world.session, world.theme);
+    show(panel, {280, 732});
+    QTreeView &list = listOf(panel);
+    clickRow(list, list.model()->index(0, 0));
+    QCOMPARE(world.session.lesson().id, QString("one"));
+    QCOMPARE(world.session.step().id, QString("second"));
+}
+
+void LearnPanelTest::theOpenLessonAloneShowsItsSteps()
+{
+    World world;
+    LearnPanel panel(world.session, world.theme);
+    show(panel, {280, 732});
+    QTreeView &list = listOf(panel);
+    QVERIFY(list.isExpanded(list.model()->index(0, 0)));
+    QVERIFY(!list.isExpanded(list.model()->index(1, 0)));
+    QCOMPARE(list.height(), 2 * 27 + 2 * 26);
+    world.session.openStep("two", "many");
+    QVERIFY(!list.isExpanded(list.model()->index(0, 0)));
+    QVERIFY(list.isExpanded(list.model()->index(1, 0)));
+    QCOMPARE(list.height(), 2 * 27 + 26);
+}
+
+void LearnPanelTest::theArrowKeysMoveAndEnterOpens()
+{
+    World world;
+    LearnPanel panel(world.session, world.theme);
+    show(panel, {280, 732});
+    QTreeView &list = listOf(panel);
+    list.setFocus(Qt::TabFocusReason);
+    QTest::keyClick(&list, Qt::Key_Down);
+    QCOMPARE(list.currentIndex(), stepIndex(list, 0, 1));
+    QCOMPARE(world.session.step().id, QString("first"));
+    QTest::keyClick(&list, Qt::Key_Return);
+    QCOMPARE(world.session.step().id, QString("second"));
+    QTest::keyClick(&list, Qt::Key_Down);
+    QTest::keyClick(&list, Qt::Key_Enter);
+    QCOMPARE(world.session.lesson().id, QString("two"));
+    QTest::keyClick(&list, Qt::Key_Up);
+    QTest::keyClick(&list, Qt::Key_Up);
+    QTest::keyClick(&list, Qt::Key_Return);
+    QCOMPARE(world.session.lesson().id, QString("one"));
+}
+
+void LearnPanelTest::theListSaysHowFarTheLearnerIs()
+{
+    World world;
+    LearnPanel panel(world.session, world.theme);
+    const QModelIndex lesson = listOf(panel).model()->index(0, 0);
+    const auto *title = panel.findChild<PanelTitle *>();
+    QCOMPARE(lesson.data(Qt::AccessibleTextRole).toString(), QString("Lesson one, 0 of 2 steps done"));
+    QCOMPARE(title->caption(), QString("0 of 3 steps"));
+    world.session.progress().markDone("one", "first", 0);
+    QCOMPARE(lesson.data(Qt::AccessibleTextRole).toString(), QString("Lesson one, 1 of 2 steps done"));
+    QCOMPARE(title->caption(), QString("1 of 3 steps"));
+    QVERIFY(stepIndex(listOf(panel), 0, 0).data(Qt::AccessibleTextRole).toString().contains("done, open"));
+}
+
+void LearnPanelTest::aFileThatIsNoLessonIsNamedLast()
+{
+    LessonLibrary library = twoLessons();
+    library.problems.push_back({"broken.so", "broken.so is not a lesson: remove it."});
+    World world(library);
+    LearnPanel panel(world.session, world.theme);
+    show(panel, {280, 732});
+    QTreeView &list = listOf(panel);
+    QCOMPARE(list.model()->rowCount(), 3);
+    const QModelIndex last = list.model()->index(2, 0);
+    QCOMPARE(last.data().toString(), QString("1 file is not a lesson"));
+    QCOMPARE(last.data(Qt::ToolTipRole).toString(), QString("broken.so is not a lesson: remove it."));
+    clickRow(list, last);
+    QCOMPARE(world.session.step().id, QString("first"));
+}
+
+void LearnPanelTest::aLowWindowKeepsTheOpenLessonInSight()
+{
+    World world;
+    world.session.openStep("two", "many");
+    LearnPanel panel(world.session, world.theme);
+    show(panel, {280, 500});
+    QTreeView &list = listOf(panel);
+    QCOMPARE(list.height(), 27 + 26);
+    QTRY_VERIFY(list.viewport()->rect().contains(list.visualRect(stepIndex(list, 1, 0))));
+    QVERIFY(list.viewport()->rect().contains(list.visualRect(list.model()->index(1, 0))));
+}
+
+void LearnPanelTest::nextAndBackCrossLessons()
+{
+    World world;
+    LearnPanel panel(world.session, world.theme);
+    show(panel, {280, 732});
+    auto *next = panel.findChild<StepButton *>("next");
+    auto *back = panel.findChild<QPushButton *>("back");
+    QCOMPARE(next->accessibleName(), QString("Next: The second step"));
+    QTest::mouseClick(next, Qt::LeftButton);
+    QCOMPARE(world.session.step().id, QString("second"));
+    QCOMPARE(next->accessibleName(), QString("Next: Many parameters"));
+    QTest::mouseClick(next, Qt::LeftButton);
+    QCOMPARE(world.session.lesson().id, QString("two"));
+    back->setFocus(Qt::TabFocusReason);
+    QTest::keyClick(back, Qt::Key_Space);
+    QCOMPARE(world.session.step().id, QString("second"));
+}
+
+void LearnPanelTest::theEndsSayWhyNothingFollows()
+{
+    World world;
+    LearnPanel panel(world.session, world.theme);
+    show(panel, {280, 732});
+    const auto *next = panel.findChild<StepButton *>("next");
+    const auto *back = panel.findChild<QPushButton *>("back");
+    QVERIFY(!back->isEnabled());
+    QCOMPARE(back->toolTip(), QString("This is the first step."));
+    QVERIFY(next->isEnabled());
+    world.session.openStep("two", "many");
+    QVERIFY(back->isEnabled());
+    QVERIFY(!next->isEnabled());
+    QCOMPARE(next->toolTip(), QString("No step comes after this one."));
+}
+
+void LearnPanelTest::aTryIsTickedWhenItIsDone()
+{
+    World world;
+    LearnPanel panel(world.session, world.theme);
+    show(panel, {280, 732});
+    auto *row = panel.findChild<TryRow *>();
+    const auto *next = panel.findChild<StepButton *>("next");
+    QVERIFY(!row->isChecked());
+    QCOMPARE(row->accessibleName(), QString("Wait five frames. not yet"));
+    QVERIFY(!next->isPrimary());
+    for (int i = 0; i < 5; ++i)
+        world.session.frameForward();
+    QVERIFY(row->isChecked());
+    QCOMPARE(row->accessibleName(), QString("Wait five frames. done"));
+    QVERIFY(next->isPrimary());
+    const QImage picture = row->grab().toImage();
+    QCOMPARE(picture.pixelColor(2, row->height() / 2), world.theme.tokens().ok);
+}
+
+void LearnPanelTest::aTryCannotBeTickedByHand()
+{
+    World world;
+    LearnPanel panel(world.session, world.theme);
+    show(panel, {280, 732});
+    auto *row = panel.findChild<TryRow *>();
+    QTest::mouseClick(row, Qt::LeftButton, {}, {8, 12});
+    QTest::keyClick(row, Qt::Key_Space);
+    QVERIFY(!row->isChecked());
+    QVERIFY(!world.session.progress().isDone("one", "first", 0));
+}
+
+void LearnPanelTest::theButtonsStayInSight_data()
+{
+    QTest::addColumn<QSize>("size");
+    QTest::newRow("as designed") << QSize(280, 732);
+    QTest::newRow("wide") << QSize(320, 1012);
+    QTest::newRow("low") << QSize(280, 420);
+    QTest::newRow("very low") << QSize(280, 300);
+}
+
+void LearnPanelTest::theButtonsStayInSight()
+{
+    QFETCH(QSize, size);
+    LessonLibrary library = twoLessons();
+    for (int i = 0; i < 12; ++i)
+        library.lessons.front().steps.front().narration += "\n\nOne more paragraph that needs its two lines.";
+    World world(library);
+    LearnPanel panel(world.session, world.theme);
+    show(panel, size);
+    QCOMPARE(panel.size(), size);
+    for (const QPushButton *button : panel.findChildren<QPushButton *>()) {
+        const QRect place(button->mapTo(&panel, QPoint()), button->size());
+        QVERIFY2(panel.rect().contains(place), qPrintable(button->accessibleName()));
+    }
+    const auto *area = panel.findChild<QScrollArea *>();
+    QVERIFY(area->widget()->width() <= area->viewport()->width());
+    const auto *row = panel.findChild<TryRow *>();
+    QVERIFY(row->height() >= row->heightForWidth(row->width()));
+}
+
+QTEST_MAIN(LearnPanelTest)
+
+#include "tst_learn_panel.moc"

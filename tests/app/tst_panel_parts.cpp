@@ -1,0 +1,110 @@
+// The help page, dock titles and the focus ring.
+
+#include "app/ui/panels/dock_title.h"
+#include "app/ui/panels/help_page.h"
+#include "app/ui/panels/key_caps.h"
+#include "app/ui/panels/learn_panel.h"
+#include "app/ui/panels/step_button.h"
+#include "panels_bench.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QFocusFrame>
+#include <QLabel>
+#include <QTest>
+#include <QToolButton>
+
+using namespace app;
+
+class PanelPartsTest : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { prepareProgram(); }
+    void init() { forgetProgress(); }
+
+    void theHelpPageListsEveryActionThatHasAShortcut();
+    void escapeClosesTheHelpPage();
+    void aDockTitleIsAsHighAsItsDockExpects();
+    void tabPutsARingRoundAControl();
+};
+
+void PanelPartsTest::theHelpPageListsEveryActionThatHasAShortcut()
+{
+    Theme theme(Scheme::light);
+    HelpPage page(theme);
+    QAction play("&Play or pause");
+    play.setShortcut(Qt::Key_Space);
+    QAction phase("&Next phase…");
+    phase.setShortcuts({QKeySequence("Shift+Right"), QKeySequence("Ctrl++")});
+    QAction silent("Without a key");
+    page.addAction("Time", &play);
+    page.addAction("Time", &phase);
+    page.addAction("Time", &silent);
+    page.addGesture("Picture", "Drag a body", "grab it");
+    show(page, {800, 600});
+    QStringList listed;
+    for (const QLabel *label : page.findChildren<QLabel *>("action"))
+        listed.push_back(label->accessibleName());
+    listed.sort();
+    const QStringList expected = {"Grab it: Drag a body", "Next phase: Shift → or Ctrl +",
+                                  "Play or pause: Space"};
+    QCOMPARE(listed, expected);
+    for (const KeyCaps *caps : page.findChildren<KeyCaps *>())
+        QVERIFY(caps->isVisible() && caps->width() == caps->sizeHint().width());
+}
+
+void PanelPartsTest::escapeClosesTheHelpPage()
+{
+    Theme theme(Scheme::light);
+    HelpPage page(theme);
+    show(page, {800, 600});
+    QVERIFY(!page.isModal());
+    QTest::keyClick(&page, Qt::Key_Escape);
+    QVERIFY(!page.isVisible());
+}
+
+void PanelPartsTest::aDockTitleIsAsHighAsItsDockExpects()
+{
+    Theme theme(Scheme::light);
+    DockTitle title("Code", theme);
+    title.setCaption("values of foot 0");
+    auto *button = new QToolButton;
+    button->setFixedSize(28, 28);
+    title.addAction(button);
+    QCOMPARE(title.sizeHint().height(), 36);
+    QCOMPARE(title.minimumSizeHint().height(), 36);
+    show(title, {400, 36});
+    QCOMPARE(title.findChild<QLabel *>("caption")->text(), QString("values of foot 0"));
+    title.resize(140, 36);
+    QVERIFY(title.rect().contains(button->geometry()));
+    QVERIFY(title.findChild<QLabel *>("caption")->text().endsWith(QChar(0x2026)));
+    QCOMPARE(title.findChild<QLabel *>("caption")->toolTip(), QString("values of foot 0"));
+}
+
+void PanelPartsTest::tabPutsARingRoundAControl()
+{
+    World world;
+    world.session.openFollowing();
+    LearnPanel panel(world.session, world.theme);
+    show(panel, {280, 732});
+    auto *back = panel.findChild<QPushButton *>("back");
+    QWidget *next = panel.findChild<StepButton *>("next");
+    const auto ring = [&]() -> QWidget * {
+        const auto *frame = panel.findChild<QFocusFrame *>();
+        return frame && frame->isVisible() ? frame->widget() : nullptr;
+    };
+    back->setFocus(Qt::MouseFocusReason);
+    QVERIFY(!ring());
+    QTest::keyClick(back, Qt::Key_Tab);
+    QCOMPARE(QApplication::focusWidget(), next);
+    QCOMPARE(ring(), next);
+    QTest::mousePress(back, Qt::LeftButton); // a mouse needs no ring
+    QVERIFY(!ring());
+    QTest::mouseRelease(back, Qt::LeftButton, {}, {-50, -50});
+}
+
+QTEST_MAIN(PanelPartsTest)
+
+#include "tst_panel_parts.moc"

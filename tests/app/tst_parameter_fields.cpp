@@ -1,0 +1,216 @@
+// What each field of a parameter takes, driven with mouse and keyboard.
+
+#include "app/ui/panels/number_box.h"
+#include "app/ui/panels/parameter_slider.h"
+#include "panels_bench.h"
+
+#include <QComboBox>
+#include <QSignalSpy>
+#include <QTest>
+
+#include <cmath>
+
+using namespace app;
+
+namespace {
+
+/// Where a slider's handle stands for a share of the way.
+QPoint onGroove(const ParameterSlider &slider, double share)
+{
+    return {qRound(8 + (slider.width() - 16) * share), slider.height() / 2};
+}
+
+}
+
+class ParameterFieldsTest : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { prepareProgram(); }
+    void init() { forgetProgress(); }
+
+    void aClickOnTheGrooveSetsTheValue();
+    void theSliderIsDragged();
+    void theArrowKeysMoveTheSlider();
+    void aTypedNumberIsSet_data();
+    void aTypedNumberIsSet();
+    void aNumberOutOfRangeIsBroughtIntoItWithASentence();
+    void whatIsNoNumberChangesNothing();
+    void anExactNumberIsNeverRounded();
+    void aValueBeyondTheSliderHoldsTheHandleAtItsEnd();
+    void aChoiceIsChosenByName();
+    void aCountMovesByWholeNumbers();
+};
+
+void ParameterFieldsTest::aClickOnTheGrooveSetsTheValue()
+{
+    World world;
+    ParameterPanel panel(world.session, world.theme);
+    show(panel, {400, 192});
+    auto *slider = rowOf(panel, "k")->findChild<ParameterSlider *>();
+    QTest::mouseClick(slider, Qt::LeftButton, {}, onGroove(*slider, 1.0));
+    QCOMPARE(world.session.parameter("k"), 1.0);
+    QTest::mouseClick(slider, Qt::LeftButton, {}, onGroove(*slider, 0.0));
+    QCOMPARE(world.session.parameter("k"), 0.0);
+    QTest::mouseClick(slider, Qt::LeftButton, {}, onGroove(*slider, 0.5));
+    QCOMPARE(world.session.parameter("k"), 0.5);
+    QCOMPARE(rowOf(panel, "k")->findChild<NumberBox *>()->text(), QString("0.50"));
+}
+
+void ParameterFieldsTest::theSliderIsDragged()
+{
+    World world;
+    ParameterPanel panel(world.session, world.theme);
+    show(panel, {400, 192});
+    auto *slider = rowOf(panel, "k")->findChild<ParameterSlider *>();
+    const QPoint start = onGroove(*slider, 0.2) + QPoint(3, 0); // beside the handle's middle
+    QTest::mousePress(slider, Qt::LeftButton, {}, start);
+    QCOMPARE(world.session.parameter("k"), 0.2);
+    const QPoint way = onGroove(*slider, 0.7) - onGroove(*slider, 0.2);
+    QTest::mouseMove(slider, start + way);
+    QTest::mouseRelease(slider, Qt::LeftButton, {}, start + way);
+    QVERIFY(std::abs(world.session.parameter("k") - 0.7) < 0.015);
+}
+
+void ParameterFieldsTest::theArrowKeysMoveTheSlider()
+{
+    World world;
+    ParameterPanel panel(world.session, world.theme);
+    show(panel, {400, 192});
+    auto *slider = rowOf(panel, "damp")->findChild<ParameterSlider *>();
+    slider->setFocus(Qt::TabFocusReason);
+    QTest::keyClick(slider, Qt::Key_Right);
+    QTest::keyClick(slider, Qt::Key_Right);
+    QCOMPARE(world.session.parameter("damp"), 0.92); // the very number, no sum of hundredths
+    QTest::keyClick(slider, Qt::Key_Left);
+    QCOMPARE(world.session.parameter("damp"), 0.91);
+}
+
+void ParameterFieldsTest::aTypedNumberIsSet_data()
+{
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<int>("end");
+    QTest::addColumn<double>("value");
+    QTest::newRow("Enter takes it") << "0.35" << int(Qt::Key_Return) << 0.35;
+    QTest::newRow("leaving the field takes it") << "0.35" << int(Qt::Key_Tab) << 0.35;
+    QTest::newRow("all digits count") << "0.123456789012345" << int(Qt::Key_Return) << 0.123456789012345;
+    QTest::newRow("a comma is a point") << "0,25" << int(Qt::Key_Return) << 0.25;
+    QTest::newRow("beyond the slider") << "250" << int(Qt::Key_Return) << 250.0;
+    QTest::newRow("with a power of ten") << "1e-7" << int(Qt::Key_Return) << 1e-7;
+    QTest::newRow("Escape leaves it") << "0.35" << int(Qt::Key_Escape) << 0.2;
+}
+
+void ParameterFieldsTest::aTypedNumberIsSet()
+{
+    QFETCH(QString, text);
+    QFETCH(int, end);
+    QFETCH(double, value);
+    World world;
+    ParameterPanel panel(world.session, world.theme);
+    show(panel, {400, 192});
+    type(*rowOf(panel, "k")->findChild<NumberBox *>(), text, Qt::Key(end));
+    QCOMPARE(world.session.parameter("k"), value);
+}
+
+void ParameterFieldsTest::aNumberOutOfRangeIsBroughtIntoItWithASentence()
+{
+    World world;
+    ParameterPanel panel(world.session, world.theme);
+    show(panel, {400, 192});
+    QSignalSpy said(&world.session, &Session::said);
+    auto *box = rowOf(panel, "damp")->findChild<NumberBox *>();
+    type(*box, "1.4");
+    QCOMPARE(world.session.parameter("damp"), 1.0);
+    QCOMPARE(said.count(), 1);
+    QCOMPARE(said.front().front().toString(), QString("Damping can be 0 to 1."));
+    QCOMPARE(box->text(), QString("1.00"));
+    type(*box, "-3"); // now it is at the other end
+    QCOMPARE(world.session.parameter("damp"), 0.0);
+    QCOMPARE(said.count(), 2);
+    type(*box, "-4"); // nothing changes in the run, but the field must not keep it
+    QCOMPARE(box->text(), QString("0.00"));
+    QCOMPARE(said.count(), 3);
+}
+
+void ParameterFieldsTest::whatIsNoNumberChangesNothing()
+{
+    World world;
+    ParameterPanel panel(world.session, world.theme);
+    show(panel, {400, 192});
+    auto *box = rowOf(panel, "k")->findChild<NumberBox *>();
+    for (const char *text : {"", "-", "1e", "..", "nan"}) {
+        type(*box, text);
+        QCOMPARE(world.session.parameter("k"), 0.2);
+        QTest::keyClick(box, Qt::Key_Tab);
+        QCOMPARE(box->text(), QString("0.20"));
+    }
+}
+
+void ParameterFieldsTest::anExactNumberIsNeverRounded()
+{
+    World world;
+    ParameterPanel panel(world.session, world.theme);
+    show(panel, {400, 192});
+    world.session.setParameter("k", 0.123456);
+    auto *box = rowOf(panel, "k")->findChild<NumberBox *>();
+    QVERIFY2(box->text().endsWith(QChar(0x2026)), qPrintable(box->text()));
+    QVERIFY2(box->toolTip().contains("0.123456"), qPrintable(box->toolTip()));
+    // Looking at it, and leaving again, must not change it.
+    QTest::mouseClick(box, Qt::LeftButton);
+    QCOMPARE(box->text(), QString("0.123456"));
+    QTest::keyClick(box, Qt::Key_Return);
+    QTest::keyClick(box, Qt::Key_Tab);
+    QCOMPARE(world.session.parameter("k"), 0.123456);
+    QVERIFY(box->text().endsWith(QChar(0x2026)));
+}
+
+void ParameterFieldsTest::aValueBeyondTheSliderHoldsTheHandleAtItsEnd()
+{
+    World world;
+    ParameterPanel panel(world.session, world.theme);
+    show(panel, {400, 192});
+    world.session.setParameter("k", 7.5);
+    const auto *slider = rowOf(panel, "k")->findChild<ParameterSlider *>();
+    QCOMPARE(slider->value(), slider->maximum());
+    QCOMPARE(world.session.parameter("k"), 7.5);
+    QCOMPARE(rowOf(panel, "k")->findChild<NumberBox *>()->text(), QString("7.50"));
+}
+
+void ParameterFieldsTest::aChoiceIsChosenByName()
+{
+    World world;
+    world.session.openStep("two", "many");
+    ParameterPanel panel(world.session, world.theme);
+    show(panel, {400, 400});
+    auto *choice = rowOf(panel, "formula")->findChild<QComboBox *>();
+    QCOMPARE(choice->currentText(), QString("corrected"));
+    choice->setFocus(Qt::TabFocusReason);
+    QTest::keyClick(choice, Qt::Key_Down);
+    QCOMPARE(choice->currentText(), QString("printed"));
+    QCOMPARE(world.session.parameter("formula"), 1.0);
+    world.session.resetParameters();
+    QCOMPARE(choice->currentText(), QString("corrected"));
+}
+
+void ParameterFieldsTest::aCountMovesByWholeNumbers()
+{
+    World world;
+    world.session.openStep("two", "many");
+    ParameterPanel panel(world.session, world.theme);
+    show(panel, {400, 400});
+    auto *slider = rowOf(panel, "feet")->findChild<ParameterSlider *>();
+    auto *box = rowOf(panel, "feet")->findChild<NumberBox *>();
+    slider->setFocus(Qt::TabFocusReason);
+    QTest::keyClick(slider, Qt::Key_Right);
+    QCOMPARE(world.session.parameter("feet"), 6.0);
+    QTest::keyClick(box, Qt::Key_Up);
+    QCOMPARE(world.session.parameter("feet"), 7.0);
+    type(*box, "8.4");
+    QCOMPARE(world.session.parameter("feet"), 8.0);
+    QCOMPARE(box->text(), QString("8"));
+}
+
+QTEST_MAIN(ParameterFieldsTest)
+
+#include "tst_parameter_fields.moc"
