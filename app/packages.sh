@@ -14,8 +14,6 @@ app_packages=(
 )
 test_packages=(
     "libbenchmark-dev        tests/bench"
-    "xvfb                    a display for tests that need a real window system"
-    "xauth                   lets programs use that display"
 )
 format_packages=(
     "clang-format-14         checks the layout of the code"

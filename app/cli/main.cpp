@@ -3,6 +3,8 @@
 
 #include <QApplication>
 
+#include <cstdio>
+
 namespace {
 
 bool hasDisplay()
@@ -26,6 +28,13 @@ std::variant<int, QString, app::ScreenshotRequest> readCommand(int argc, char **
     if (arguments.value(0) == "screenshot")
         return std::visit(widen, app::readScreenshotArguments(arguments.mid(1)));
     return std::visit(widen, app::readWindowArguments(arguments));
+}
+
+/// What Qt remarks about the system it runs on is no answer to what the learner asked: stderr has our sentences.
+void keepQuietUnlessBroken(QtMsgType type, const QMessageLogContext &, const QString &message)
+{
+    if (type == QtCriticalMsg || type == QtFatalMsg)
+        fprintf(stderr, "springstep: %s\n", qUtf8Printable(message));
 }
 
 int start(int argc, char **argv, const QString &file)
@@ -56,6 +65,7 @@ int main(int argc, char **argv)
     QCoreApplication::setOrganizationName("springstep");
     QCoreApplication::setApplicationVersion(SPRINGSTEP_VERSION);
     QGuiApplication::setApplicationDisplayName("Springstep");
+    qInstallMessageHandler(keepQuietUnlessBroken);
     const auto command = readCommand(argc, argv);
     if (const int *done = std::get_if<int>(&command))
         return *done;

@@ -63,7 +63,7 @@ private slots:
         QTest::newRow("from") << "from"
                               << "from = mover - anchor";
         QTest::newRow("angle") << "angle"
-                               << "angle = std::atan2";
+                               << "angle = atan2";
         QTest::newRow("d") << "d"
                            << "d = target - mover";
         QTest::newRow("pull") << "pull"

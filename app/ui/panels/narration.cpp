@@ -36,6 +36,7 @@ Narration::Narration(Session &session, const Theme &theme, QWidget *parent)
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(m_area, 1);
+    column->addWidget(makeTries());
     column->addWidget(makeButtons());
     connect(&session, &Session::stepOpened, this, &Narration::open);
     connect(&session.progress(), &Progress::changed, this, &Narration::showProgress);
@@ -57,23 +58,32 @@ QWidget *Narration::makeText()
     m_title->setTextFormat(Qt::PlainText);
     m_title->setMinimumHeight(titleHeight);
     m_text = new NarrationText(m_theme, page);
-    m_heading = new QLabel(tr("Try this"), page);
-    m_heading->setObjectName("heading");
-    m_heading->setFixedHeight(headingHeight);
-    m_tryColumn = new QVBoxLayout;
-    m_tryColumn->setSpacing(0);
     auto *column = new QVBoxLayout(page);
     column->setContentsMargins(18, 12, 18, 8);
     column->setSpacing(0);
     column->addWidget(m_title);
     column->addSpacing(5);
     column->addWidget(m_text);
-    column->addSpacing(11);
-    column->addWidget(m_heading);
-    column->addSpacing(2);
-    column->addLayout(m_tryColumn);
     column->addStretch(1);
     return page;
+}
+
+QWidget *Narration::makeTries()
+{
+    // Beside the text that scrolls, not in it: what there is to try is always in sight.
+    m_tryPage = new QWidget(this);
+    QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Minimum);
+    policy.setHeightForWidth(true);
+    m_tryPage->setSizePolicy(policy);
+    m_heading = new QLabel(tr("Try this"), m_tryPage);
+    m_heading->setObjectName("heading");
+    m_heading->setFixedHeight(headingHeight);
+    m_tryColumn = new QVBoxLayout(m_tryPage);
+    m_tryColumn->setContentsMargins(18, 6, 18, 4);
+    m_tryColumn->setSpacing(0);
+    m_tryColumn->addWidget(m_heading);
+    m_tryColumn->addSpacing(2);
+    return m_tryPage;
 }
 
 QWidget *Narration::makeButtons()
@@ -106,7 +116,7 @@ void Narration::open()
     qDeleteAll(m_tries);
     m_tries.clear();
     for (const lessons::Try &one : step.tries) {
-        m_tries.push_back(new TryRow(one.text, m_theme, m_area->widget()));
+        m_tries.push_back(new TryRow(one.text, m_theme, m_tryPage));
         m_tryColumn->addWidget(m_tries.back());
     }
     m_heading->setVisible(!step.tries.empty());

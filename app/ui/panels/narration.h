@@ -33,6 +33,7 @@ protected:
 
 private:
     QWidget *makeText();
+    QWidget *makeTries();
     QWidget *makeButtons();
     void open();
     void showProgress();
@@ -43,6 +44,7 @@ private:
     QScrollArea *m_area = nullptr;
     QLabel *m_title = nullptr;
     NarrationText *m_text = nullptr;
+    QWidget *m_tryPage = nullptr;
     QLabel *m_heading = nullptr;
     QVBoxLayout *m_tryColumn = nullptr;
     std::vector<TryRow *> m_tries;

@@ -222,6 +222,9 @@ void MainWindow::showHelp()
                                tr("grab it; let go while moving to throw it"));
         m_helpPage->addGesture(tr("Picture"), tr("Drag the background"), tr("move the picture"));
         m_helpPage->addGesture(tr("Picture"), tr("Wheel"), tr("zoom where the pointer is"));
+        m_helpPage->addGesture(tr("Picture"), tr("[ and ]"), tr("choose the body before or after"));
+        m_helpPage->addGesture(tr("Picture"), tr("Alt and an arrow key"), tr("carry the chosen body 10 px"));
+        m_helpPage->addGesture(tr("Picture"), tr("Esc"), tr("let go"));
         m_helpPage->addGesture(tr("Time"), tr("Drag the timeline"), tr("go anywhere in time"));
         m_helpPage->addGesture(tr("Time"), tr("Click a phase"), tr("run to it"));
     }
