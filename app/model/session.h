@@ -145,7 +145,7 @@ private:
     QString m_ghostName;
     bool m_holding = false;
     std::optional<sim::Cursor> m_goingTo;
-    bool m_approachDue = false; ///< whether the next slice of the way is already asked for
+    bool m_approachDue = false;     ///< whether the next slice of the way is already asked for
     std::map<QString, Left> m_left; ///< steps that were open before, as they were left
 };
 

@@ -10,6 +10,8 @@
 #include <QScrollBar>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace app {
 
 namespace {
@@ -35,8 +37,10 @@ Narration::Narration(Session &session, const Theme &theme, QWidget *parent)
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    column->addWidget(m_area, 1);
+    // The text takes what it needs and no more, so that what there is to try follows it.
+    column->addWidget(m_area, 1000);
     column->addWidget(makeTries());
+    column->addStretch(1);
     column->addWidget(makeButtons());
     connect(&session, &Session::stepOpened, this, &Narration::open);
     connect(&session.progress(), &Progress::changed, this, &Narration::showProgress);
@@ -129,7 +133,14 @@ void Narration::open()
     m_next->setToolTip(after ? tr("Next: %1 (Page Down)").arg(after->title)
                              : tr("No step comes after this one."));
     m_area->verticalScrollBar()->setValue(0);
+    fitText();
     showProgress();
+}
+
+void Narration::fitText()
+{
+    const QWidget &page = *m_area->widget();
+    m_area->setMaximumHeight(std::max(1, page.layout()->totalHeightForWidth(width())));
 }
 
 void Narration::showProgress()
@@ -161,6 +172,7 @@ void Narration::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);
     m_text->setLarge(window()->width() >= largeWindow);
+    fitText();
 }
 
 }

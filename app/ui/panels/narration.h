@@ -36,6 +36,7 @@ private:
     QWidget *makeTries();
     QWidget *makeButtons();
     void open();
+    void fitText();
     void showProgress();
     void dress();
 

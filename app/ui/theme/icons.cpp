@@ -41,13 +41,30 @@ private:
 
 }
 
+namespace {
+
+QByteArray textOf(const QString &path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+}
+
 QIcon iconOf(const QString &name, const QColor &color)
 {
-    QFile file(":/app/icons/" + name + ".svg");
-    if (!file.open(QIODevice::ReadOnly))
+    QByteArray svg = textOf(":/app/icons/" + name + ".svg");
+    if (svg.isEmpty())
         return {};
-    QByteArray svg = file.readAll();
     svg.replace("currentColor", color.name().toUtf8());
+    return QIcon(new SvgInk(svg));
+}
+
+QIcon signOf(const QColor &ground, const QColor &line)
+{
+    QByteArray svg = textOf(":/app/springstep.svg");
+    svg.replace("#22262B", ground.name().toUtf8());
+    svg.replace("#FFFFFF", line.name().toUtf8());
     return QIcon(new SvgInk(svg));
 }
 

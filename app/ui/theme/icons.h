@@ -10,4 +10,7 @@ namespace app {
 /// An icon that does not exist is empty.
 QIcon iconOf(const QString &name, const QColor &color);
 
+/// The program's sign on `ground`, drawn in `line`.
+QIcon signOf(const QColor &ground, const QColor &line);
+
 }

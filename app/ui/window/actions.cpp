@@ -3,6 +3,7 @@
 #include "app/ui/code/code_panel.h"
 #include "app/ui/panels/help_page.h"
 #include "app/ui/scene/scene_view.h"
+#include "app/ui/theme/icons.h"
 #include "app/ui/time/timeline_strip.h"
 #include "app/ui/time/transport_bar.h"
 #include "app/ui/window/main_window.h"
@@ -185,7 +186,12 @@ QWidget *MainWindow::header()
     header->setAttribute(Qt::WA_StyledBackground);
     header->setFixedHeight(40);
     auto *logo = new QLabel(header);
-    logo->setPixmap(QIcon(":/app/springstep.svg").pixmap(QSize(20, 20), devicePixelRatioF()));
+    const auto dressLogo = [this, logo] {
+        const QIcon sign = signOf(m_theme.tokens().button, m_theme.tokens().buttonText);
+        logo->setPixmap(sign.pixmap(QSize(20, 20), devicePixelRatioF()));
+    };
+    dressLogo();
+    connect(&m_theme, &Theme::changed, logo, dressLogo);
     auto *menus = new QMenuBar(header);
     menus->setNativeMenuBar(false);
     for (QMenu *menu : {m_file, m_run, m_view, m_help})
