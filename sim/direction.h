@@ -39,7 +39,8 @@ struct Heading
 // clang-format off
 inline
 //! [direction]
-Heading direction(Vec2 d, int from, int to)
+Heading direction(
+    Vec2 d, int from, int to)
 {
     double square = d.x * d.x + d.y * d.y;
     double length = std::sqrt(square);
@@ -68,7 +69,8 @@ using std::sin;
 // clang-format off
 inline
 //! [published_direction]
-PublishedHeading publishedDirection(Vec2 d)
+PublishedHeading
+publishedDirection(Vec2 d)
 {
     double angle = atan2(d.y, d.x);
     Vec2 out = {cos(angle), sin(angle)};

@@ -1,5 +1,6 @@
 #include "app/cli/command_line.h"
 #include "app/cli/screenshot_arguments.h"
+#include "app/cli/terminal.h"
 
 #include <QApplication>
 
@@ -15,6 +16,14 @@ bool hasDisplay()
 #else
     return true;
 #endif
+}
+
+/// The command line answers in its own sentences. Qt's notes (a runtime folder that is not set, a hint that a picture
+/// needs not) stay out of them; what ends the program does not.
+void dropNotes(QtMsgType type, const QMessageLogContext &, const QString &text)
+{
+    if (type == QtCriticalMsg || type == QtFatalMsg)
+        app::say(text);
 }
 
 /// Verbs that need no window system start without one.
@@ -44,6 +53,7 @@ int start(int argc, char **argv, const QString &file)
                                   "CommandLine", "there is no display for the window; set DISPLAY, or use a "
                                                  "verb that needs none: %1.")
                                   .arg(app::verbs().join(", ")));
+    qInstallMessageHandler(nullptr);
     QApplication application(argc, argv);
     return app::runWindow(application, file);
 }
@@ -66,6 +76,7 @@ int main(int argc, char **argv)
     QCoreApplication::setApplicationVersion(SPRINGSTEP_VERSION);
     QGuiApplication::setApplicationDisplayName("Springstep");
     qInstallMessageHandler(keepQuietUnlessBroken);
+    qInstallMessageHandler(dropNotes);
     const auto command = readCommand(argc, argv);
     if (const int *done = std::get_if<int>(&command))
         return *done;

@@ -21,7 +21,7 @@ Scene setUp(const Values &values)
 {
     int feet = values.whole("feet");
     Scene scene = creatureWithFeet(feet);
-    const int body = feet; // feet come first
+    const int body = feet; // comes last
     scene.start.place(body, {420, 320});
     scene.start.push(body, {14, 9});
     placeFeet(scene, {{450, 310}, {400, 330},
@@ -59,7 +59,7 @@ Scene setUp(const Values &values)
 {
     int feet = values.whole("feet");
     Scene scene = creatureWithFeet(feet);
-    const int body = feet; // feet come first
+    const int body = feet; // comes last
     const auto seed = values.seed;
     for (int i = 0; i < feet; ++i) {
         double right = uniform(seed, 0, 2 * i);

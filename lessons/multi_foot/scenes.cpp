@@ -20,7 +20,7 @@ Scene setUp(const Values &values)
 {
     const int feet = 2;
     Scene scene = creatureWithFeet(feet);
-    const int body = feet; // feet come first
+    const int body = feet; // comes last
     scene.start.place(0, {310, 240});
     scene.start.place(1, {220, 180});
 
@@ -48,7 +48,7 @@ Scene setUp(const Values &values)
 {
     int feet = values.whole("feet");
     Scene scene = creatureWithFeet(feet);
-    const int body = feet; // feet come first
+    const int body = feet; // comes last
     placeFeet(scene, {{300, 210}, {250, 230},
                       {280, 160}, {240, 190},
                       {310, 180}});
@@ -77,7 +77,7 @@ Scene setUp(const Values &values)
 {
     int feet = values.whole("feet");
     Scene scene = creatureWithFeet(feet);
-    const int body = feet; // feet come first
+    const int body = feet; // comes last
     const auto seed = values.seed;
     for (int i = 0; i < feet; ++i) {
         double right = uniform(seed, 0, 2 * i);

@@ -6,6 +6,8 @@
 #include "app/ui/scene/label_places.h"
 #include "scene_bench.h"
 
+#include "app/model/numbers.h"
+
 #include <QTemporaryDir>
 #include <QtTest>
 

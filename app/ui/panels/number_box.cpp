@@ -1,5 +1,7 @@
 #include "app/ui/panels/number_box.h"
 
+#include "app/model/numbers.h"
+
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QLocale>
@@ -16,7 +18,6 @@ constexpr QChar minus(0x2212);
 constexpr QChar ellipsis(0x2026);
 constexpr double farthest = 1e18;    ///< beyond every parameter's range
 constexpr int keptDecimals = 60;     ///< so many that the base class rounds nothing
-constexpr double longest = 1e7;      ///< from here on numbers are written with a power of ten
 constexpr int roomForText = 54 - 14; ///< px
 
 QString plain(QString text)
@@ -26,25 +27,6 @@ QString plain(QString text)
     return text.trimmed();
 }
 
-QString withPower(double value)
-{
-    QString text = QString::number(value, 'g', QLocale::FloatingPointShortest);
-    text.replace("e+0", "e").replace("e+", "e").replace("e-0", "e-");
-    return text;
-}
-
-}
-
-QString exactNumber(double value, int decimals)
-{
-    QString text = QString::number(value, 'f', decimals);
-    if (std::abs(value) >= longest)
-        text = withPower(value);
-    else if (text.toDouble() != value)
-        text = QString::number(value, 'g', QLocale::FloatingPointShortest);
-    if (text.toDouble() == 0.0 && text.startsWith('-'))
-        text.remove(0, 1);
-    return text.replace('-', minus);
 }
 
 NumberBox::NumberBox(const lessons::Parameter &parameter, const Theme &theme, QWidget *parent)
@@ -83,7 +65,7 @@ void NumberBox::show(double value)
 
 QString NumberBox::exactText(double value) const
 {
-    return exactNumber(value, m_decimals);
+    return writtenNumber(value, m_decimals);
 }
 
 QString NumberBox::textFromValue(double value) const

@@ -53,7 +53,4 @@ private:
     bool m_inFull = false; ///< while it has the focus
 };
 
-/// A number as a learner reads it: at least `decimals` places, more if it has more, and a real minus sign.
-QString exactNumber(double value, int decimals);
-
 }

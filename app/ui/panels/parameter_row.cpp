@@ -1,5 +1,7 @@
 #include "app/ui/panels/parameter_row.h"
 
+#include "app/model/numbers.h"
+
 #include "app/ui/panels/number_box.h"
 #include "app/ui/panels/parameter_slider.h"
 
@@ -94,7 +96,7 @@ void ParameterRow::makeReset()
     m_reset->setIconSize({14, 14});
     m_reset->setFocusPolicy(Qt::StrongFocus);
     const QString preset = m_choice ? m_choice->itemText(static_cast<int>(m_parameter.preset))
-                                    : exactNumber(m_parameter.preset, m_parameter.decimals);
+                                    : writtenNumber(m_parameter.preset, m_parameter.decimals);
     m_reset->setToolTip(tr("Back to %1").arg(preset));
     m_reset->setAccessibleName(tr("%1 back to %2").arg(m_parameter.name, preset));
     QSizePolicy policy = m_reset->sizePolicy();
@@ -142,7 +144,7 @@ QString ParameterRow::rangeText() const
         return {};
     const QString unit = m_parameter.unit.isEmpty() ? QString() : QChar(0x2009) + m_parameter.unit;
     return tr("It can be %1 to %2%3.")
-        .arg(exactNumber(m_parameter.min, 0), exactNumber(m_parameter.max, 0), unit);
+        .arg(writtenNumber(m_parameter.min, 0), writtenNumber(m_parameter.max, 0), unit);
 }
 
 void ParameterRow::choose(double value)
@@ -150,7 +152,7 @@ void ParameterRow::choose(double value)
     if (value < m_parameter.min || value > m_parameter.max) {
         emit m_session.said(
             tr("%1 can be %2 to %3.")
-                .arg(m_parameter.name, exactNumber(m_parameter.min, 0), exactNumber(m_parameter.max, 0)));
+                .arg(m_parameter.name, writtenNumber(m_parameter.min, 0), writtenNumber(m_parameter.max, 0)));
     }
     m_session.setParameter(m_parameter.id, value);
     refresh(); // also if nothing changed: what was typed may not be what holds

@@ -1,5 +1,6 @@
 #include "app/ui/scene/body_text.h"
 
+#include "app/model/numbers.h"
 #include "app/model/sentences.h"
 
 #include <QCoreApplication>
@@ -36,14 +37,6 @@ QString bodySentence(const QString &name, sim::Vec2 at, sim::Vec2 speed)
     if (fast < still)
         return Text::tr("%1, at rest").arg(place);
     return Text::tr("%1, moving %2 px a frame").arg(place, fixedNumber(fast, 1));
-}
-
-QString fixedNumber(double value, int decimals)
-{
-    QString text = QString::number(value, 'f', decimals);
-    if (text.startsWith('-') && text.toDouble() == 0.0)
-        text.remove(0, 1);
-    return text.replace('-', QChar(0x2212));
 }
 
 QString shownMagnitude(double value)

@@ -9,6 +9,7 @@ namespace app {
 namespace {
 
 constexpr double longestArrow = 100.0; ///< px of the screen
+constexpr double finestPull = 0.01;    ///< px/frame^2, the least that the legend's arrow stands for
 constexpr double worthKeeping = 0.15;  ///< of longestArrow: below, a kept scale makes arrows too short
 
 sim::Vec2 rowOf(const Eigen::ArrayX2d &values, int point)
@@ -72,7 +73,8 @@ void measureArrows(Shown &shown, bool playing)
     const auto settled = [&](double unit) { return playing ? std::optional(unit) : std::nullopt; };
     const double pull = longestPull(shown);
     shown.hasPulls = pull > 0.0;
-    shown.pullUnit = arrowUnit(pull, settled(shown.pullUnit));
+    // What rests still feels pulls of a billionth: those are not blown up to arrows.
+    shown.pullUnit = std::max(finestPull, arrowUnit(pull, settled(shown.pullUnit)));
     shown.velocityUnit = arrowUnit(fastest(shown), settled(shown.velocityUnit));
 }
 
