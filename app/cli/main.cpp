@@ -4,8 +4,6 @@
 
 #include <QApplication>
 
-#include <cstdio>
-
 namespace {
 
 bool hasDisplay()
@@ -39,13 +37,6 @@ std::variant<int, QString, app::ScreenshotRequest> readCommand(int argc, char **
     return std::visit(widen, app::readWindowArguments(arguments));
 }
 
-/// What Qt remarks about the system it runs on is no answer to what the learner asked: stderr has our sentences.
-void keepQuietUnlessBroken(QtMsgType type, const QMessageLogContext &, const QString &message)
-{
-    if (type == QtCriticalMsg || type == QtFatalMsg)
-        fprintf(stderr, "springstep: %s\n", qUtf8Printable(message));
-}
-
 int start(int argc, char **argv, const QString &file)
 {
     if (!hasDisplay())
@@ -75,7 +66,6 @@ int main(int argc, char **argv)
     QCoreApplication::setOrganizationName("springstep");
     QCoreApplication::setApplicationVersion(SPRINGSTEP_VERSION);
     QGuiApplication::setApplicationDisplayName("Springstep");
-    qInstallMessageHandler(keepQuietUnlessBroken);
     qInstallMessageHandler(dropNotes);
     const auto command = readCommand(argc, argv);
     if (const int *done = std::get_if<int>(&command))
