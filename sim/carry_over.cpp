@@ -1,24 +1,74 @@
 #include "sim/carry_over.h"
 
+#include <unordered_map>
+#include <vector>
+
 namespace sim {
+
+namespace {
+
+/// For each point of `to` the point of `from` that has its name, or -1.
+std::vector<int> sameNames(const Scene &from, const Scene &to)
+{
+    std::unordered_map<std::string, int> numbers;
+    for (std::size_t i = 0; i < from.names.size(); ++i)
+        numbers.emplace(from.names[i], static_cast<int>(i));
+    std::vector<int> olds;
+    for (const std::string &name : to.names) {
+        const auto found = numbers.find(name);
+        olds.push_back(found == numbers.end() ? -1 : found->second);
+    }
+    return olds;
+}
+
+/// Rows of an array that may be empty on either side.
+void carryRow(const Eigen::ArrayXd &from, int old, Eigen::ArrayXd &to, int row)
+{
+    if (from.rows() > old && to.rows() > row)
+        to[row] = from[old];
+}
+
+/// A clock goes on at the speed that it has, unless `next` wants another than the start before, `from`, did.
+void carrySpeeds(const State &state, const State &from, State &next)
+{
+    for (int i = 0; i < static_cast<int>(next.gaitSpeed.rows()); ++i) {
+        if (from.gaitSpeed.rows() > i && from.gaitSpeed[i] == next.gaitSpeed[i])
+            carryRow(state.gaitSpeed, i, next.gaitSpeed, i);
+    }
+}
+
+/// A point that the two scenes start at different angles keeps how far it is turned from there: a tree whose
+/// branches are to grow at another angle keeps its bends.
+void carryAngle(const State &state, const Scene &from, int old, State &next, int row)
+{
+    if (state.angle.rows() <= old || next.angle.rows() <= row)
+        return;
+    const double turned = next.angle[row] - from.start.angle[old];
+    next.angle[row] = turned == 0.0 ? state.angle[old] : state.angle[old] + turned;
+}
+
+}
 
 State carryOver(const State &state, const Scene &from, const Scene &to)
 {
     State next = to.start;
+    const std::vector<int> olds = sameNames(from, to);
     Vec2 shift;
     int common = 0;
     for (int i = 0; i < next.points(); ++i) {
-        const int old = from.find(to.names[static_cast<std::size_t>(i)]);
+        const int old = olds[static_cast<std::size_t>(i)];
         if (old < 0)
             continue;
         shift = shift + (state.at(old) - to.start.at(i));
         ++common;
     }
     for (int i = 0; i < next.points(); ++i) {
-        const int old = from.find(to.names[static_cast<std::size_t>(i)]);
+        const int old = olds[static_cast<std::size_t>(i)];
         if (old >= 0) {
             next.place(i, state.at(old));
             next.push(i, state.speed(old));
+            carryAngle(state, from, old, next, i);
+            carryRow(state.spin, old, next.spin, i);
             if (state.hold.point == old)
                 next.hold = {i, state.hold.hand};
         } else if (common > 0) {
@@ -27,6 +77,15 @@ State carryOver(const State &state, const Scene &from, const Scene &to)
     }
     if (next.hold.point >= 0)
         next.inverseMass[next.hold.point] = 0.0;
+    for (int i = 0; i < static_cast<int>(next.gait.rows()); ++i)
+        carryRow(state.gait, i, next.gait, i);
+    carrySpeeds(state, from.start, next);
+    next.gale = state.gale;
+    next.frame = state.frame;
+    const bool targetMoved = from.start.outside.target != to.start.outside.target;
+    next.outside = state.outside;
+    if (targetMoved)
+        next.outside.target = to.start.outside.target;
     return next;
 }
 

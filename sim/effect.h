@@ -63,19 +63,51 @@ class Force : public Effect
 {
 public:
     /// Adds `scale` times the acceleration (px/frame^2) of each point of `movers` to its row of `into`, one pull
-    /// after the other. Points that feel nothing get nothing.
+    /// after the other. Points that feel nothing get nothing. A force whose other end feels the opposite in the same
+    /// moment adds that to the other end's row at once, whether or not it is among `movers`.
     virtual void add(const State &state, Points movers, double scale, Directions directions,
                      Eigen::ArrayX2d &into) const = 0;
     /// The numbers behind what `mover` feels in `state`; the last one, "pull", is all of it.
     virtual std::vector<Live> explain(const State &state, int mover, Directions directions) const = 0;
 };
 
-/// Slows points: takes the same share of every velocity. A method applies it as exactly as it can.
+/// Turns points that have angular inertia, and moves none.
+class Torque : public Effect
+{
+public:
+    /// Adds `scale` times the angular acceleration (degrees/frame^2) of each point of `movers` to its row of `into`.
+    virtual void add(const State &state, Points movers, double scale, Eigen::ArrayXd &into) const = 0;
+    virtual std::vector<Live> explain(const State &state, int mover) const = 0;
+};
+
+/// Slows points, exactly: what it leaves of a velocity (or spin) after `h` frames does not depend on how many steps
+/// they were taken in, as long as nothing else acts.
 class Drag : public Effect
 {
 public:
-    /// The factor that a velocity keeps over `h` frames.
-    virtual double keep(double h) const = 0;
+    virtual void slow(State &state, Points points, double h) const = 0;
+    /// The numbers behind what it did to `point`; the last is the velocity with what it was before.
+    virtual std::vector<Live> explain(const State &before, const State &after, int point, double h) const = 0;
+};
+
+/// Sets in motion or places what follows a rule of its own: a gait clock, a motor's impulse, a pointer that carries
+/// a point, wind that turns branches. Drivers that a scene lists before everything else run at the start of a step,
+/// the others at its end.
+class Driver : public Effect
+{
+public:
+    virtual void drive(State &state, double h) const = 0;
+    virtual std::vector<Live> explain(const State &before, const State &after, int point) const = 0;
+};
+
+/// Moves points to where a condition wants them, after they moved by themselves. What it moves gets its velocity
+/// from the way it came in the whole step.
+class Constraint : public Effect
+{
+public:
+    /// `points`: those whose turn it is; count() says whether any condition belongs to them.
+    virtual void enforce(State &state, Points points, Directions directions, double h) const = 0;
+    virtual std::vector<Live> explain(const State &before, const State &after, int point) const = 0;
 };
 
 /// Corrects points after they moved.
@@ -86,5 +118,9 @@ public:
 };
 
 using EffectPtr = std::shared_ptr<const Effect>;
+
+/// What changed of a point, position and then velocity, under the names "x" and "v": an explanation for effects
+/// whose formula computes nothing else.
+std::vector<Live> changeOf(const State &before, const State &after, int point);
 
 }

@@ -10,4 +10,11 @@ int Scene::find(const std::string &name) const
     return found == names.end() ? -1 : static_cast<int>(found - names.begin());
 }
 
+bool Scene::hasInertia(int point) const
+{
+    return std::any_of(groups.begin(), groups.end(), [point](const Group &group) {
+        return group.points.contains(point) && group.inertia == Inertia::some;
+    });
+}
+
 }

@@ -12,7 +12,7 @@ Scene sceneOf(const Script &script, const Values &values)
         if (point < 0)
             continue;
         scene.start.place(point, start.x);
-        if (start.v && scene.start.feels(point))
+        if (start.v && scene.start.feels(point) && scene.hasInertia(point))
             scene.start.push(point, *start.v);
     }
     std::erase_if(scene.effects, [&](const EffectPtr &effect) {
@@ -21,6 +21,11 @@ Scene sceneOf(const Script &script, const Values &values)
     });
     script.method->prepare(scene.start);
     return scene;
+}
+
+Event eventOf(std::int64_t frame, const Input &what)
+{
+    return {frame, std::visit([](const auto &one) -> decltype(Event::what) { return one; }, what)};
 }
 
 void sortByFrame(std::vector<Event> &input)

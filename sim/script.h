@@ -26,6 +26,32 @@ struct Release
 {
     friend bool operator==(const Release &, const Release &) = default;
 };
+/// The pointer goes to a place, in px, with its button down or up.
+struct Pointer
+{
+    Vec2 at;
+    bool down = false;
+    friend bool operator==(const Pointer &, const Pointer &) = default;
+};
+/// What swims gets a new target, in px.
+struct Target
+{
+    Vec2 at;
+    friend bool operator==(const Target &, const Target &) = default;
+};
+/// This frame's turbulence, in degrees, in place of the random one.
+struct Gust
+{
+    double degrees = 0.0;
+    friend bool operator==(const Gust &, const Gust &) = default;
+};
+/// A key that steers goes down or up.
+struct Key
+{
+    bool Keys::*key = nullptr;
+    bool down = false;
+    friend bool operator==(const Key &, const Key &) = default;
+};
 /// A parameter takes a new value.
 struct Set
 {
@@ -34,11 +60,14 @@ struct Set
     friend bool operator==(const Set &, const Set &) = default;
 };
 
+/// What a learner does in the scene.
+using Input = std::variant<Grab, Move, Release, Pointer, Target, Gust, Key>;
+
 /// Input from outside, applied before frame `frame` is computed.
 struct Event
 {
     std::int64_t frame = 0;
-    std::variant<Grab, Move, Release, Set> what;
+    std::variant<Grab, Move, Release, Pointer, Target, Gust, Key, Set> what;
     friend bool operator==(const Event &, const Event &) = default;
 };
 
@@ -64,6 +93,9 @@ struct Script
 
 /// The scene of `script` for `values`: built, with its bodies' starts, without the effects that are off.
 Scene sceneOf(const Script &script, const Values &values);
+
+/// `what` as an event of the row whose computation it precedes.
+Event eventOf(std::int64_t frame, const Input &what);
 
 /// Sorts events by frame and keeps the order within each frame.
 void sortByFrame(std::vector<Event> &input);

@@ -49,17 +49,21 @@ std::size_t memoryOf(const State &state)
 int firstNotFinite(const State &state)
 {
     // x - x is 0 for every finite x and NaN for the others: one pass that vectorises, then a search if needed.
-    const auto finite = [](const Eigen::ArrayX2d &numbers) { return ((numbers - numbers) == 0.0).all(); };
-    if (finite(state.position) && finite(state.velocity) && finite(state.acceleration))
+    const auto finite = [](const auto &numbers) { return ((numbers - numbers) == 0.0).all(); };
+    if (finite(state.position) && finite(state.velocity) && finite(state.acceleration) &&
+        finite(state.angle) && finite(state.spin) && finite(state.turning) && finite(state.gait) &&
+        finite(state.gaitSpeed))
         return -1;
-    const auto finiteAt = [](const Eigen::ArrayX2d &numbers, int point) {
+    const auto finiteAt = [](const auto &numbers, int point) {
         return numbers.rows() == 0 || numbers.row(point).isFinite().all();
     };
     for (int i = 0; i < state.points(); ++i) {
-        if (!finiteAt(state.position, i) || !finiteAt(state.velocity, i) || !finiteAt(state.acceleration, i))
+        if (!finiteAt(state.position, i) || !finiteAt(state.velocity, i) ||
+            !finiteAt(state.acceleration, i) || !finiteAt(state.angle, i) || !finiteAt(state.spin, i) ||
+            !finiteAt(state.turning, i))
             return i;
     }
-    return -1;
+    return state.points();
 }
 
 }

@@ -6,6 +6,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <vector>
 
 namespace sim {
 
@@ -16,6 +18,35 @@ struct Hold
     Vec2 hand;      ///< px
 };
 
+/// The keys that steer, and whether each is down.
+struct Keys
+{
+    bool left = false;
+    bool right = false;
+    bool up = false;
+    bool down = false;
+    friend bool operator==(const Keys &, const Keys &) = default;
+};
+
+/// How far a gust of wind has run from where it began; both 0 when there is none.
+struct Gale
+{
+    double front = 0.0; ///< px
+    double end = 0.0;   ///< px, where it is over already
+};
+
+/// What a learner tells a scene besides dragging. Each holds until the next event of its kind.
+struct Outside
+{
+    std::optional<Vec2> pointer; ///< px; empty before the first event
+    bool pointerDown = false;
+    Vec2 target; ///< px
+    std::vector<Vec2>
+        newTargets; ///< px, those that came with the row under way and that no driver has taken yet
+    std::optional<double> gust; ///< degrees, in place of the random one; for the row under way only
+    Keys keys;
+};
+
 /// All that a step reads and writes, as plain values. Copying it is the snapshot; two equal States run on alike.
 /// Arrays have one row per point: structure of arrays, x and y each in one run of memory.
 struct State
@@ -23,7 +54,18 @@ struct State
     Eigen::ArrayX2d position;     ///< px
     Eigen::ArrayX2d velocity;     ///< px/frame
     Eigen::ArrayX2d acceleration; ///< px/frame^2, gathered so far; empty for methods that gather none
+    Eigen::ArrayX2d previous;     ///< px, where points were before they moved; empty where no constraint asks
     Eigen::ArrayXd inverseMass;   ///< 1/mass; 0 for what feels nothing: a handle, or a body in the hand
+
+    Eigen::ArrayXd angle;   ///< degrees, clockwise from the x axis; empty for scenes whose points do not turn
+    Eigen::ArrayXd spin;    ///< degrees/frame; empty for scenes whose points have no angular inertia
+    Eigen::ArrayXd turning; ///< degrees/frame^2, gathered so far; empty for methods that gather none
+
+    Eigen::ArrayXd gait;      ///< rad, one a gait clock
+    Eigen::ArrayXd gaitSpeed; ///< rad/frame, one a gait clock
+    Gale gale;
+    std::int64_t frame = 0; ///< the frame that is under way or done
+    Outside outside;
     Hold hold;
 
     /// A state of `points` points of mass 1, all at rest at (0, 0).
@@ -42,17 +84,41 @@ struct State
 template <class Visit>
 void visitMemory(const State &state, Visit &&visit)
 {
+    const auto one = [&](const auto &value) { visit(&value, sizeof value); };
+    const auto place = [&](Vec2 at) {
+        one(at.x);
+        one(at.y);
+    };
     const auto array = [&](const auto &values) {
-        const std::int64_t rows = values.rows();
-        visit(&rows, sizeof rows);
+        one(static_cast<std::int64_t>(values.rows()));
         visit(values.data(), static_cast<std::size_t>(values.size()) * sizeof(double));
     };
     array(state.position);
     array(state.velocity);
     array(state.acceleration);
+    array(state.previous);
     array(state.inverseMass);
-    visit(&state.hold.point, sizeof state.hold.point);
-    visit(&state.hold.hand, sizeof state.hold.hand);
+    array(state.angle);
+    array(state.spin);
+    array(state.turning);
+    array(state.gait);
+    array(state.gaitSpeed);
+    one(state.gale.front);
+    one(state.gale.end);
+    one(state.frame);
+    const Outside &outside = state.outside;
+    one(outside.pointer.has_value());
+    place(outside.pointer.value_or(Vec2{}));
+    one(outside.pointerDown);
+    place(outside.target);
+    one(outside.newTargets.size());
+    visit(outside.newTargets.data(), outside.newTargets.size() * sizeof(Vec2));
+    one(outside.gust.has_value());
+    one(outside.gust.value_or(0.0));
+    for (const bool key : {outside.keys.left, outside.keys.right, outside.keys.up, outside.keys.down})
+        one(key);
+    one(state.hold.point);
+    place(state.hold.hand);
 }
 
 /// Whether two states are equal in every bit (so 0 differs from -0, and NaN equals itself).
@@ -61,7 +127,8 @@ bool sameBits(const State &a, const State &b);
 /// How much memory a copy of `state` takes, in bytes.
 std::size_t memoryOf(const State &state);
 
-/// The first point whose position, velocity or gathered acceleration is not a finite number, or -1.
+/// The first point with a number (position, velocity, angle, spin, or what is gathered) that is not finite, or -1;
+/// the point count for a number that belongs to no point.
 int firstNotFinite(const State &state);
 
 }

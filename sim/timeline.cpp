@@ -58,18 +58,31 @@ void Timeline::becomeGhost(std::int64_t fork)
     m_fork = fork;
 }
 
-bool Timeline::hand(const std::variant<Grab, Move, Release> &what)
+namespace {
+
+/// Whether of two events in one row the first has no effect, because the second says the same thing anew.
+bool replaces(const Event &second, const Event &first)
+{
+    if (first.frame != second.frame || first.what.index() != second.what.index())
+        return false;
+    const auto *was = std::get_if<Pointer>(&first.what);
+    const auto *is = std::get_if<Pointer>(&second.what);
+    return std::holds_alternative<Move>(first.what) || (was && is->down == was->down);
+}
+
+}
+
+bool Timeline::hand(const Input &what)
 {
     const std::int64_t frame = at().frame + m_track.rowFrames();
     const int phase = at().phase;
     const bool forked = openRow(frame);
     std::vector<Event> input = script().input;
     std::erase_if(input, [&](const Event &event) { return event.frame > frame; });
-    const bool isMove = std::holds_alternative<Move>(what);
-    if (isMove && !input.empty() && input.back().frame == frame &&
-        std::holds_alternative<Move>(input.back().what))
+    const Event event = eventOf(frame, what);
+    if (!input.empty() && replaces(event, input.back()))
         input.pop_back();
-    input.push_back({frame, std::visit([](const auto &one) -> decltype(Event::what) { return one; }, what)});
+    input.push_back(event);
     m_track.replaceInput(std::move(input), frame);
     seek({at().frame, phase});
     return forked;

@@ -31,9 +31,9 @@ public:
     void stepRow();
     void stepRowBack();
 
-    /// What a hand does now: it becomes input of the row at the cursor. Later input is forgotten: it belonged to
+    /// What a learner does now: it becomes input of the row at the cursor. Later input is forgotten: it belonged to
     /// another future. Returns whether the run as it was became the ghost; so do the next two.
-    bool hand(const std::variant<Grab, Move, Release> &what);
+    bool hand(const Input &what);
     /// A parameter changes now: at the start of the run for the whole run, later from the row at the cursor on.
     /// Later input stays, so that the two runs differ by this alone.
     /// @throws Error when the scene does not compose with the new value; nothing has changed then

@@ -99,6 +99,9 @@ void Track::begin(State &state, std::int64_t rowEnd) const
     if (before != segment)
         state = carryOver(state, before->scene, segment->scene);
     const std::int64_t rowStart = rowEnd - rowFrames();
+    state.frame = rowEnd;
+    state.outside.gust.reset();
+    state.outside.newTargets.clear();
     const bool first = rowStart == 0;
     auto event = std::upper_bound(m_script.input.begin(), m_script.input.end(), first ? -1 : rowStart,
                                   [](std::int64_t frame, const Event &e) { return frame < e.frame; });
@@ -107,12 +110,29 @@ void Track::begin(State &state, std::int64_t rowEnd) const
     const int held = state.hold.point;
     if (held < 0)
         return;
-    if (segment->scene.start.feels(held))
+    if (segment->scene.start.feels(held) && segment->scene.hasInertia(held))
         state.push(held, (1.0 / rowFrames()) * (state.hold.hand - state.at(held)));
     state.place(held, state.hold.hand);
 }
 
 void Track::apply(State &state, const Scene &scene, const Event &event) const
+{
+    if (const auto *pointer = std::get_if<Pointer>(&event.what)) {
+        state.outside.pointer = pointer->at;
+        state.outside.pointerDown = pointer->down;
+    } else if (const auto *target = std::get_if<Target>(&event.what)) {
+        state.outside.target = target->at;
+        state.outside.newTargets.push_back(target->at);
+    } else if (const auto *gust = std::get_if<Gust>(&event.what)) {
+        state.outside.gust = gust->degrees;
+    } else if (const auto *key = std::get_if<Key>(&event.what)) {
+        state.outside.keys.*key->key = key->down;
+    } else {
+        applyHand(state, scene, event);
+    }
+}
+
+void Track::applyHand(State &state, const Scene &scene, const Event &event) const
 {
     const auto letGo = [&] {
         const int held = state.hold.point;
@@ -179,7 +199,7 @@ void Track::stopHere()
         if (guilty < 0)
             ++stop.phases;
     }
-    if (guilty >= 0)
+    if (guilty >= 0 && guilty < static_cast<int>(segment->scene.names.size()))
         stop.body = segment->scene.names[static_cast<std::size_t>(guilty)];
     m_stop = stop;
 }
@@ -259,7 +279,8 @@ std::vector<Moment> Track::moments(const std::string &body) const
         const State before = state;
         phase.run(state);
         Moment moment{i - stepStart, {}};
-        if (phase.points.contains(point))
+        const bool pushed = before.speed(point) != state.speed(point); // a reaction, say
+        if (phase.points.contains(point) || pushed)
             moment.live = phase.explain(before, state, point);
         all.push_back(std::move(moment));
     }

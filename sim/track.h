@@ -83,6 +83,10 @@ public:
     void replaceInput(std::vector<Event> input, std::int64_t frame);
     /// Limits the kept states to `budget` bytes from now on.
     void setBudget(std::size_t budget);
+    /// The state at the end of row `frame`, which was computed before.
+    State stateAt(std::int64_t frame) const { return rowState(frame); }
+    /// The segment that it belongs to.
+    std::shared_ptr<const Segment> segmentAt(std::int64_t frame) const { return segmentFor(frame); }
     std::size_t keptBytes() const { return m_keptBytes; }
     std::size_t keptStates() const { return m_kept.size(); }
 
@@ -99,6 +103,7 @@ private:
     /// Takes `state`, at the end of a row, into the row that ends at `rowEnd`: applies its input.
     void begin(State &state, std::int64_t rowEnd) const;
     void apply(State &state, const Scene &scene, const Event &event) const;
+    void applyHand(State &state, const Scene &scene, const Event &event) const;
     /// These two return whether the run goes on: false when its numbers stopped being finite.
     bool runPhase();
     bool endRow();

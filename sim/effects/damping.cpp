@@ -1,5 +1,7 @@
 #include "sim/effects/damping.h"
 
+#include <cmath>
+
 namespace sim {
 
 namespace {
@@ -17,12 +19,51 @@ double kept(double damp, double h)
 
 std::vector<Region> Damping::regions(Directions) const
 {
-    return {{"sim/effects/damping.cpp", "damping"}};
+    return {{"sim/effects/damping.cpp", "damping"}, {"sim/effects/damping.h", "damp"}};
+}
+
+std::vector<Region> SpinDamping::regions(Directions) const
+{
+    return {{"sim/effects/damping.cpp", "damping"}, {"sim/effects/damping.h", "damp_spin"}};
+}
+
+Points Damping::shareOf(Points points) const
+{
+    const int first = std::max(points.first, m_only.first);
+    const int count = std::min(points.end(), m_only.end()) - first;
+    return count > 0 ? Points{first, count} : Points{points.first, 0};
 }
 
 int Damping::count(const State &state, Points points) const
 {
+    points = shareOf(points);
     return static_cast<int>((state.inverseMass.segment(points.first, points.count) != 0.0).count());
+}
+
+void Damping::slow(State &state, Points points, double h) const
+{
+    const double keep = kept(m_damp, h);
+    const bool spins = state.spin.rows() > 0;
+    points = shareOf(points);
+    for (int i = points.first; i < points.end(); ++i) {
+        if (!state.feels(i))
+            continue;
+        state.push(i, damp(state.speed(i), keep));
+        if (spins)
+            state.spin[i] = dampSpin(state.spin[i], keep);
+    }
+}
+
+std::vector<Live> Damping::explain(const State &before, const State &after, int point, double h) const
+{
+    if (!m_only.contains(point))
+        return {};
+    std::vector<Live> live = {{"keep", kept(m_damp, h), {}}};
+    if (after.spin.rows() > 0)
+        live.push_back({"spin", after.spin[point], before.spin[point]});
+    else
+        live.push_back({"v", after.speed(point), before.speed(point)});
+    return live;
 }
 
 double Damping::keep(double h) const

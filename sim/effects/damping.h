@@ -2,9 +2,30 @@
 
 #include "sim/effect.h"
 
-#include <cmath>
+#include <limits>
 
 namespace sim {
+
+/// What damping leaves of a velocity, and of a spin.
+// The marker leaves out what learners need not read.
+// clang-format off
+inline
+//! [damp]
+Vec2 damp(Vec2 v, double keep)
+{
+    v = keep * v;
+    return v;
+}
+//! [damp]
+inline
+//! [damp_spin]
+double dampSpin(double spin, double keep)
+{
+    spin = keep * spin;
+    return spin;
+}
+//! [damp_spin]
+// clang-format on
 
 /// Drag that lets every velocity keep the share `damp` each frame: the continuous model v' = -c v with
 /// c = -ln(damp) per frame, taken exactly: over h frames a velocity keeps damp^h.
@@ -13,16 +34,32 @@ class Damping : public Drag
 public:
     /// `damp` from 0 (stops at once) to 1 (no drag), per frame.
     explicit Damping(double damp) : m_damp(damp) {}
+    /// The same for some points only.
+    Damping(double damp, Points only) : m_damp(damp), m_only(only) {}
 
     std::string id() const override { return "damping"; }
     std::string title() const override { return SIM_TEXT("damping"); }
     Kind kind() const override { return Kind::damping; }
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
-    double keep(double h) const override;
+    void slow(State &state, Points points, double h) const override;
+    std::vector<Live> explain(const State &before, const State &after, int point, double h) const override;
+    /// The factor that a velocity keeps over `h` frames.
+    double keep(double h) const;
 
 private:
+    Points shareOf(Points points) const;
+
     double m_damp;
+    Points m_only = {0, std::numeric_limits<int>::max()};
+};
+
+/// The same for points that turn: what it shows is what it does to a spin.
+class SpinDamping : public Damping
+{
+public:
+    using Damping::Damping;
+    std::vector<Region> regions(Directions directions) const override;
 };
 
 }

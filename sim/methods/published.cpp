@@ -23,25 +23,47 @@ void pullAtOnce(
 //! [published_forces]
 // clang-format on
 
+/// The same for what turns.
+// Shown lines are short.
+// clang-format off
+//! [published_torques]
+void turnAtOnce(
+    const Torque &torque, State &state,
+    Points movers, double h)
+{
+    // onto the spin, at once
+    torque.add(state, movers, h,
+        state.spin);
+}
+//! [published_torques]
+// clang-format on
+
 }
 
 void Published::prepare(State &state) const
 {
     state.acceleration.resize(0, 2);
+    state.turning.resize(0);
 }
 
 std::vector<Phase> Published::phases(const Scene &scene, double h) const
 {
     PhaseList step(scene, directions(), h);
-    const Region pull = {"sim/methods/published.cpp", "published_forces"};
+    const Adding pull = {pullAtOnce,
+                         turnAtOnce,
+                         {"sim/methods/published.cpp", "published_forces"},
+                         {"sim/methods/published.cpp", "published_torques"}};
     //! [published_order]
+    step.driversFirst();
     // each group sees what has already moved
     for (const Share &group : step.groups()) {
-        step.forces(group, pullAtOnce, pull);
-        step.damping(group);
+        // forces and damping
+        step.asListed(group, pull);
         step.move(group);
+        step.constraints(group);
         step.contacts(group);
     }
+    step.driversLast();
     //! [published_order]
     return step.take();
 }

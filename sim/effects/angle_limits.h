@@ -1,0 +1,126 @@
+#pragma once
+
+#include "sim/effect.h"
+
+namespace sim {
+
+/// How far a joint may bend: the angle at `joint` from the limb that ends at `a` to the limb that ends at `b`,
+/// clockwise as seen on the screen, from 0 to 360 degrees.
+struct AngleLimit
+{
+    int a = 0;
+    int joint = 0;
+    int b = 0;
+    double least = 0.0;  ///< degrees
+    double most = 360.0; ///< degrees
+};
+
+/// The angle from `a` to `b` round the origin, in degrees from 0 to 360; 0 when one of them is the origin itself.
+// Shown lines are short.
+// clang-format off
+inline
+//! [angle_between]
+double angleBetween(Vec2 a, Vec2 b)
+{
+    double across = a.x * b.y - a.y * b.x;
+    double along = a.x * b.x + a.y * b.y;
+    double rad = atan2(across, along);
+    double angle = rad * 57.29577951308232;
+    return angle < 0 ? angle + 360 : angle;
+}
+//! [angle_between]
+// clang-format on
+
+/// `limb` turned by `angle` degrees.
+// Shown lines are short.
+// clang-format off
+inline
+//! [turned]
+Vec2 turned(Vec2 limb, double angle)
+{
+    double rad = angle / 57.29577951308232;
+    double c = cos(rad), s = sin(rad);
+    return {c * limb.x - s * limb.y,
+            s * limb.x + c * limb.y};
+}
+//! [turned]
+// clang-format on
+
+/// How far `angle` is past the nearer one of its limits, in degrees: above 0 past `most`, below 0 past `least`.
+// Shown lines are short.
+// clang-format off
+inline
+//! [past_limit]
+double pastLimit(
+    double angle, double least, double most)
+{
+    if (angle >= least && angle <= most)
+        return 0;
+    double over = angle - most;
+    double under = least - angle;
+    if (over < 0) over += 360; // all round
+    if (under < 0) under += 360;
+    return over < under ? over : -under;
+}
+//! [past_limit]
+// clang-format on
+
+/// Three points after a joint was bent back, and what that was found from.
+struct JointEnds
+{
+    Vec2 a;
+    Vec2 joint;
+    Vec2 b;
+    double angle = 0.0; ///< degrees, before
+    double past = 0.0;  ///< degrees, see pastLimit()
+};
+
+/// Turns both limbs of a joint, each by half of what its angle is past a limit, and puts the three points' middle
+/// back to where it was: nothing is pushed, only turned.
+// Shown lines are short.
+// clang-format off
+inline
+//! [angle_limit]
+JointEnds bendBack(
+    Vec2 a, Vec2 joint, Vec2 b,
+    double least, double most)
+{
+    Vec2 to_a = a - joint;
+    Vec2 to_b = b - joint;
+    double angle = angleBetween(to_a, to_b);
+    double past =
+        pastLimit(angle, least, most);
+    if (past != 0) {
+        Vec2 new_a = turned(to_a, past / 2);
+        Vec2 new_b = turned(to_b, -past / 2);
+        Vec2 moved = new_a - to_a + new_b - to_b;
+        joint = joint - (1.0 / 3) * moved;
+        a = joint + new_a;
+        b = joint + new_b;
+    }
+    return {a, joint, b, angle, past};
+}
+//! [angle_limit]
+// clang-format on
+
+/// Joints that bend only so far: conditions that act only when they are broken.
+class AngleLimits : public Constraint
+{
+public:
+    explicit AngleLimits(std::vector<AngleLimit> limits) : m_limits(std::move(limits)) {}
+
+    std::string id() const override { return "angle_limits"; }
+    std::string title() const override { return SIM_TEXT("joint limits"); }
+    Kind kind() const override { return Kind::stick; }
+    std::vector<Region> regions(Directions directions) const override;
+    int count(const State &state, Points points) const override;
+    /// A limit has its turn with that of its points that has the highest number. Where one of them feels nothing,
+    /// only the others move.
+    void enforce(State &state, Points points, Directions directions, double h) const override;
+    std::vector<Live> explain(const State &before, const State &after, int point) const override;
+
+private:
+    std::vector<AngleLimit> m_limits;
+};
+
+}

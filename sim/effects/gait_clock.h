@@ -1,0 +1,42 @@
+#pragma once
+
+#include "sim/effect.h"
+
+#include <vector>
+
+namespace sim {
+
+/// A gait clock after `h` frames: `gait` in rad, `speed` in rad/frame. Published: Creatures II, step 9.
+// Shown lines are short.
+// clang-format off
+inline
+//! [gait_clock]
+double tick(
+    double gait, double speed, double h)
+{
+    gait = gait + h * speed;
+    return gait;
+}
+//! [gait_clock]
+// clang-format on
+
+/// Turns every gait clock of the scene on, at the speed that State::gaitSpeed gives it.
+class GaitClock : public Driver
+{
+public:
+    /// `clockOf`: which clock each point goes by, one a point; empty: all by clock 0.
+    explicit GaitClock(std::vector<int> clockOf = {}) : m_clockOf(std::move(clockOf)) {}
+
+    std::string id() const override { return "gait_clock"; }
+    std::string title() const override { return SIM_TEXT("gait clock"); }
+    Kind kind() const override { return Kind::driver; }
+    std::vector<Region> regions(Directions directions) const override;
+    int count(const State &state, Points points) const override;
+    void drive(State &state, double h) const override;
+    std::vector<Live> explain(const State &before, const State &after, int point) const override;
+
+private:
+    std::vector<int> m_clockOf;
+};
+
+}

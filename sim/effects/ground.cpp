@@ -1,0 +1,44 @@
+#include "sim/effects/ground.h"
+
+#include <algorithm>
+
+namespace sim {
+
+Ground::Ground(std::vector<int> feet, Soil soil) : m_feet(std::move(feet)), m_soil(soil)
+{
+    std::sort(m_feet.begin(), m_feet.end());
+}
+
+std::vector<Region> Ground::regions(Directions) const
+{
+    return {{"sim/effects/ground.h", "ground"}};
+}
+
+/// Calls `visit(foot)` for each foot among `points` that is not held.
+template <class Visit>
+void Ground::forEach(const State &state, Points points, Visit &&visit) const
+{
+    auto foot = std::lower_bound(m_feet.begin(), m_feet.end(), points.first);
+    for (; foot != m_feet.end() && *foot < points.end(); ++foot) {
+        if (state.feels(*foot))
+            visit(*foot);
+    }
+}
+
+int Ground::count(const State &state, Points points) const
+{
+    int total = 0;
+    forEach(state, points, [&](int) { ++total; });
+    return total;
+}
+
+void Ground::resolve(State &state, Points points) const
+{
+    forEach(state, points, [&](int foot) {
+        const Motion after = sim::ground(state.at(foot), state.speed(foot), m_soil);
+        state.place(foot, after.x);
+        state.push(foot, after.v);
+    });
+}
+
+}

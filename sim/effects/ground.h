@@ -1,0 +1,67 @@
+#pragma once
+
+#include "sim/effects/walls.h"
+
+#include <vector>
+
+namespace sim {
+
+/// What the ground does to the speed of a foot along it.
+enum class Traction {
+    full, ///< takes all of it
+    none, ///< takes nothing: ice
+};
+
+/// An endless level ground.
+struct Soil
+{
+    double ground = 0.0; ///< px, how far down it lies
+    double bounce = 0.0; ///< share of the speed into the ground that is kept, turned round
+    Traction traction = Traction::full;
+};
+
+/// Puts a foot that is below the ground back onto it. A place is the lowest point of a foot, so no width counts.
+/// Without bounce nothing is left of the speed into the ground: 0, and not −0, so `bounce` takes away
+/// instead of turning round. Published with bounce 0 and full traction: Creatures II, step 11.
+// Shown lines are short.
+// clang-format off
+inline
+//! [ground]
+Motion ground(
+    Vec2 x, Vec2 v, const Soil &soil)
+{
+    if (x.y > soil.ground) {
+        x.y = soil.ground;
+        v.y -= (1 + soil.bounce) * v.y;
+        if (soil.traction == Traction::full)
+            v.x = 0;
+    }
+    return {x, v};
+}
+//! [ground]
+// clang-format on
+
+/// Ground for some points: the feet. Nothing else meets it.
+class Ground : public Contact
+{
+public:
+    Ground(std::vector<int> feet, Soil soil);
+
+    std::string id() const override { return "ground"; }
+    std::string title() const override { return SIM_TEXT("ground"); }
+    Kind kind() const override { return Kind::contact; }
+    std::vector<Region> regions(Directions directions) const override;
+    int count(const State &state, Points points) const override;
+    void resolve(State &state, Points points) const override;
+
+    const Soil &soil() const { return m_soil; }
+
+private:
+    template <class Visit>
+    void forEach(const State &state, Points points, Visit &&visit) const;
+
+    std::vector<int> m_feet; ///< in order
+    Soil m_soil;
+};
+
+}

@@ -1,0 +1,73 @@
+#pragma once
+
+#include "sim/effect.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace sim {
+
+/// One step of a gust: while the button is down its front runs outwards; when it is let go its end follows. A new
+/// press begins a new one. `speed` in px/frame, h in frames.
+// Shown lines are short.
+// clang-format off
+inline
+//! [gust]
+Gale runOn(
+    Gale gale, bool down,
+    double speed, double h)
+{
+    if (down && gale.end > 0)
+        gale = {}; // a new gust
+    bool blows = down || gale.front > 0;
+    if (blows)
+        gale.front += h * speed;
+    if (blows && !down)
+        gale.end += h * speed;
+    return gale;
+}
+//! [gust]
+// clang-format on
+
+/// How hard the wind blows `distance` px from the pointer, as a share of its strength: 0 where the front has not
+/// come to or the end is past; between them it swells and ebbs every 300 px, by the share `gusts`.
+// Shown lines are short.
+// clang-format off
+inline
+//! [gust_at]
+double gustAt(
+    double distance, Gale gale,
+    double gusts)
+{
+    if (distance > gale.front)
+        return 0; // it has not come yet
+    if (distance < gale.end)
+        return 0; // it is past
+    double behind = gale.front - distance;
+    double waves = behind / 300;
+    double turn = 2 * std::numbers::pi;
+    return 1 + gusts * std::sin(turn * waves);
+}
+//! [gust_at]
+// clang-format on
+
+/// Lets a gust run outwards from the pointer.
+class GustFront : public Driver
+{
+public:
+    /// `speed` in px/frame.
+    explicit GustFront(double speed) : m_speed(speed) {}
+
+    std::string id() const override { return "gust"; }
+    std::string title() const override { return SIM_TEXT("gust runs on"); }
+    Kind kind() const override { return Kind::wind; }
+    std::vector<Region> regions(Directions directions) const override;
+    int count(const State &state, Points points) const override;
+    void drive(State &state, double h) const override;
+    std::vector<Live> explain(const State &before, const State &after, int point) const override;
+
+private:
+    double m_speed;
+};
+
+}

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "sim/effect.h"
+
+namespace sim {
+
+/// Puts a point where the pointer is, from the first time that the pointer is known. List it first: the point then
+/// stands there before anything else looks.
+class CarriedByPointer : public Driver
+{
+public:
+    explicit CarriedByPointer(int point) : m_point(point) {}
+
+    std::string id() const override { return "pointer"; }
+    std::string title() const override { return SIM_TEXT("pointer"); }
+    Kind kind() const override { return Kind::driver; }
+    std::vector<Region> regions(Directions directions) const override;
+    int count(const State &state, Points points) const override;
+    void drive(State &state, double h) const override;
+    std::vector<Live> explain(const State &before, const State &after, int point) const override;
+
+private:
+    int m_point;
+};
+
+}

@@ -1,0 +1,86 @@
+#include "sim/effects/push.h"
+
+#include <algorithm>
+
+namespace sim {
+
+Push::Push(std::vector<int> points, double k, double distance, Reaction reaction)
+    : m_points(std::move(points)), m_k(k), m_distance(distance), m_reaction(reaction)
+{
+    std::sort(m_points.begin(), m_points.end());
+}
+
+std::vector<Region> Push::regions(Directions directions) const
+{
+    const std::string way = directions == Directions::published ? "published_direction" : "direction";
+    std::vector<Region> all = {{"sim/effects/push.h", "push"}, {"sim/direction.h", way}};
+    if (m_reaction == Reaction::equal)
+        all.push_back(reactionShown());
+    return all;
+}
+
+/// Calls `visit(one, other)` for each pair whose lower number is in `movers` and whose push something feels.
+template <class Visit>
+void Push::forEach(const State &state, Points movers, Visit &&visit) const
+{
+    for (auto one = m_points.begin(); one != m_points.end(); ++one) {
+        if (!movers.contains(*one))
+            continue;
+        for (auto other = std::next(one); other != m_points.end(); ++other) {
+            if (state.feels(*one) || (m_reaction == Reaction::equal && state.feels(*other)))
+                visit(*one, *other);
+        }
+    }
+}
+
+int Push::count(const State &state, Points points) const
+{
+    int total = 0;
+    forEach(state, points, [&](int, int) { ++total; });
+    return total;
+}
+
+PushPull Push::pushOn(const State &state, int one, int other, Directions directions) const
+{
+    return push(state.at(one), state.at(other), m_k, m_distance, [&](Vec2 d) {
+        return directions == Directions::published ? publishedDirection(d).out : direction(d, other, one).out;
+    });
+}
+
+void Push::add(const State &state, Points movers, double scale, Directions directions,
+               Eigen::ArrayX2d &into) const
+{
+    const auto addTo = [&](int point, Vec2 pull) {
+        const Vec2 a = (scale * state.inverseMass[point]) * pull;
+        into(point, 0) += a.x;
+        into(point, 1) += a.y;
+    };
+    forEach(state, movers, [&](int one, int other) {
+        const Vec2 pull = pushOn(state, one, other, directions).pull;
+        addTo(one, pull);
+        if (m_reaction == Reaction::equal)
+            addTo(other, sim::reaction(pull));
+    });
+}
+
+std::vector<Live> Push::explain(const State &state, int mover, Directions directions) const
+{
+    Vec2 sum;
+    std::vector<Live> last;
+    int felt = 0;
+    forEach(state, {0, state.points()}, [&](int one, int other) {
+        const bool back = other == mover && m_reaction == Reaction::equal;
+        if ((one != mover && !back) || !state.feels(mover))
+            return;
+        const PushPull p = pushOn(state, one, other, directions);
+        const Vec2 pull = state.inverseMass[mover] * (back ? sim::reaction(p.pull) : p.pull);
+        last = {{"from", p.from}, {"missing", p.missing}, {"pull", pull}};
+        sum = sum + pull;
+        ++felt;
+    });
+    if (felt > 1)
+        return {{"pull", sum}};
+    return last;
+}
+
+}

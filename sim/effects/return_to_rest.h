@@ -1,0 +1,50 @@
+#pragma once
+
+#include "sim/effect.h"
+#include "sim/effects/tree.h"
+
+#include <cmath>
+
+namespace sim {
+
+/// Turns a branch a share of the way back to the angle at which it grew, if more than one degree is missing:
+/// `angle' = (rest - angle) / ease`, h in frames, taken as one step of explicit Euler; angles in degrees.
+/// Published: swaying tree, returnToRest().
+// Shown lines are short.
+// clang-format off
+inline
+//! [return_to_rest]
+double returnToRest(
+    double angle, double rest,
+    double ease, double h)
+{
+    double way = rest - angle;
+    // within 1 degree it stays
+    if (std::abs(way) > 1)
+        angle += h * way / ease;
+    return angle;
+}
+//! [return_to_rest]
+// clang-format on
+
+/// Lets every branch return to where it grew.
+class ReturnToRest : public Driver
+{
+public:
+    /// `ease` in frames.
+    ReturnToRest(TreePtr tree, double ease) : m_tree(std::move(tree)), m_ease(ease) {}
+
+    std::string id() const override { return "return_to_rest"; }
+    std::string title() const override { return SIM_TEXT("return to rest"); }
+    Kind kind() const override { return Kind::spring; }
+    std::vector<Region> regions(Directions directions) const override;
+    int count(const State &state, Points points) const override;
+    void drive(State &state, double h) const override;
+    std::vector<Live> explain(const State &before, const State &after, int point) const override;
+
+private:
+    TreePtr m_tree;
+    double m_ease;
+};
+
+}

@@ -1,0 +1,75 @@
+#pragma once
+
+#include "sim/effect.h"
+
+#include <algorithm>
+
+namespace sim {
+
+/// How keys and pointer set the speed of a gait clock.
+struct Reins
+{
+    double top = 0.15;     ///< rad/frame, the fastest either way
+    double change = 0.004; ///< rad/frame^2, what a key that is down adds each frame
+    double reach = 200.0;  ///< px, how far off the pointer asks for the fastest
+};
+
+using std::clamp;
+
+/// A speed (rad/frame) after the arrow keys were down for `h` frames: right adds, left takes away.
+// Shown lines are short.
+// clang-format off
+inline
+//! [steer_by_keys]
+double steerByKeys(
+    double speed, const Keys &keys,
+    const Reins &reins, double h)
+{
+    if (keys.right)
+        speed += h * reins.change;
+    if (keys.left)
+        speed -= h * reins.change;
+    double top = reins.top;
+    return clamp(speed, -top, top);
+}
+//! [steer_by_keys]
+// clang-format on
+
+/// The speed (rad/frame) that a pointer `way` px to the right of the body asks for.
+// Shown lines are short.
+// clang-format off
+inline
+//! [steer_by_pointer]
+double steerByPointer(
+    double way, const Reins &reins)
+{
+    double top = reins.top;
+    double speed = top * way / reins.reach;
+    return clamp(speed, -top, top);
+}
+//! [steer_by_pointer]
+// clang-format on
+
+/// Sets the speed of a gait clock: by the pointer while its button is down, else by the keys that are down. With
+/// neither the clock keeps the speed that it has.
+class Steering : public Driver
+{
+public:
+    /// The pointer's way is measured from point `body`.
+    Steering(int clock, int body, Reins reins) : m_clock(clock), m_body(body), m_reins(reins) {}
+
+    std::string id() const override { return "steering"; }
+    std::string title() const override { return SIM_TEXT("steering"); }
+    Kind kind() const override { return Kind::driver; }
+    std::vector<Region> regions(Directions directions) const override;
+    int count(const State &, Points points) const override { return points.contains(m_body) ? 1 : 0; }
+    void drive(State &state, double h) const override;
+    std::vector<Live> explain(const State &before, const State &after, int point) const override;
+
+private:
+    int m_clock;
+    int m_body;
+    Reins m_reins;
+};
+
+}

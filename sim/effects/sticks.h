@@ -1,0 +1,38 @@
+#pragma once
+
+#include "sim/effect.h"
+#include "sim/effects/stick.h"
+
+namespace sim {
+
+/// Rigid sticks, enforced one after the other, each seeing what those before it have moved. One pass over the list
+/// makes each stick right for a moment; the next ones may make it wrong again, and more passes leave less error.
+class Sticks : public Constraint
+{
+public:
+    /// `points`: how many points the scene has. `iterations`: passes over the list in a step.
+    /// @throws Error "stick-without-end" (stick, end, points) when a stick ends at a point that is not there
+    Sticks(std::vector<Stick> sticks, int points, int iterations = 1);
+
+    std::string id() const override { return "sticks"; }
+    std::string title() const override { return SIM_TEXT("sticks"); }
+    Kind kind() const override { return Kind::stick; }
+    std::vector<Region> regions(Directions directions) const override;
+    int count(const State &state, Points points) const override;
+    /// A stick has its turn with that of its ends that has the higher number. An end that feels nothing leaves the
+    /// whole error to the other one.
+    void enforce(State &state, Points points, Directions directions, double h) const override;
+    /// The last stick that moved `point`.
+    std::vector<Live> explain(const State &before, const State &after, int point) const override;
+
+    const std::vector<Stick> &list() const { return m_sticks; }
+
+private:
+    template <class Visit>
+    void forEach(Points points, Visit &&visit) const;
+
+    std::vector<Stick> m_sticks;
+    int m_iterations;
+};
+
+}

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "sim/effects/walls.h"
+
+#include <cmath>
+#include <vector>
+
+namespace sim {
+
+using std::abs;
+
+/// A gait clock's speed (rad/frame) after a point with `half` its width at `x` (px) bumped into a wall, if it did:
+/// away from that wall.
+// Shown lines are short.
+// clang-format off
+inline
+//! [turn_round]
+double turnRound(
+    double speed, double x, double half,
+    const Room &room)
+{
+    if (x >= room.right - half)
+        speed = -abs(speed);
+    if (x <= room.left + half)
+        speed = abs(speed);
+    return speed;
+}
+//! [turn_round]
+// clang-format on
+
+/// Turns round each creature that touches a side wall with any point: its gait clock runs the other way.
+class TurnRound : public Driver
+{
+public:
+    /// `half`: half of each point's width in px; `clockOf`: which clock each point goes by; one row a point.
+    TurnRound(Room room, Eigen::ArrayXd half, std::vector<int> clockOf)
+        : m_room(room), m_half(std::move(half)), m_clockOf(std::move(clockOf))
+    {
+    }
+
+    std::string id() const override { return "turn_round"; }
+    std::string title() const override { return SIM_TEXT("turn round"); }
+    Kind kind() const override { return Kind::driver; }
+    std::vector<Region> regions(Directions directions) const override;
+    int count(const State &state, Points points) const override;
+    void drive(State &state, double h) const override;
+    std::vector<Live> explain(const State &before, const State &after, int point) const override;
+
+private:
+    int clockOf(int point) const { return m_clockOf.at(static_cast<std::size_t>(point)); }
+
+    Room m_room;
+    Eigen::ArrayXd m_half;
+    std::vector<int> m_clockOf;
+};
+
+}

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "sim/effect.h"
+#include "sim/effects/tree.h"
+
+namespace sim {
+
+/// The angle of a branch that points at the pointer, in degrees: along the line from its origin. Measured from its
+/// end, as the text of the tutorial has it, the branch would turn past the pointer and back, frame after frame, when
+/// the pointer is nearer than two of its lengths.
+// Shown lines are short.
+// clang-format off
+inline
+//! [turn_to_pointer]
+double turnToPointer(Vec2 out)
+{
+    // out: from origin to pointer
+    double rad = atan2(out.y, out.x);
+    double angle = rad * degreesPerRadian;
+    return angle;
+}
+//! [turn_to_pointer]
+// clang-format on
+
+/// The same as published. Published: swaying tree, the first bend().
+// Shown lines are short.
+// clang-format off
+inline
+//! [turn_to_pointer_published]
+double turnToPointerPublished(Vec2 d)
+{
+    double rad = atan2(d.y, d.x);
+    double angle = rad * 57.3;
+    return angle;
+}
+//! [turn_to_pointer_published]
+// clang-format on
+
+/// Turns every branch to the pointer at once while its button is down, from the trunk to the twigs.
+class TurnToPointer : public Driver
+{
+public:
+    TurnToPointer(TreePtr tree, TreeFormula formula) : m_tree(std::move(tree)), m_formula(formula) {}
+
+    std::string id() const override { return "turn_to_pointer"; }
+    std::string title() const override { return SIM_TEXT("turn to the pointer"); }
+    Kind kind() const override { return Kind::driver; }
+    std::vector<Region> regions(Directions directions) const override;
+    int count(const State &state, Points points) const override;
+    void drive(State &state, double h) const override;
+    std::vector<Live> explain(const State &before, const State &after, int point) const override;
+
+private:
+    TreePtr m_tree;
+    TreeFormula m_formula;
+};
+
+}
