@@ -57,6 +57,29 @@ sim::Scene creatureOnHandle()
     return scene;
 }
 
+sim::Scene creatureWithFeetOnHandle(int feet)
+{
+    sim::Scene scene = creatureWithFeet(feet);
+    scene.start.inverseMass[feet] = 0.0;
+    scene.groups.pop_back();
+    return scene;
+}
+
+sim::Scene crowd(int creatures, int feet)
+{
+    sim::Scene scene = pointsInTheMiddle(creatures * (feet + 1));
+    for (int creature = 0; creature < creatures; ++creature) {
+        const std::string name = "creature" + std::to_string(creature);
+        const int first = creature * (feet + 1);
+        for (int i = 0; i < feet; ++i)
+            scene.names.push_back(name + ".foot" + std::to_string(i));
+        scene.names.push_back(name + ".body");
+        scene.groups.push_back({SIM_TEXT("feet"), {first, feet}});
+        scene.groups.push_back({SIM_TEXT("body"), {first + feet, 1}});
+    }
+    return scene;
+}
+
 void placeFeet(sim::Scene &scene, const std::vector<sim::Vec2> &places)
 {
     const int feet = scene.start.points() - 1;
@@ -70,30 +93,42 @@ void placeFeet(sim::Scene &scene, const std::vector<sim::Vec2> &places)
     }
 }
 
+bool isBody(const std::string &name)
+{
+    return name == "body" || name.ends_with(".body");
+}
+
 Eigen::ArrayXd halfWidths(const sim::Scene &scene)
 {
     Eigen::ArrayXd half = Eigen::ArrayXd::Constant(scene.start.points(), footWidth / 2);
-    if (scene.names.back() == "body")
-        half.tail(1) = bodyWidth / 2;
+    for (int i = 0; i < scene.start.points(); ++i) {
+        if (isBody(scene.names[static_cast<std::size_t>(i)]))
+            half[i] = bodyWidth / 2;
+    }
     return half;
 }
 
 Look creatureLook(const sim::Scene &scene)
 {
     Look look;
-    look.bodies.resize(static_cast<std::size_t>(scene.start.points()),
-                       {BodyLook::Shape::foot, footWidth / 2});
-    if (scene.names.back() == "body")
-        look.bodies.back() = {BodyLook::Shape::body, bodyWidth / 2};
+    for (const std::string &name : scene.names) {
+        look.bodies.push_back(isBody(name) ? BodyLook{BodyLook::Shape::body, bodyWidth / 2}
+                                           : BodyLook{BodyLook::Shape::foot, footWidth / 2});
+    }
     return look;
 }
 
 Look creatureLookWithLegs(const sim::Scene &scene)
 {
     Look look = creatureLook(scene);
-    const int body = scene.start.points() - 1;
-    for (int foot = 0; foot < body; ++foot)
-        look.legs.push_back({body, foot});
+    int firstFoot = 0;
+    for (int i = 0; i < scene.start.points(); ++i) {
+        if (!isBody(scene.names[static_cast<std::size_t>(i)]))
+            continue;
+        for (int foot = firstFoot; foot < i; ++foot)
+            look.legs.push_back({i, foot});
+        firstFoot = i + 1;
+    }
     return look;
 }
 

@@ -4,6 +4,7 @@
 #include "sim/scene.h"
 
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -23,6 +24,13 @@ sim::Scene creatureOnHandle();
 /// The same with feet that are numbered even when there is only one: "foot0".
 sim::Scene creatureWithFeet(int feet);
 
+/// The same with a body that a hand can carry but no force moves.
+sim::Scene creatureWithFeetOnHandle(int feet);
+
+/// Several such creatures in one scene: "creature0.foot0", "creature0.foot1"..., "creature0.body",
+/// "creature1.foot0"... Each moves its feet, then its body, before the next creature moves.
+sim::Scene crowd(int creatures, int feet);
+
 /// One point, "foot", at (270, 200), and no body.
 sim::Scene loneFoot();
 
@@ -38,10 +46,13 @@ void add(sim::Scene &scene, Arguments &&...arguments)
 constexpr double spareDistance = 60.0;
 void placeFeet(sim::Scene &scene, const std::vector<sim::Vec2> &places);
 
-/// Half of each point's width: feet, then the body.
+/// Half of each point's width in px.
 Eigen::ArrayXd halfWidths(const sim::Scene &scene);
 
-/// Feet and body as discs; with legs, a line from the body to each foot.
+/// Whether the point called `name` is a creature's body.
+bool isBody(const std::string &name);
+
+/// Feet and bodies as discs; with legs, a line from the body to each of its feet.
 Look creatureLook(const sim::Scene &scene);
 Look creatureLookWithLegs(const sim::Scene &scene);
 

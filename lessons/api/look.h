@@ -14,7 +14,12 @@ namespace lessons {
 /// How a point is drawn.
 struct BodyLook
 {
-    enum class Shape { body, foot };
+    enum class Shape {
+        body,  ///< a disc with eyes
+        foot,  ///< a disc
+        joint, ///< a small disc: an end of sticks
+        none,  ///< not at all: something else is drawn in its place, and a hand cannot take it
+    };
     Shape shape = Shape::foot;
     double radius = 5.0; ///< px
 };
@@ -24,6 +29,47 @@ struct LegLook
 {
     int from = 0;
     int to = 0;
+    /// How far above `to` the control point of the leg's quadratic curve lies, px; 0: a straight leg.
+    double curve = 0.0;
+};
+
+/// A stick, in the colour of its error: how far its length is from `length`.
+struct StickLook
+{
+    int a = 0;
+    int b = 0;
+    double length = 0.0; ///< px
+    double width = 3.0;  ///< px
+};
+
+/// A thick round limb under the sticks.
+struct LimbLook
+{
+    int a = 0;
+    int b = 0;
+    double width = 12.0; ///< px
+};
+
+/// A chain that gets thinner from its first point to its last: a tentacle.
+struct ChainLook
+{
+    std::vector<int> points;
+    double width = 8.0; ///< px, at its root
+};
+
+/// A body whose outline is the smooth closed curve through some points, in order.
+struct SkinLook
+{
+    std::vector<int> outline;
+    int front = -1; ///< the point that it looks from, with eyes; -1: no eyes
+};
+
+/// A tree: one branch a point, from the point's place along its angle. Arrays have one row a branch.
+struct TreeLook
+{
+    std::vector<int> parent;    ///< -1 for the trunk; parents come before their children
+    std::vector<double> length; ///< px
+    std::vector<double> width;  ///< px, where it begins
 };
 
 /// How a scene is drawn: by point numbers, the same for all states of the scene.
@@ -31,8 +77,25 @@ struct Look
 {
     std::vector<BodyLook> bodies; ///< one a point
     std::vector<LegLook> legs;
+    std::vector<StickLook> sticks;
+    std::vector<LimbLook> limbs;
+    std::vector<ChainLook> chains;
+    std::vector<SkinLook> skins;
+    std::optional<TreeLook> tree;
     std::optional<sim::Room> room; ///< walls and floor, if the scene has any
+    std::optional<double> ground;  ///< px, how far down an endless ground lies, if there is one
     QRectF stage{0, 0, 540, 400};  ///< px, what "fit" shows
+    enum class Sky { paper, dusk };
+    Sky sky = Sky::paper;
+    /// The point that the camera follows when it walks out of the picture; -1: none.
+    int follow = -1;
+    /// What the feet diagram shows, in order; empty: no diagram.
+    std::vector<int> feet;
+    /// The point that goes where the pointer is: dragging it sends the pointer instead of a hand. -1: none.
+    int pointed = -1;
+    /// Shown from the start; the learner can switch each.
+    bool velocities = false;
+    bool onionSkins = false;
 };
 
 /// A thing that explains: drawn thin, over the picture, made anew for each state.
@@ -44,6 +107,7 @@ struct Guide
         arrow, ///< a pull that `label` names, from `a`; `b` is the arrow's vector in px/frame^2
         line,  ///< dashed, from `a` to `b`
         angle, ///< an arc round `a` from the x axis to `size` rad
+        wind,  ///< streaks that blow away from `a`
     };
     Shape shape = Shape::cross;
     sim::Vec2 a;

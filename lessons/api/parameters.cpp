@@ -132,6 +132,17 @@ Parameter bounce(double preset)
             {}};
 }
 
+Parameter ground(double preset)
+{
+    return place("ground", Text::tr("Ground"), Text::tr("How far down the ground lies."), preset, 440.0);
+}
+
+Parameter choice(const char *id, const QString &name, const QString &help, const QStringList &choices)
+{
+    const double last = double(choices.size() - 1);
+    return {id, name, {}, {}, help, 0.0, 0.0, last, 0.0, last, 0, choices, true};
+}
+
 std::vector<Parameter> centre()
 {
     return {

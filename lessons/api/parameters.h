@@ -14,6 +14,10 @@ Parameter offset(double preset = 50.0);
 Parameter feet(int preset);
 Parameter gravity(double preset = 0.5);
 Parameter bounce(double preset = 1.0);
+/// `ground`: where it lies.
+Parameter ground(double preset = 400.0);
+/// A parameter `id` whose values are `choices`; the first is the preset.
+Parameter choice(const char *id, const QString &name, const QString &help, const QStringList &choices);
 /// `centre_x` and `centre_y`.
 std::vector<Parameter> centre();
 /// `left`, `right` and `floor`.

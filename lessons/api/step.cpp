@@ -2,7 +2,19 @@
 
 #include "sim/methods/methods.h"
 
+#include <algorithm>
+
 namespace lessons {
+
+bool Step::can(Does what) const
+{
+    return std::find(does.begin(), does.end(), what) != does.end();
+}
+
+void Step::addParameters(const std::vector<Parameter> &more)
+{
+    parameters.insert(parameters.end(), more.begin(), more.end());
+}
 
 const Parameter *Step::parameter(const QString &wanted) const
 {
@@ -29,6 +41,15 @@ sim::Script Step::script() const
     script.method = sim::findMethod(method.toStdString());
     script.step = sim::StepSize::of(h);
     return script;
+}
+
+Step stepCalled(const QString &lesson, const QString &id, const QString &title)
+{
+    Step step;
+    step.id = id;
+    step.title = title;
+    step.setUp = {QStringLiteral("lessons/%1/scenes.cpp").arg(lesson).toStdString(), id.toStdString()};
+    return step;
 }
 
 }

@@ -5,6 +5,7 @@
 #include "sim/timeline.h"
 
 #include <functional>
+#include <utility>
 #include <vector>
 
 namespace lessons {
@@ -16,6 +17,45 @@ struct Try
     /// Looked at after each frame and each change; once true, the thing is done. Must be false at the start and
     /// for a run that nobody touches.
     std::function<bool(const sim::Timeline &)> done;
+};
+
+/// A number that is measured of every frame, with its course over the last frames.
+struct Measure
+{
+    QString name;
+    QString unit; ///< may be empty
+    QString help; ///< one sentence: what it says
+    int decimals = 1;
+    /// `before`: the state a frame earlier, or null at the start. Not finite where there is nothing to measure.
+    std::function<double(const sim::Scene &, const sim::State &, const sim::State *before,
+                         const sim::Values &)>
+        of;
+};
+
+/// Values of parameters that belong together; what is not named takes its preset.
+struct Preset
+{
+    QString title;
+    QString help; ///< one sentence: what to expect
+    std::vector<std::pair<QString, double>> values;
+};
+
+/// What a learner can do in a scene besides changing parameters; files name each by its event.
+enum class Does {
+    hand,    ///< grab, move, release
+    pointer, ///< the pointer's place and button reach the scene
+    target,  ///< a click sets a target
+    gust,    ///< a frame's turbulence; files only
+    keys,    ///< arrow keys reach the scene while it plays
+};
+
+/// What `trace` writes of each body besides its name.
+enum class Columns { placeAndVelocity, place, placeAndAngle };
+
+/// Whose the points and sticks of a scene are.
+enum class Points {
+    stepsOwn,
+    files, ///< a file's bodies p0, p1... are all the points there are, and its links all the sticks
 };
 
 /// One step of a lesson.
@@ -31,13 +71,29 @@ struct Step
     std::function<Look(const sim::Scene &, const sim::Values &)> look;
     /// May be empty.
     std::function<std::vector<Guide>(const sim::Scene &, const sim::State &, const sim::Values &)> guides;
+    /// Shown beside the scene; may be empty.
+    std::vector<Measure> measures;
+    /// Offered as a gallery; may be empty.
+    std::vector<Preset> presetGallery;
+    /// Whether one of look().feet stands on the ground; needed where there are any.
+    std::function<bool(const sim::Scene &, const sim::State &, const sim::Values &, int point)> stands;
+    std::vector<Does> does = {Does::hand};
+    Columns columns = Columns::placeAndVelocity;
+    Points points = Points::stepsOwn;
     QString method = QStringLiteral("published");
     double h = 1.0; ///< frames
+
+    bool can(Does what) const;
+    /// Adds parameters after those it has.
+    void addParameters(const std::vector<Parameter> &more);
 
     const Parameter *parameter(const QString &wanted) const;
     sim::Values presets() const;
     /// The run of this step that nobody has touched.
     sim::Script script() const;
 };
+
+/// A step of the lesson in folder `lesson`, whose scene is set up in the region `id` of its scenes.cpp.
+Step stepCalled(const QString &lesson, const QString &id, const QString &title);
 
 }

@@ -25,28 +25,20 @@ Look inTheRoom(const sim::Scene &scene, const sim::Values &values)
     return look;
 }
 
-Step stepCalled(const char *id, const QString &title)
+Step stepOf(const char *id, const QString &title)
 {
-    Step step;
-    step.id = id;
-    step.title = title;
-    step.setUp = {"lessons/gravity_walls/scenes.cpp", id};
+    Step step = lessons::stepCalled("gravity_walls", id, title);
     step.look = inTheRoom;
     return step;
-}
-
-void addParameters(Step &step, const std::vector<Parameter> &more)
-{
-    step.parameters.insert(step.parameters.end(), more.begin(), more.end());
 }
 
 }
 
 Step wallsStep()
 {
-    Step step = stepCalled("walls", Text::tr("Walls"));
-    addParameters(step, {bounce(), stiffness(), damping(0.85), radius(), feet(5)});
-    addParameters(step, room());
+    Step step = stepOf("walls", Text::tr("Walls"));
+    step.addParameters({bounce(), stiffness(), damping(0.85), radius(), feet(5)});
+    step.addParameters(room());
     step.narration = Text::tr(
         "Two walls and a floor. After each move they ask: **is an edge past me?** A place is the middle of "
         "a disc, so half its width counts: 15 px for the body, 5 px for a foot.\n\n"
@@ -63,9 +55,9 @@ Step wallsStep()
 
 Step gravityStep()
 {
-    Step step = stepCalled("gravity", Text::tr("Gravity"));
-    addParameters(step, {lessons::gravity(), bounce(), stiffness(), damping(0.85), radius(), feet(4)});
-    addParameters(step, room());
+    Step step = stepOf("gravity", Text::tr("Gravity"));
+    step.addParameters({lessons::gravity(), bounce(), stiffness(), damping(0.85), radius(), feet(4)});
+    step.addParameters(room());
     step.narration = Text::tr(
         "**Gravity** is one more pull that adds up: straight down, and the same for everything. y points "
         "down, so it adds to the y of the velocity.\n\n"

@@ -23,13 +23,10 @@ Look withLegs(const sim::Scene &scene, const sim::Values &)
     return creatureLookWithLegs(scene);
 }
 
-Step stepCalled(const char *id, const QString &title)
+Step stepOf(const char *id, const QString &title)
 {
-    Step step;
-    step.id = id;
-    step.title = title;
+    Step step = lessons::stepCalled("multi_foot", id, title);
     step.parameters = {stiffness(), damping(0.85), radius()};
-    step.setUp = {"lessons/multi_foot/scenes.cpp", id};
     step.look = withLegs;
     return step;
 }
@@ -38,7 +35,7 @@ Step stepCalled(const char *id, const QString &title)
 
 Step twoFeetStep()
 {
-    Step step = stepCalled("two_feet", Text::tr("Two feet"));
+    Step step = stepOf("two_feet", Text::tr("Two feet"));
     step.narration = Text::tr(
         "Each foot keeps its distance from the body, as before. The body keeps its distance from "
         "**both** feet.\n\n"
@@ -54,7 +51,7 @@ Step twoFeetStep()
 
 Step anyNumberStep()
 {
-    Step step = stepCalled("any_number", Text::tr("Any number of feet"));
+    Step step = stepOf("any_number", Text::tr("Any number of feet"));
     step.parameters.push_back(feet(5));
     step.narration = Text::tr(
         "Two more springs for each new foot could be written out, one line each. Instead **one loop** "
@@ -70,7 +67,7 @@ Step anyNumberStep()
 
 Step grownFeetStep()
 {
-    Step step = stepCalled("grown_feet", Text::tr("Feet that grow"));
+    Step step = stepOf("grown_feet", Text::tr("Feet that grow"));
     step.parameters.push_back(feet(5));
     step.narration =
         Text::tr("Now the code places the feet, too: each **at random**, up to 50 px from the body in "

@@ -25,27 +25,19 @@ Look discs(const sim::Scene &scene, const sim::Values &)
 }
 
 /// A step with what all steps of this lesson share. `id` is the marker of its set-up, too.
-Step stepCalled(const char *id, const QString &title)
+Step stepOf(const char *id, const QString &title)
 {
-    Step step;
-    step.id = id;
-    step.title = title;
+    Step step = lessons::stepCalled("single_spring", id, title);
     step.parameters = {stiffness(), damping()};
-    step.setUp = {"lessons/single_spring/scenes.cpp", id};
     step.look = discs;
     return step;
-}
-
-void addParameters(Step &step, const std::vector<Parameter> &more)
-{
-    step.parameters.insert(step.parameters.end(), more.begin(), more.end());
 }
 
 }
 
 Step dragStep()
 {
-    Step step = stepCalled("drag", Text::tr("Drag and throw"));
+    Step step = stepOf("drag", Text::tr("Drag and throw"));
     step.narration = Text::tr(
         "This dot is a **foot**. Its place is two numbers: **x** pixels (px) to the right, **y** pixels "
         "down. Its **velocity** is two numbers as well: how far it goes in x and in y from one picture, "
@@ -56,7 +48,7 @@ Step dragStep()
         "10 px per frame glides 90 px and stops.\n\n"
         "The arrow is the pull that a spring to the cross would have. It does not act yet: that is "
         "the next step.");
-    addParameters(step, centre());
+    step.addParameters(centre());
     step.tries = dragTries();
     step.scene = drag::setUp;
     step.guides = pullToCome;
@@ -65,7 +57,7 @@ Step dragStep()
 
 Step fixedCentreStep()
 {
-    Step step = stepCalled("fixed_centre", Text::tr("A fixed centre"));
+    Step step = stepOf("fixed_centre", Text::tr("A fixed centre"));
     step.narration =
         Text::tr("A **spring** pulls the foot to the cross. The pull is the distance times the "
                  "stiffness **k**: twice as far, **twice the pull**. That is Hooke’s law.\n\n"
@@ -76,7 +68,7 @@ Step fixedCentreStep()
                  "The foot is fastest near the cross, where the pull is weakest, so it **overshoots** "
                  "and swings back. Damping makes each swing smaller, until the foot stands on the "
                  "cross, where the pull is 0.");
-    addParameters(step, centre());
+    step.addParameters(centre());
     step.tries = fixedCentreTries();
     step.scene = fixed_centre::setUp;
     step.guides = centreCross;
@@ -85,7 +77,7 @@ Step fixedCentreStep()
 
 Step movingBodyStep()
 {
-    Step step = stepCalled("moving_body", Text::tr("A moving body"));
+    Step step = stepOf("moving_body", Text::tr("A moving body"));
     step.narration = Text::tr(
         "Now the spring ends at the **body**, and you can carry the body about. The spring reads the "
         "body’s place anew in each frame, so **the foot follows wherever you go**. Its formula is the "
@@ -100,7 +92,7 @@ Step movingBodyStep()
 
 Step offsetStep()
 {
-    Step step = stepCalled("offset", Text::tr("An offset"));
+    Step step = stepOf("offset", Text::tr("An offset"));
     step.narration = Text::tr(
         "The foot came to rest on top of the body, and one hid the other. So give the spring another "
         "**target**: the cross, 50 px to the right of the body. The **offset** is added to the body’s x; "
@@ -109,7 +101,7 @@ Step offsetStep()
         "But **an offset chooses the side for the foot**. From wherever you let it go, it ends on the "
         "right. To keep the distance and leave the side free you need more than an offset: a "
         "direction.");
-    addParameters(step, {lessons::offset()});
+    step.addParameters({lessons::offset()});
     step.tries = offsetTries();
     step.scene = offset::setUp;
     step.guides = offsetCross;
@@ -118,7 +110,7 @@ Step offsetStep()
 
 Step radialStep()
 {
-    Step step = stepCalled("radial", Text::tr("Any direction"));
+    Step step = stepOf("radial", Text::tr("Any direction"));
     step.narration =
         Text::tr("The target is now 50 px from the body **in the direction in which the foot is**: any "
                  "place on the ring will do.\n\n"
@@ -130,7 +122,7 @@ Step radialStep()
                  "never needs degrees.)\n\n"
                  "`cos` and `sin` lead back: the x and y of a way of 1 px at that angle. Times "
                  "**radius**, plus the body’s place: that is the target.");
-    addParameters(step, {lessons::radius()});
+    step.addParameters({lessons::radius()});
     step.tries = radialTries();
     step.scene = radial::setUp;
     step.guides = ringAndAngle;

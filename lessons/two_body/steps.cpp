@@ -20,13 +20,10 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(TwoBody)
 };
 
-Step stepCalled(const char *id, const QString &title)
+Step stepOf(const char *id, const QString &title)
 {
-    Step step;
-    step.id = id;
-    step.title = title;
+    Step step = lessons::stepCalled("two_body", id, title);
     step.parameters = {stiffness(), damping(), radius()};
-    step.setUp = {"lessons/two_body/scenes.cpp", id};
     return step;
 }
 
@@ -94,7 +91,7 @@ std::vector<Try> legLineTries()
 
 Step mutualStep()
 {
-    Step step = stepCalled("mutual", Text::tr("Each pulls the other"));
+    Step step = stepOf("mutual", Text::tr("Each pulls the other"));
     step.narration =
         Text::tr("Now **both are pulled**: the foot to a place 50 px from the body, and the body to a "
                  "place 50 px from the foot. It is one rule, used twice.\n\n"
@@ -113,7 +110,7 @@ Step mutualStep()
 
 Step legLineStep()
 {
-    Step step = stepCalled("leg_line", Text::tr("A leg"));
+    Step step = stepOf("leg_line", Text::tr("A leg"));
     step.narration = Text::tr(
         "A body, a foot, and now a **leg**: a line from one to the other. In the code it is one line, "
         "too.\n\n"

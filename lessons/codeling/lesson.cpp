@@ -1,0 +1,21 @@
+#include "lessons/api/lesson.h"
+#include "steps.h"
+
+#include <QObject>
+
+class Codeling : public QObject, public lessons::Lesson
+{
+    Q_OBJECT
+    Q_PLUGIN_METADATA(IID SpringstepLesson_iid FILE "lesson.json")
+    Q_INTERFACES(lessons::Lesson)
+
+public:
+    std::vector<lessons::Step> steps() const override
+    {
+        using namespace codeling;
+        return {motorStep(),         orientationStep(), anticipationStep(),
+                squashStretchStep(), volumeStep(),      tentaclesStep()};
+    }
+};
+
+#include "lesson.moc"

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "lessons/api/step.h"
+
+#include <vector>
+
+namespace codeling {
+
+std::vector<lessons::Try> motorTries();
+std::vector<lessons::Try> orientationTries();
+std::vector<lessons::Try> anticipationTries();
+std::vector<lessons::Try> squashStretchTries();
+std::vector<lessons::Try> volumeTries();
+std::vector<lessons::Try> tentaclesTries();
+
+}

@@ -1,0 +1,80 @@
+#include "looks.h"
+
+#include "figure.h"
+
+#include <QCoreApplication>
+
+#include <limits>
+
+using namespace lessons;
+
+namespace rigid_constraint {
+
+namespace {
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(RigidConstraint)
+};
+
+Look stickLook(const sim::Scene &scene)
+{
+    Look look;
+    look.bodies.resize(scene.names.size(), {BodyLook::Shape::joint, jointRadius});
+    for (const sim::Stick &stick : sticksOf(scene))
+        look.sticks.push_back({stick.a, stick.b, stick.length});
+    return look;
+}
+
+/// The largest of something over all sticks; not finite where there is no stick.
+template <class Largest>
+auto ofSticks(Largest largest)
+{
+    return
+        [largest](const sim::Scene &scene, const sim::State &state, const sim::State *, const sim::Values &) {
+            return sticksOf(scene).empty() ? std::numeric_limits<double>::quiet_NaN() : largest(scene, state);
+        };
+}
+
+}
+
+Look pointedLook(const sim::Scene &scene, const sim::Values &)
+{
+    Look look = stickLook(scene);
+    look.pointed = 0;
+    return look;
+}
+
+Look boxLook(const sim::Scene &scene, const sim::Values &values)
+{
+    Look look = stickLook(scene);
+    look.room = sim::Room{values["left"], values["right"], values["floor"], 0.0};
+    return look;
+}
+
+Look ragdollLook(const sim::Scene &scene, const sim::Values &values)
+{
+    Look look = boxLook(scene, values);
+    if (values.points)
+        return look;
+    look.bodies[0] = {BodyLook::Shape::body, headRadius};
+    look.limbs = {{1, 2, 18.0}, {1, 3, 20.0}, {2, 3, 20.0}, {1, 4, 14.0},  {4, 5, 11.0},  {2, 6, 14.0},
+                  {6, 7, 11.0}, {3, 8, 17.0}, {8, 9, 13.0}, {3, 10, 17.0}, {10, 11, 13.0}};
+    return look;
+}
+
+Measure errorMeasure()
+{
+    return {Text::tr("Largest error"), Text::tr("px"),
+            Text::tr("How far the length of the worst stick is from what it should be."), 2,
+            ofSticks(largestError)};
+}
+
+Measure stretchMeasure()
+{
+    return {Text::tr("Largest stretch"), Text::tr("%"),
+            Text::tr("How far the worst stick is from its length, as a part of that length."), 1,
+            ofSticks(largestStretch)};
+}
+
+}

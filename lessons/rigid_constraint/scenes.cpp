@@ -1,0 +1,207 @@
+#include "scenes.h"
+
+#include "figure.h"
+#include "lessons/api/creature.h"
+#include "sim/effects/angle_limits.h"
+#include "sim/effects/damping.h"
+#include "sim/effects/gravity.h"
+#include "sim/effects/pointer.h"
+#include "sim/effects/room_limits.h"
+
+// Learners read these functions in a narrow panel.
+// clang-format off
+
+using namespace sim;
+using namespace lessons;
+
+namespace rigid_constraint {
+
+namespace pair {
+
+//! [pair]
+Scene setUp(const Values &values)
+{
+    Scene scene = loosePoints(values, 2);
+    add<CarriedByPointer>(scene, 0);
+
+    double length = values["length"];
+    std::vector<Stick> sticks;
+    sticks.push_back({0, 1, length, 0.5});
+    addSticks(scene, values, sticks);
+    return scene;
+}
+//! [pair]
+
+}
+
+namespace shared_error {
+
+//! [shared_error]
+Scene setUp(const Values &values)
+{
+    Scene scene = loosePoints(values, 2);
+    add<CarriedByPointer>(scene, 0);
+
+    double length = values["length"];
+    double share = values["share"];
+    std::vector<Stick> sticks;
+    sticks.push_back({0, 1, length, share});
+    addSticks(scene, values, sticks);
+    return scene;
+}
+//! [shared_error]
+
+}
+
+namespace triangle {
+
+//! [triangle]
+Scene setUp(const Values &values)
+{
+    Scene scene = loosePoints(values, 3);
+    add<CarriedByPointer>(scene, 0);
+
+    double length = values["length"];
+    std::vector<Stick> sticks;
+    sticks.push_back({0, 1, length, 0.5});
+    sticks.push_back({1, 2, length, 0.5});
+    sticks.push_back({0, 2, length, 0.5});
+    addSticks(scene, values, sticks);
+    return scene;
+}
+//! [triangle]
+
+}
+
+namespace list {
+
+//! [list]
+Scene setUp(const Values &values)
+{
+    int points = values.whole("triangles") + 2;
+    Scene scene = loosePoints(values, points);
+    add<CarriedByPointer>(scene, 0);
+
+    double length = values["length"];
+    std::vector<Vec2> places;
+    std::vector<Stick> sticks;
+    for (int i = 0; i < points; ++i) {
+        double high = i % 2 ? 0.866 * length : 0;
+        places.push_back({120 + i * length / 2,
+                          230 - high});
+        if (i >= 1) // to the one before
+            sticks.push_back(
+                {i - 1, i, length, 0.5});
+        if (i >= 2) // and the one before that
+            sticks.push_back(
+                {i - 2, i, length, 0.5});
+    }
+    placePoints(scene, places);
+    addSticks(scene, values, sticks);
+    return scene;
+}
+//! [list]
+
+}
+
+namespace verlet {
+
+//! [verlet]
+Scene setUp(const Values &values)
+{
+    Scene scene = movingPoints(values, 4);
+    std::vector<Vec2> places = {
+        {100, 150}, {170, 150},
+        {170, 220}, {100, 220}};
+    placePoints(scene, places);
+    scene.start.velocity.col(0) = 7;
+    if (!values.points)
+        scene.start.push(0, {7, -8}); // a spin
+
+    double gravity = values["gravity"];
+    add<Gravity>(scene, gravity);
+    double damp = values["damp"];
+    add<Damping>(scene, damp);
+
+    std::vector<Stick> sticks;
+    for (int a = 0; a < 4; ++a)
+        for (int b = a + 1; b < 4; ++b)
+            sticks.push_back(
+                stickBetween(places, a, b));
+    int iterations = values.whole("iterations");
+    addSticks(scene, values, sticks, iterations);
+
+    Room room;
+    room.left = values["left"];
+    room.right = values["right"];
+    room.floor = values["floor"];
+    double friction = values["friction"];
+    add<RoomLimits>(scene, room,
+        boxHalfWidths(scene), friction);
+    return scene;
+}
+//! [verlet]
+
+}
+
+namespace ragdoll {
+
+//! [ragdoll]
+Scene setUp(const Values &values)
+{
+    Scene scene = movingPoints(values, 12);
+    std::vector<Vec2> places = {
+        {270, 95},              // 0: head
+        {248, 130}, {292, 130}, // 1, 2: shoulders
+        {270, 195},             // 3: hip
+        {222, 160}, {205, 195}, // 4, 5: left arm
+        {318, 160}, {335, 195}, // 6, 7: right arm
+        {255, 245}, {247, 295}, // 8, 9: left leg
+        {285, 245}, {293, 295}, // 10, 11: right leg
+    };
+    placePoints(scene, places);
+
+    double gravity = values["gravity"];
+    add<Gravity>(scene, gravity);
+    double damp = values["damp"];
+    add<Damping>(scene, damp);
+
+    bool limited = values["joint_limits"] == 1;
+    if (limited && !values.points) {
+        std::vector<AngleLimit> limits = {
+            {1, 3, 2, 20, 60}, // not inside out
+            {2, 1, 4, 80, 300}, {1, 2, 6, 60, 280},
+            {1, 4, 5, 40, 320}, {2, 6, 7, 40, 320},
+            {1, 3, 8, 150, 290},
+            {2, 3, 10, 70, 210},
+            {3, 8, 9, 60, 300},
+            {3, 10, 11, 60, 300}};
+        add<AngleLimits>(scene, limits);
+    }
+
+    std::vector<Stick> sticks;
+    const int ends[][2] = {
+        {1, 2}, {1, 3}, {2, 3},  // torso
+        {0, 1}, {0, 2}, {0, 3},  // head, braced
+        {1, 4}, {4, 5},  {2, 6}, {6, 7},
+        {3, 8}, {8, 9}, {3, 10}, {10, 11}};
+    for (auto [a, b] : ends)
+        sticks.push_back(
+            stickBetween(places, a, b));
+    int iterations = values.whole("iterations");
+    addSticks(scene, values, sticks, iterations);
+
+    Room room;
+    room.left = values["left"];
+    room.right = values["right"];
+    room.floor = values["floor"];
+    double friction = values["friction"];
+    add<RoomLimits>(scene, room,
+        ragdollHalfWidths(scene), friction);
+    return scene;
+}
+//! [ragdoll]
+
+}
+
+}

@@ -1,0 +1,264 @@
+#include "steps.h"
+
+#include "lessons/api/parameters.h"
+#include "looks.h"
+#include "scenes.h"
+#include "tries.h"
+
+#include <QCoreApplication>
+
+using namespace lessons;
+
+namespace rigid_constraint {
+
+namespace {
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(RigidConstraint)
+};
+
+Parameter length(double preset)
+{
+    return {"length",
+            Text::tr("Length"),
+            {},
+            Text::tr("px"),
+            Text::tr("How far apart a stick keeps its two ends."),
+            preset,
+            0.0,
+            1e6,
+            0.0,
+            200.0,
+            0,
+            {}};
+}
+
+Parameter share()
+{
+    return {"share",
+            Text::tr("Share of p0"),
+            {},
+            {},
+            Text::tr("The part of the error that p0 takes; p1 takes the rest."),
+            1.0,
+            0.0,
+            1.0,
+            0.0,
+            1.0,
+            2,
+            {}};
+}
+
+Parameter triangles()
+{
+    return {"triangles",
+            Text::tr("Triangles"),
+            {},
+            {},
+            Text::tr("How many triangles the figure has."),
+            6.0,
+            1.0,
+            900.0,
+            1.0,
+            20.0,
+            0,
+            {},
+            true};
+}
+
+Parameter iterations(double preset)
+{
+    return {"iterations",
+            Text::tr("Iterations"),
+            {},
+            Text::tr("passes"),
+            Text::tr("How often each frame goes through the list of sticks."),
+            preset,
+            1.0,
+            1000.0,
+            1.0,
+            50.0,
+            0,
+            {},
+            true};
+}
+
+Parameter friction()
+{
+    return {"friction",
+            Text::tr("Friction"),
+            {},
+            {},
+            Text::tr("How much a wall’s push holds back what slides along it. 0: like ice."),
+            0.5,
+            0.0,
+            10.0,
+            0.0,
+            2.0,
+            2,
+            {}};
+}
+
+Parameter jointLimits()
+{
+    return {"joint_limits",
+            Text::tr("Joints"),
+            {},
+            {},
+            Text::tr("Whether arms and legs bend only as far as joints do, or all the way round."),
+            1.0,
+            0.0,
+            1.0,
+            0.0,
+            1.0,
+            0,
+            {"free", "limited"}};
+}
+
+/// A step with what all steps of this lesson share. `id` is the marker of its set-up, too.
+Step stepOf(const char *id, const QString &title)
+{
+    Step step = lessons::stepCalled("rigid_constraint", id, title);
+    step.columns = Columns::place;
+    step.points = Points::files;
+    return step;
+}
+
+Step pointedStep(const char *id, const QString &title)
+{
+    Step step = stepOf(id, title);
+    step.does = {Does::hand, Does::pointer};
+    step.look = pointedLook;
+    step.measures = {errorMeasure()};
+    return step;
+}
+
+/// With `apart` directions: points in one place part in all directions and not on one line.
+Step roomStep(const char *id, const QString &title)
+{
+    Step step = stepOf(id, title);
+    step.measures = {stretchMeasure()};
+    step.method = "semi_implicit_euler";
+    return step;
+}
+
+}
+
+Step pairStep()
+{
+    Step step = pointedStep("pair", Text::tr("A pair"));
+    step.narration = Text::tr(
+        "A **stick** is a rule: these two points are 100 px apart, whatever happens. Such a rule is called "
+        "a **constraint**. The pointer carries p0, and the rule does the rest.\n\n"
+        "Each frame the code measures the distance. What it has too much is the **error**; below 0 it has "
+        "too little. Both points go along the stick, and each takes **half of the error**. Then the "
+        "distance is right, in one go: there is no spring here, and no velocity.\n\n"
+        "Both points start in one place, where a stick has no direction. `atan2(0, 0)` is 0, so they part "
+        "straight up and down.\n\n"
+        "This angle is counted from the y axis: that is why dx comes first in `atan2`.");
+    step.addParameters({length(100)});
+    step.tries = pairTries();
+    step.scene = pair::setUp;
+    return step;
+}
+
+Step sharedErrorStep()
+{
+    Step step = pointedStep("shared_error", Text::tr("Who takes the error"));
+    step.narration = Text::tr(
+        "Half each is not always what you want. **share** is the part of the error that p0 takes, from 0 to "
+        "1. p1 takes the rest.\n\n"
+        "At 1, p1 is a nail. The pointer takes p0 away, and the stick brings it back to 100 px from the "
+        "nail, on the side where the pointer is.\n\n"
+        "At 0, p0 stays at the pointer and p1 is pulled along.\n\n"
+        "In between, both move. The pointer puts p0 back each frame, so the stick is wrong again. While the "
+        "pointer stands still, **each frame leaves share of the error**: at 0.5 half of it, then a quarter, "
+        "and p0 comes to the pointer after all.");
+    step.addParameters({share(), length(100)});
+    step.tries = sharedErrorTries();
+    step.scene = shared_error::setUp;
+    return step;
+}
+
+Step triangleStep()
+{
+    Step step = pointedStep("triangle", Text::tr("A triangle"));
+    step.narration = Text::tr(
+        "Three points, three sticks: the same function three times, one after the other. Each stick makes "
+        "its own distance right, and **the ones before it a little wrong again**.\n\n"
+        "Move the pointer slowly, and you hardly see it. Move it fast, and the triangle is out of shape: "
+        "one round of corrections is not enough. The next frame corrects what is left, so it comes back "
+        "to its shape in a few frames.\n\n"
+        "The three start in one place and part on one line. They stay on that line until the pointer "
+        "leaves it: on a line no stick knows a way to the side.\n\n"
+        "Three sticks of 100 px can all be right at once. Sticks of 100, 100 and 300 px never can: some "
+        "error would stay for ever.");
+    step.addParameters({length(100)});
+    step.tries = triangleTries();
+    step.scene = triangle::setUp;
+    return step;
+}
+
+Step listStep()
+{
+    Step step = pointedStep("list", Text::tr("A list of sticks"));
+    step.narration = Text::tr(
+        "Copied lines will not do for a big figure. Here **a loop** fills a list of sticks: each point is "
+        "tied to the one before it and to the one before that, which gives a row of triangles. A second "
+        "loop goes through the list each frame and enforces one stick after the other.\n\n"
+        "**The order matters.** A pull at p0 runs down the list in one frame, as each stick sees what the "
+        "one before it moved. A correction that has to go the other way gets one stick further each "
+        "frame.\n\n"
+        "A stick’s colour shows its error. After a fast move you can watch the error spread, and shrink "
+        "frame by frame.");
+    step.addParameters({triangles(), length(50)});
+    step.tries = listTries();
+    step.scene = list::setUp;
+    return step;
+}
+
+Step verletStep()
+{
+    Step step = roomStep("verlet", Text::tr("Points that move"));
+    step.narration = Text::tr(
+        "Now the points move by themselves, and fall. But a stick puts a point elsewhere without asking "
+        "its velocity. The remedy: **do not keep a velocity. It is the way that the point came**, its place "
+        "now minus its place one frame before:\n\n"
+        "`x + (x − before) + g`\n\n"
+        "is the next place. This is **Verlet integration**. Watch the phases: move, sticks, room, and then "
+        "the new velocity is read off. Whatever moved the point is in it.\n\n"
+        "Walls are constraints, too: no point may be past one. **Friction** holds back what slides along "
+        "them.\n\n"
+        "**iterations** says how often a frame goes through the list of sticks. At 1 this box gives way "
+        "like rubber; more make it stiff.");
+    step.addParameters({iterations(1), lessons::gravity(), damping(0.99), friction()});
+    step.addParameters(room());
+    step.tries = verletTries();
+    step.scene = verlet::setUp;
+    step.look = boxLook;
+    return step;
+}
+
+Step ragdollStep()
+{
+    Step step = roomStep("ragdoll", Text::tr("A ragdoll"));
+    step.narration = Text::tr(
+        "A whole figure: 12 points and 14 sticks. Three sticks make the torso a triangle, which cannot be "
+        "bent. Three more hold the head on it: two from the shoulders, and one from the hip as a **brace**. "
+        "Arms and legs are two sticks each.\n\n"
+        "Sticks alone let a knee turn all the way round. **Joint limits** are constraints that act only "
+        "when they are broken: when the angle at a joint is past its limit, both limbs are turned back, "
+        "half of it each.\n\n"
+        "Drag it, throw it, drop it. A stick’s colour shows what error is left after all iterations, and "
+        "the figure beside the scene shows the worst one. Each pass takes a part of the error, so **twice "
+        "the passes leave less**, and cost twice as much.");
+    step.addParameters({iterations(10), jointLimits(), lessons::gravity(), damping(0.99), friction()});
+    step.addParameters(room());
+    step.tries = ragdollTries();
+    step.scene = ragdoll::setUp;
+    step.look = ragdollLook;
+    return step;
+}
+
+}

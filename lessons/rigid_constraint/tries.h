@@ -1,0 +1,16 @@
+#pragma once
+
+#include "lessons/api/step.h"
+
+#include <vector>
+
+namespace rigid_constraint {
+
+std::vector<lessons::Try> pairTries();
+std::vector<lessons::Try> sharedErrorTries();
+std::vector<lessons::Try> triangleTries();
+std::vector<lessons::Try> listTries();
+std::vector<lessons::Try> verletTries();
+std::vector<lessons::Try> ragdollTries();
+
+}

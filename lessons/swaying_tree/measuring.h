@@ -1,0 +1,35 @@
+#pragma once
+
+#include "lessons/api/step.h"
+#include "sim/effects/torsion.h"
+
+/// What guides, measures and checks read off a tree.
+namespace swaying_tree {
+
+/// How far a branch is from where it grew, in degrees.
+double bendOf(const sim::Scene &scene, const sim::State &state, int branch);
+/// The largest of them, without its sign.
+double largestBend(const sim::Scene &scene, const sim::State &state);
+
+/// The scene's effect of this type, or null where it is switched off or not listed.
+template <class Effect>
+const Effect *effectOf(const sim::Scene &scene)
+{
+    for (const sim::EffectPtr &effect : scene.effects) {
+        if (const auto *found = dynamic_cast<const Effect *>(effect.get()))
+            return found;
+    }
+    return nullptr;
+}
+
+/// Where branch `branch` ends, px; where it begins in a scene without joints.
+sim::Vec2 endOf(const sim::Scene &scene, const sim::State &state, int branch);
+/// The branch whose end is nearest to `place`.
+int nearestBranch(const sim::Scene &scene, const sim::State &state, sim::Vec2 place);
+
+lessons::Measure countMeasure();
+lessons::Measure bendMeasure();
+/// What moves, what the springs hold, and the sum of both.
+std::vector<lessons::Measure> energyMeasures();
+
+}

@@ -1,0 +1,326 @@
+#include "scenes.h"
+
+#include "lessons/api/creature.h"
+#include "sim/effects/damping.h"
+#include "sim/effects/gust.h"
+#include "sim/effects/joints.h"
+#include "sim/effects/return_to_rest.h"
+#include "sim/effects/torsion.h"
+#include "sim/effects/tree_wind.h"
+#include "sim/effects/turn_to_pointer.h"
+#include "sim/effects/wind_torque.h"
+#include "sim/random.h"
+#include "standing.h"
+
+// Learners read these functions in a narrow panel.
+// clang-format off
+
+using namespace sim;
+using lessons::add;
+
+namespace swaying_tree {
+
+namespace trunk {
+
+//! [trunk]
+Tree grow(const Values &values)
+{
+    // one branch, straight up: -90
+    double length = values["base_length"];
+    Tree tree = Tree::ofTrunk(length);
+    return tree;
+}
+
+Scene setUp(const Values &values)
+{
+    TreePtr tree = shared(grow(values));
+    auto formula = formulaOf(values);
+    Scene scene = standing(*tree, formula);
+
+    double degrees = degreesOf(formula);
+    add<Joints>(scene, tree, degrees);
+    return scene;
+}
+//! [trunk]
+
+}
+
+namespace branches {
+
+//! [branches]
+Tree grow(const Values &values)
+{
+    double length = values["base_length"];
+    double spread = values["spread"];
+    double slope = values["slope"];
+    double minScale = values["min_scale"];
+    // refuses a tree without an end
+    checkGrowth(slope, minScale);
+
+    Tree tree = Tree::ofTrunk(length);
+    for (int i = 0; i < tree.branches(); ++i) {
+        double scale = slope * tree.scale[i];
+        if (scale > minScale) {
+            double angle = tree.rest[i];
+            double left = angle - spread;
+            double right = angle + spread;
+            tree.sprout(i, left, scale);
+            tree.sprout(i, right, scale);
+        }
+    }
+    return tree;
+}
+
+Scene setUp(const Values &values)
+{
+    TreePtr tree = shared(grow(values));
+    auto formula = formulaOf(values);
+    Scene scene = standing(*tree, formula);
+
+    double degrees = degreesOf(formula);
+    add<Joints>(scene, tree, degrees);
+    return scene;
+}
+//! [branches]
+
+}
+
+namespace randomness {
+
+//! [randomness]
+Tree grow(const Values &values)
+{
+    double length = values["base_length"];
+    double spread = values["spread"];
+    double slope = values["slope"];
+    double minScale = values["min_scale"];
+    // refuses a tree without an end
+    checkGrowth(slope, minScale);
+
+    double jitter = values["jitter"];
+    auto some = [&](int branch) {
+        double random =
+            uniform(values.seed, 0, branch);
+        return jitter * (2 * random - 1);
+    };
+    Tree tree = Tree::ofTrunk(length);
+    for (int i = 0; i < tree.branches(); ++i) {
+        double scale = slope * tree.scale[i];
+        if (scale > minScale) {
+            double angle = tree.rest[i];
+            int n = tree.branches();
+            double left =
+                angle - spread + some(n);
+            double right =
+                angle + spread + some(n + 1);
+            tree.sprout(i, left, scale);
+            tree.sprout(i, right, scale);
+        }
+    }
+    return tree;
+}
+
+Scene setUp(const Values &values)
+{
+    TreePtr tree = shared(grow(values));
+    auto formula = formulaOf(values);
+    Scene scene = standing(*tree, formula);
+
+    double degrees = degreesOf(formula);
+    add<Joints>(scene, tree, degrees);
+    return scene;
+}
+//! [randomness]
+
+}
+
+namespace towards_pointer {
+
+//! [towards_pointer]
+Scene setUp(const Values &values)
+{
+    TreePtr tree =
+        shared(randomness::grow(values));
+    auto formula = formulaOf(values);
+    Scene scene = standing(*tree, formula);
+
+    double degrees = degreesOf(formula);
+    add<Joints>(scene, tree, degrees);
+
+    // while the button is down
+    add<TurnToPointer>(scene, tree, formula);
+    return scene;
+}
+//! [towards_pointer]
+
+}
+
+namespace wind {
+
+//! [wind]
+Scene setUp(const Values &values)
+{
+    TreePtr tree =
+        shared(randomness::grow(values));
+    auto formula = formulaOf(values);
+    Scene scene = standing(*tree, formula);
+
+    double degrees = degreesOf(formula);
+    add<Joints>(scene, tree, degrees);
+
+    Resistance resistance;
+    resistance.by = Resistance::By::ease;
+    resistance.amount = values["ease"];
+    add<TreeWind>(scene, tree, formula,
+        resistance);
+    return scene;
+}
+//! [wind]
+
+}
+
+namespace rest {
+
+//! [rest]
+Scene setUp(const Values &values)
+{
+    TreePtr tree =
+        shared(randomness::grow(values));
+    auto formula = formulaOf(values);
+    Scene scene = standing(*tree, formula);
+
+    double ease = values["ease"];
+    add<ReturnToRest>(scene, tree, ease);
+
+    double degrees = degreesOf(formula);
+    add<Joints>(scene, tree, degrees);
+
+    Resistance resistance;
+    resistance.by = Resistance::By::ease;
+    resistance.amount = values["ease"];
+    add<TreeWind>(scene, tree, formula,
+        resistance);
+    return scene;
+}
+//! [rest]
+
+}
+
+namespace distance {
+
+//! [distance]
+Scene setUp(const Values &values)
+{
+    TreePtr tree =
+        shared(randomness::grow(values));
+    auto formula = formulaOf(values);
+    Scene scene = standing(*tree, formula);
+
+    double ease = values["ease"];
+    add<ReturnToRest>(scene, tree, ease);
+
+    double degrees = degreesOf(formula);
+    add<Joints>(scene, tree, degrees);
+
+    Resistance resistance;
+    resistance.by = Resistance::By::distance;
+    add<TreeWind>(scene, tree, formula,
+        resistance);
+    return scene;
+}
+//! [distance]
+
+}
+
+namespace thickness {
+
+//! [thickness]
+Scene setUp(const Values &values)
+{
+    TreePtr tree =
+        shared(randomness::grow(values));
+    auto formula = formulaOf(values);
+    Scene scene = standing(*tree, formula);
+
+    double ease = values["ease"];
+    add<ReturnToRest>(scene, tree, ease);
+
+    double degrees = degreesOf(formula);
+    add<Joints>(scene, tree, degrees);
+
+    Resistance resistance;
+    resistance.by = Resistance::By::thickness;
+    resistance.amount = values["wind"];
+    add<TreeWind>(scene, tree, formula,
+        resistance);
+    return scene;
+}
+//! [thickness]
+
+}
+
+namespace turbulence {
+
+//! [turbulence]
+Scene setUp(const Values &values)
+{
+    TreePtr tree =
+        shared(randomness::grow(values));
+    auto formula = formulaOf(values);
+    Scene scene = standing(*tree, formula);
+
+    double ease = values["ease"];
+    add<ReturnToRest>(scene, tree, ease);
+
+    double degrees = degreesOf(formula);
+    add<Joints>(scene, tree, degrees);
+
+    Resistance resistance;
+    resistance.by = Resistance::By::thickness;
+    resistance.amount = values["wind"];
+    Turbulence turbulence;
+    turbulence.degrees = values["turbulence"];
+    turbulence.seed = values.seed;
+    add<TreeWind>(scene, tree, formula,
+        resistance, turbulence);
+    return scene;
+}
+//! [turbulence]
+
+}
+
+namespace real_sway {
+
+//! [real_sway]
+Scene setUp(const Values &values)
+{
+    TreePtr tree =
+        shared(randomness::grow(values));
+    Scene scene = swinging(*tree);
+
+    // first: the gust runs on
+    double speed = values["gust_speed"];
+    add<GustFront>(scene, speed);
+
+    // springs that turn, in every joint
+    double k = values["k"];
+    Limbs limbs = limbsOf(*tree, k);
+    add<Torsion>(scene, tree, limbs);
+
+    double wind = values["wind"];
+    double gusts = values["gusts"];
+    add<WindTorque>(scene, tree,
+        limbs.inertia, wind, gusts);
+
+    double damp = values["damp"];
+    add<SpinDamping>(scene, damp);
+
+    // last: children go to their parents
+    add<Joints>(scene, tree, degreesPerRadian);
+    return scene;
+}
+//! [real_sway]
+
+}
+
+}

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "lessons/api/step.h"
+
+#include <vector>
+
+namespace swaying_tree {
+
+std::vector<lessons::Try> trunkTries();
+std::vector<lessons::Try> branchesTries();
+std::vector<lessons::Try> randomnessTries();
+std::vector<lessons::Try> towardsPointerTries();
+std::vector<lessons::Try> windTries();
+std::vector<lessons::Try> restTries();
+std::vector<lessons::Try> distanceTries();
+std::vector<lessons::Try> thicknessTries();
+std::vector<lessons::Try> turbulenceTries();
+std::vector<lessons::Try> realSwayTries();
+
+}

@@ -1,0 +1,111 @@
+#include "measures.h"
+
+#include "lessons/api/creature.h"
+#include "picture.h"
+#include "sim/effects/push.h"
+
+#include <QCoreApplication>
+
+#include <cmath>
+#include <limits>
+
+using namespace lessons;
+using sim::Scene;
+using sim::State;
+using sim::Values;
+
+namespace walking_gait {
+
+namespace {
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(WalkingGait)
+};
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+int bodyOf(const State &state)
+{
+    return state.points() - 1;
+}
+
+double slipOf(const Scene &scene, const State &state, const State *before, const Values &values)
+{
+    double total = 0.0;
+    int standing = 0;
+    for (int i = 0; before && before->points() == state.points() && i < bodyOf(state); ++i) {
+        const bool foot = !isBody(scene.names[static_cast<std::size_t>(i)]);
+        if (!foot || !stands(scene, state, values, i) || !stands(scene, *before, values, i))
+            continue;
+        total += std::abs(state.at(i).x - before->at(i).x);
+        ++standing;
+    }
+    return standing > 0 ? total / standing : nothing;
+}
+
+double pushesOf(const Scene &scene, const State &state, const State *, const Values &)
+{
+    Eigen::ArrayX2d sum = Eigen::ArrayX2d::Zero(state.points(), 2);
+    for (const sim::EffectPtr &effect : scene.effects) {
+        if (const auto *push = dynamic_cast<const sim::Push *>(effect.get()))
+            push->add(state, {0, state.points()}, 1.0, sim::Directions::apart, sum);
+    }
+    const auto total = sum.colwise().sum().eval();
+    return std::hypot(total[0], total[1]);
+}
+
+}
+
+Measure swingWidth()
+{
+    return {Text::tr("Swing"), Text::tr("px"),
+            Text::tr("How far foot 0 is from the middle of its places. The leg is what it would be if it "
+                     "followed exactly."),
+            1, [](const Scene &, const State &state, const State *, const Values &values) {
+                const sim::Vec2 middle = state.at(bodyOf(state)) + sim::Vec2{0.0, values["drop"]};
+                return sim::length(state.at(0) - middle);
+            }};
+}
+
+Measure momentumOfAll()
+{
+    return {Text::tr("Momentum"), Text::tr("px/frame"),
+            Text::tr("All velocities added up; how long that arrow is. Every mass is 1."), 3,
+            [](const Scene &, const State &state, const State *, const Values &) {
+                const auto sum = state.velocity.colwise().sum().eval();
+                return std::hypot(sum[0], sum[1]);
+            }};
+}
+
+Measure walkingSpeed()
+{
+    return {Text::tr("Walks"), Text::tr("px/frame"),
+            Text::tr("How far the body came to the right in the last frame."), 2,
+            [](const Scene &, const State &state, const State *before, const Values &) {
+                const bool same = before && before->points() == state.points();
+                return same ? state.at(bodyOf(state)).x - before->at(bodyOf(state)).x : nothing;
+            }};
+}
+
+Measure slip()
+{
+    return {Text::tr("Slip"), Text::tr("px/frame"),
+            Text::tr("How far the standing feet slid in the last frame, on the average."), 2, slipOf};
+}
+
+Measure clockSpeed()
+{
+    return {Text::tr("Clock"), Text::tr("rad/frame"), Text::tr("How fast the gait clock turns."), 3,
+            [](const Scene &, const State &state, const State *, const Values &) {
+                return state.gaitSpeed.rows() > 0 ? state.gaitSpeed[0] : nothing;
+            }};
+}
+
+Measure sumOfPushes()
+{
+    return {Text::tr("Pushes"), Text::tr("px/frame²"),
+            Text::tr("All pushes between bodies added up; how long that arrow is."), 3, pushesOf};
+}
+
+}

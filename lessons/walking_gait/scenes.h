@@ -1,0 +1,44 @@
+#pragma once
+
+#include "sim/scene.h"
+#include "sim/values.h"
+
+/// One scene a step, each set up by the same function name, so that the code of two steps differs only in what is
+/// new. The feet are points 0, 1, 2..., the body comes last. From `more_feet` on they are in further_scenes.cpp.
+namespace walking_gait {
+
+namespace bones {
+sim::Scene setUp(const sim::Values &values);
+}
+namespace legs {
+sim::Scene setUp(const sim::Values &values);
+}
+namespace feet_below {
+sim::Scene setUp(const sim::Values &values);
+}
+namespace curved_legs {
+sim::Scene setUp(const sim::Values &values);
+}
+namespace swing {
+sim::Scene setUp(const sim::Values &values);
+}
+namespace body_pulled {
+sim::Scene setUp(const sim::Values &values);
+}
+namespace ground {
+sim::Scene setUp(const sim::Values &values);
+}
+namespace more_feet {
+sim::Scene setUp(const sim::Values &values);
+}
+namespace steering {
+sim::Scene setUp(const sim::Values &values);
+}
+namespace walls {
+sim::Scene setUp(const sim::Values &values);
+}
+namespace company {
+sim::Scene setUp(const sim::Values &values);
+}
+
+}

@@ -1,0 +1,163 @@
+#include "steps.h"
+
+#include "lessons/api/parameters.h"
+#include "measures.h"
+#include "parameters.h"
+#include "picture.h"
+#include "scenes.h"
+#include "tries.h"
+
+#include <QCoreApplication>
+
+using namespace lessons;
+
+namespace walking_gait {
+
+namespace {
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(WalkingGait)
+};
+
+Step stepOf(const char *id, const QString &title)
+{
+    Step step = lessons::stepCalled("walking_gait", id, title);
+    step.parameters = {stiffness(), damping(), leg()};
+    return step;
+}
+
+}
+
+Step bonesStep()
+{
+    Step step = stepOf("bones", Text::tr("Bones"));
+    step.narration = Text::tr(
+        "Until now a foot was content anywhere on a ring round the body: a rag doll. Now each foot has a "
+        "**bone**: an angle of its own. It belongs **leg** pixels from the body at that angle, and a plain "
+        "spring pulls it there. A cross shows the place.\n\n"
+        "Angles are in radians. Foot 0 has the angle 0; foot 1 has π, half a turn on. The code "
+        "**subtracts** the bone from the body, so foot 0 belongs on the **left**.\n\n"
+        "(The tutorial behind this lesson says right, and in one passage that the leg is 75 px. Its code "
+        "has left and 50, and its code is what runs here.)\n\n"
+        "The body is a handle again: only your hand moves it.");
+    step.tries = bonesTries();
+    step.scene = bones::setUp;
+    step.look = plainLook;
+    step.guides = boneLines;
+    return step;
+}
+
+Step legsStep()
+{
+    Step step = stepOf("legs", Text::tr("Legs"));
+    step.narration = Text::tr(
+        "A **leg** is a line from the body to a foot. It is made anew for each picture, from where body and "
+        "foot are at that moment. Nothing feels it: the code that moves the feet is the same as before.\n\n"
+        "Still it tells you something: how long the spring is. At rest each line is as long as **leg** "
+        "says, 50 px. While a foot swings, you see it stretch and shrink.");
+    step.tries = legsTries();
+    step.scene = legs::setUp;
+    step.look = straightLegs;
+    step.guides = places;
+    return step;
+}
+
+Step feetBelowStep()
+{
+    Step step = stepOf("feet_below", Text::tr("Feet below the body"));
+    step.parameters.push_back(drop());
+    step.narration = Text::tr(
+        "Feet belong below a body. One number does it: **drop** moves the place of every foot straight "
+        "down, by 50 px. (y points down, so it is added.)\n\n"
+        "It comes after the bone: it does not turn with the leg's angle, and is the same for all feet.\n\n"
+        "Each place is now 50 px to the side and 50 px down: 70.7 px from the body. The feet start in their "
+        "places, so nothing moves until you move something.");
+    step.tries = feetBelowTries();
+    step.scene = feet_below::setUp;
+    step.look = straightLegs;
+    step.guides = places;
+    return step;
+}
+
+Step curvedLegsStep()
+{
+    Step step = stepOf("curved_legs", Text::tr("Curved legs"));
+    step.addParameters({drop(), curve()});
+    step.narration = Text::tr(
+        "Two straight twigs are no legs. A **curve** needs one more point: the cross above each foot, "
+        "**curve** pixels up. The leg leaves the foot towards that point and comes to the body from there. "
+        "Halfway it is a quarter of the way to the foot, a quarter to the body, and half to the cross.\n\n"
+        "The point is only drawn. The springs do not know of it, so the run is the same for every curve: "
+        "the ghost proves it.");
+    step.tries = curvedLegsTries();
+    step.scene = curved_legs::setUp;
+    step.look = curvedLegs;
+    step.guides = bends;
+    return step;
+}
+
+Step swingStep()
+{
+    Step step = stepOf("swing", Text::tr("Swing"));
+    step.addParameters({speed(), drop(), curve()});
+    step.narration = Text::tr(
+        "Now the places move. The creature gets **one clock** that turns by **speed** each frame, last of "
+        "all. Every foot adds it to its own angle. So the places go round, clockwise, half a turn apart, "
+        "and each foot runs after its place.\n\n"
+        "At 0.05 rad a frame a full turn (2π, 6.28 rad) takes 126 frames.\n\n"
+        "A foot is on a spring: it doesn't follow exactly. At this speed it goes round on 50.6 px where its "
+        "place is 50 px out. Near the speed at which it would swing by itself, it goes much farther.");
+    step.tries = swingTries();
+    step.scene = swing::setUp;
+    step.look = curvedLegs;
+    step.guides = ring;
+    step.measures = {swingWidth()};
+    return step;
+}
+
+Step bodyPulledStep()
+{
+    Step step = stepOf("body_pulled", Text::tr("The body is pulled, too"));
+    step.addParameters({speed(), drop(), curve()});
+    step.narration = Text::tr(
+        "What pulls is pulled back, just as hard, the other way. That needs no new formula: each leg's pull "
+        "goes onto its foot, and the **opposite** goes onto the body, in the same moment.\n\n"
+        "So what the feet gain, the body loses. All velocities added up are the **momentum**, and no leg "
+        "can change it. Only damping takes from it, and your hand.\n\n"
+        "Let it run: the legs pull the body left and right just as hard at every moment. It stays where it "
+        "is. Legs alone get nowhere: there must be something to stand on.");
+    step.tries = bodyPulledTries();
+    step.scene = body_pulled::setUp;
+    step.look = curvedLegs;
+    step.guides = middleAndPlaces;
+    step.measures = {momentumOfAll()};
+    return step;
+}
+
+Step groundStep()
+{
+    Step step = stepOf("ground", Text::tr("Ground"));
+    step.parameters = {speed(),        lessons::gravity(), footBounce(), traction(),
+                       stiffness(0.1), damping(),          leg(),        drop(),
+                       curve(),        lessons::ground()};
+    step.narration = Text::tr(
+        "Gravity pulls everything down, and the **ground** holds the feet. Only the feet: they hold the "
+        "body. A foot below the ground is put back onto it, and its velocity becomes 0, sideways, too. That "
+        "is its **traction**.\n\n"
+        "Now the foot stands. Its leg still pulls, and only the body can give way: it walks, about 150 px "
+        "in each turn of the clock. A negative **speed** walks left. Without traction it treads on the "
+        "spot.\n\n"
+        "A standing foot is stopped **after** it moved. So it slips a little in each frame, 0.4 px on the "
+        "average. In steps of half a frame it slips 0.25 px, and walks 1.4 px a frame instead of 1.2.\n\n"
+        "From here on k is 0.1.");
+    step.tries = groundTries();
+    step.scene = walking_gait::ground::setUp;
+    step.look = onGround;
+    step.stands = stands;
+    step.guides = places;
+    step.measures = {walkingSpeed(), slip()};
+    return step;
+}
+
+}
