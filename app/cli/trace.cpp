@@ -30,35 +30,55 @@ void append(std::string &text, Number value)
     text.append(digits, end);
 }
 
-void appendRow(std::string &text, const sim::Track &track)
+const char *titles(lessons::Columns columns)
+{
+    switch (columns) {
+    case lessons::Columns::place:
+        return "frame,body,x,y\n";
+    case lessons::Columns::placeAndAngle:
+        return "frame,body,x,y,angle\n";
+    case lessons::Columns::placeAndVelocity:
+        break;
+    }
+    return "frame,body,x,y,vx,vy\n";
+}
+
+void appendRow(std::string &text, const sim::Track &track, lessons::Columns columns)
 {
     const sim::State &state = track.now();
+    const auto cell = [&text](double value) {
+        text += ',';
+        append(text, value);
+    };
     for (int point = 0; point < state.points(); ++point) {
         append(text, track.at().frame);
         text += ',';
         text += track.shown().scene.names[static_cast<std::size_t>(point)];
-        for (const double value :
-             {state.at(point).x, state.at(point).y, state.speed(point).x, state.speed(point).y}) {
-            text += ',';
-            append(text, value);
+        cell(state.at(point).x);
+        cell(state.at(point).y);
+        if (columns == lessons::Columns::placeAndAngle)
+            cell(state.angle[point]);
+        if (columns == lessons::Columns::placeAndVelocity) {
+            cell(state.speed(point).x);
+            cell(state.speed(point).y);
         }
         text += '\n';
     }
 }
 
 /// Writes the rows up to frame `frames`. Returns whether all were written; if not, the caller asks why.
-bool writeRows(sim::Track &track, std::int64_t frames, Output &output)
+bool writeRows(sim::Track &track, std::int64_t frames, lessons::Columns columns, Output &output)
 {
     Progress progress(frames);
-    output.buffer() += "frame,body,x,y,vx,vy\n";
-    appendRow(output.buffer(), track);
+    output.buffer() += titles(columns);
+    appendRow(output.buffer(), track, columns);
     for (std::int64_t frame = track.rowFrames(); frame <= frames; frame += track.rowFrames()) {
         if (isInterrupted())
             return false;
         track.seek({frame, 0});
         if (track.stop())
             return false;
-        appendRow(output.buffer(), track);
+        appendRow(output.buffer(), track, columns);
         if (!output.rowDone())
             return false;
         progress.at(frame);
@@ -66,12 +86,12 @@ bool writeRows(sim::Track &track, std::int64_t frames, Output &output)
     return true;
 }
 
-int writeTrace(const Experiment &experiment)
+int writeTrace(const Experiment &experiment, lessons::Columns columns)
 {
     sim::Track track(experiment.script, historyBudget);
     Output output;
     listenForInterrupt();
-    const bool isWhole = writeRows(track, experiment.frames, output);
+    const bool isWhole = writeRows(track, experiment.frames, columns, output);
     if (!output.flush()) {
         if (output.failure().isEmpty())
             return exitDone;
@@ -95,7 +115,9 @@ int trace(const QString &file)
 {
     try {
         const LessonLibrary library = LessonLibrary::load(LessonLibrary::folders());
-        return writeTrace(readExperiment(file, library));
+        const Experiment experiment = readExperiment(file, library);
+        const lessons::Step *step = library.lesson(experiment.lesson)->step(experiment.step);
+        return writeTrace(experiment, step->columns);
     } catch (const Refusal &refusal) {
         say(refusal.sentence());
         return exitBadUse;

@@ -1,6 +1,7 @@
 #include "app/model/experiment_input.h"
 
 #include "app/model/experiment.h"
+#include "app/model/experiment_events.h"
 #include "app/model/json_fields.h"
 #include "app/model/parameter_value.h"
 #include "app/model/words.h"
@@ -13,77 +14,113 @@ namespace app {
 
 namespace {
 
-struct Text
+/// Reads the events of one file and step.
+class InputReader
 {
     Q_DECLARE_TR_FUNCTIONS(ExperimentInput)
-};
 
-/// An event's kind, and the fields it has besides "frame" and "event".
-struct EventKind
-{
-    QString id;
-    QStringList fields;
-};
-
-const std::vector<EventKind> &eventKinds()
-{
-    static const std::vector<EventKind> kinds = {
-        {QStringLiteral("grab"), {QStringLiteral("body")}},
-        {QStringLiteral("move"), {QStringLiteral("x"), QStringLiteral("y")}},
-        {QStringLiteral("release"), {}},
-        {QStringLiteral("set"), {QStringLiteral("parameter"), QStringLiteral("value")}},
-    };
-    return kinds;
-}
-
-const EventKind &kindOf(const QString &file, const JsonFields &fields, const lessons::Step &step)
-{
-    QStringList ids;
-    for (const EventKind &kind : eventKinds())
-        ids.push_back(kind.id);
-    const JsonValue &value = fields.require(QStringLiteral("event"), quotedList(ids));
-    const QString id = textOf(file, value, QStringLiteral("event"));
-    for (const EventKind &kind : eventKinds()) {
-        if (kind.id == id)
-            return kind;
+public:
+    InputReader(const QString &file, const lessons::Step &step)
+        : m_file(file), m_step(step), m_kinds(eventKindsOf(step))
+    {
+        for (const EventKind &kind : m_kinds)
+            m_ids.push_back(kind.id);
     }
-    refuse(file, value.line,
-           Text::tr("the step %1 has no event %2; it knows %3.")
-               .arg(quoted(step.id), quoted(id), quotedList(ids)));
-}
 
-sim::Event readEvent(const QString &file, const JsonValue &value, const lessons::Step &step)
-{
-    const JsonFields fields(file, value, Text::tr("an event"));
-    const EventKind &kind = kindOf(file, fields, step);
-    fields.refuseOthers(QStringList{QStringLiteral("frame"), QStringLiteral("event")} + kind.fields);
-    sim::Event event;
-    const auto frame = QStringLiteral("frame");
-    event.frame = wholeOf(file, fields.require(frame, Text::tr("a whole number")), frame, 0, mostFrames);
-    if (kind.id == "grab") {
-        const JsonValue &body = fields.require(QStringLiteral("body"), Text::tr("a body's name"));
-        event.what = sim::Grab{textOf(file, body, QStringLiteral("body")).toStdString()};
-    } else if (kind.id == "move") {
-        event.what = sim::Move{{fields.number(QStringLiteral("x")), fields.number(QStringLiteral("y"))}};
-    } else if (kind.id == "release") {
-        event.what = sim::Release{};
-    } else {
-        const JsonValue &id = fields.require(QStringLiteral("parameter"), Text::tr("a parameter's id"));
+    sim::Event read(const JsonValue &value) const
+    {
+        const JsonFields fields(m_file, value, tr("an event"));
+        const EventKind &kind = kindOf(fields);
+        fields.refuseOthers(QStringList{QStringLiteral("frame"), QStringLiteral("event")} + kind.fields +
+                            kind.optional);
+        const auto frame = QStringLiteral("frame");
+        const std::int64_t when =
+            wholeOf(m_file, fields.require(frame, tr("a whole number")), frame, 0, mostFrames);
+        return {when, what(kind.id, fields)};
+    }
+
+private:
+    const EventKind &kindOf(const JsonFields &fields) const
+    {
+        const JsonValue &value = fields.require(QStringLiteral("event"), quotedList(m_ids));
+        const QString id = textOf(m_file, value, QStringLiteral("event"));
+        for (const EventKind &kind : m_kinds) {
+            if (kind.id == id)
+                return kind;
+        }
+        refuse(m_file, value.line,
+               tr("the step %1 has no event %2; it knows %3.")
+                   .arg(quoted(m_step.id), quoted(id), quotedList(m_ids)));
+    }
+
+    decltype(sim::Event::what) what(const QString &id, const JsonFields &fields) const
+    {
+        if (id == "grab")
+            return sim::Grab{text(fields, "body", tr("a body's name")).toStdString()};
+        if (id == "move")
+            return sim::Move{place(fields)};
+        if (id == "release")
+            return sim::Release{};
+        if (id == "pointer")
+            return sim::Pointer{place(fields), fields.find("down") && isTrue(fields, "down")};
+        if (id == "target")
+            return sim::Target{place(fields)};
+        if (id == "gust")
+            return sim::Gust{fields.number("degrees")};
+        if (id == "key")
+            return sim::Key{key(fields), isTrue(fields, "down")};
+        return set(fields);
+    }
+
+    static sim::Vec2 place(const JsonFields &fields) { return {fields.number("x"), fields.number("y")}; }
+
+    QString text(const JsonFields &fields, const QString &name, const QString &possible) const
+    {
+        return textOf(m_file, fields.require(name, possible), name);
+    }
+
+    bool isTrue(const JsonFields &fields, const QString &name) const
+    {
+        return truthOf(m_file, fields.require(name, tr("true or false")), name);
+    }
+
+    bool sim::Keys::*key(const JsonFields &fields) const
+    {
+        QStringList names;
+        for (const KeyName &one : keyNames())
+            names.push_back(one.name);
+        const QString given = text(fields, "key", quotedList(names));
+        for (const KeyName &one : keyNames()) {
+            if (one.name == given)
+                return one.key;
+        }
+        refuse(m_file, fields.find("key")->line,
+               tr("there is no key %1; there is %2.").arg(quoted(given), quotedList(names)));
+    }
+
+    sim::Set set(const JsonFields &fields) const
+    {
+        const JsonValue &id = fields.require("parameter", tr("a parameter's id"));
         const lessons::Parameter &parameter =
-            parameterOf(file, id.line, step, textOf(file, id, QStringLiteral("parameter")));
-        const JsonValue &set = fields.require(QStringLiteral("value"), Text::tr("a value of that parameter"));
-        event.what = sim::Set{parameter.id.toStdString(), parameterValue(file, set, parameter)};
+            parameterOf(m_file, id.line, m_step, textOf(m_file, id, "parameter"));
+        const JsonValue &value = fields.require("value", tr("a value of that parameter"));
+        return {parameter.id.toStdString(), parameterValue(m_file, value, parameter)};
     }
-    return event;
-}
+
+    const QString &m_file;
+    const lessons::Step &m_step;
+    std::vector<EventKind> m_kinds;
+    QStringList m_ids;
+};
 
 }
 
 std::vector<ReadEvent> readInput(const QString &file, const JsonValue &input, const lessons::Step &step)
 {
+    const InputReader reader(file, step);
     std::vector<ReadEvent> events;
     for (const JsonValue &value : listOf(file, input, QStringLiteral("input")))
-        events.push_back({readEvent(file, value, step), value.line});
+        events.push_back({reader.read(value), value.line});
     std::stable_sort(events.begin(), events.end(),
                      [](const ReadEvent &a, const ReadEvent &b) { return a.event.frame < b.event.frame; });
     return events;

@@ -1,6 +1,7 @@
 #include "app/model/experiment.h"
 
 #include "app/model/experiment_input.h"
+#include "app/model/experiment_points.h"
 #include "app/model/input_walk.h"
 #include "app/model/json_fields.h"
 #include "app/model/parameter_value.h"
@@ -37,6 +38,7 @@ public:
         refuseWhatNoStepHas();
         readMethod();
         readParameters();
+        readPoints();
         if (const JsonValue *frames = m_fields.find("frames"))
             m_experiment.frames = wholeOf(m_file, *frames, "frames", 0, mostFrames);
         if (const JsonValue *input = m_fields.find("input"))
@@ -96,7 +98,7 @@ private:
                       "that "
                       "one by \"parameters\", \"bodies\" and \"effects\"."));
         const JsonValue *links = m_fields.find("links");
-        if (links && !listOf(m_file, *links, "links").empty())
+        if (links && m_step->points != lessons::Points::files && !listOf(m_file, *links, "links").empty())
             refuse(m_file, links->line,
                    tr("the step %1 has no sticks; remove \"links\".").arg(quoted(m_step->id)));
     }
@@ -140,6 +142,22 @@ private:
         }
     }
 
+    /// Points and sticks of the file's own, where the step takes them: scenes are made from them.
+    void readPoints()
+    {
+        if (m_step->points != lessons::Points::files)
+            return;
+        const JsonValue *bodies = m_fields.find("bodies");
+        if (bodies && countPoints(m_file, *bodies) > 0)
+            script().values.points = countPoints(m_file, *bodies);
+        const JsonValue *links = m_fields.find("links");
+        if (!links)
+            return;
+        const auto own = [this] { return script().build(script().values).start.points(); };
+        const std::optional<int> &given = script().values.points;
+        script().values.sticks = readSticks(m_file, *links, given ? *given : own());
+    }
+
     /// Follows the input through the run, and collects what the run's scenes have.
     void walk()
     {
@@ -151,10 +169,16 @@ private:
                 m_effects.insert(effect->id());
             m_sceneNames = scene.names;
         };
-        walkInput(script(), script().input, newScene, [this](int index, EventEffect effect) {
+        const auto each = [this](int index, EventEffect effect) {
             if (effect != EventEffect::works)
                 refuseEvent(m_events[std::size_t(index)], effect);
-        });
+        };
+        try {
+            walkInput(script(), script().input, newScene, each);
+        } catch (const SceneRefused &refused) {
+            const int line = refused.event < 0 ? m_fields.line() : m_events[std::size_t(refused.event)].line;
+            refuse(m_file, line, sentenceFor(refused));
+        }
     }
 
     [[noreturn]] void refuseEvent(const ReadEvent &read, EventEffect effect) const

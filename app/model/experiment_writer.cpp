@@ -1,5 +1,6 @@
 #include "app/model/experiment.h"
 
+#include "app/model/experiment_events.h"
 #include "app/model/input_walk.h"
 #include "app/model/parameter_value.h"
 #include "app/model/words.h"
@@ -85,23 +86,72 @@ QStringList bodyEntries(const sim::Script &script)
     return entries;
 }
 
+QString placeFields(sim::Vec2 at)
+{
+    return ", \"x\": " + jsonNumber(at.x) + ", \"y\": " + jsonNumber(at.y);
+}
+
+QString truthField(const char *name, bool value)
+{
+    return QStringLiteral(", \"%1\": %2").arg(QLatin1String(name), QLatin1String(value ? "true" : "false"));
+}
+
+QString keyName(bool sim::Keys::*key)
+{
+    for (const KeyName &one : keyNames()) {
+        if (one.key == key)
+            return one.name;
+    }
+    return {};
+}
+
+/// An event from its kind on, by what it is.
+struct EventText
+{
+    const lessons::Step &step;
+
+    QString operator()(const sim::Grab &grab) const { return "\"grab\", \"body\": " + jsonText(grab.body); }
+    QString operator()(const sim::Move &move) const { return "\"move\"" + placeFields(move.to); }
+    QString operator()(const sim::Release &) const { return QStringLiteral("\"release\""); }
+    QString operator()(const sim::Pointer &pointer) const
+    {
+        return "\"pointer\"" + placeFields(pointer.at) + truthField("down", pointer.down);
+    }
+    QString operator()(const sim::Target &target) const { return "\"target\"" + placeFields(target.at); }
+    QString operator()(const sim::Gust &gust) const
+    {
+        return "\"gust\", \"degrees\": " + jsonNumber(gust.degrees);
+    }
+    QString operator()(const sim::Key &key) const
+    {
+        return "\"key\", \"key\": " + jsonText(keyName(key.key)) + truthField("down", key.down);
+    }
+    QString operator()(const sim::Set &set) const
+    {
+        const QString number = jsonNumber(set.value);
+        const QString id = QString::fromStdString(set.parameter);
+        const lessons::Parameter *parameter = step.parameter(id);
+        return "\"set\", \"parameter\": " + jsonText(id) +
+               ", \"value\": " + (parameter ? parameterText(*parameter, set.value) : number);
+    }
+};
+
 QString eventEntry(const sim::Event &event, const lessons::Step &step)
 {
-    const QString start = "{ \"frame\": " + QString::number(event.frame) + ", \"event\": ";
-    if (const auto *grab = std::get_if<sim::Grab>(&event.what))
-        return start + "\"grab\", \"body\": " + jsonText(grab->body) + " }";
-    if (const auto *move = std::get_if<sim::Move>(&event.what))
-        return start + "\"move\", \"x\": " + jsonNumber(move->to.x) + ", \"y\": " + jsonNumber(move->to.y) +
-               " }";
-    const auto *set = std::get_if<sim::Set>(&event.what);
-    if (!set)
-        return start + "\"release\" }";
-    jsonNumber(set->value);
-    const QString id = QString::fromStdString(set->parameter);
-    const lessons::Parameter *parameter = step.parameter(id);
-    return start + "\"set\", \"parameter\": " + jsonText(id) +
-           ", \"value\": " + (parameter ? parameterText(*parameter, set->value) : jsonNumber(set->value)) +
-           " }";
+    return "{ \"frame\": " + QString::number(event.frame) +
+           ", \"event\": " + std::visit(EventText{step}, event.what) + " }";
+}
+
+QStringList linkEntries(const sim::Script &script)
+{
+    QStringList entries;
+    if (!script.values.sticks)
+        return entries;
+    const auto end = [](int point) { return jsonText(QStringLiteral("p%1").arg(point)); };
+    for (const sim::Stick &stick : *script.values.sticks)
+        entries.push_back("{ \"a\": " + end(stick.a) + ", \"b\": " + end(stick.b) + ", \"length\": " +
+                          jsonNumber(stick.length) + ", \"share\": " + jsonNumber(stick.share) + " }");
+    return entries;
 }
 
 /// The events that do something. A parameter that was changed in the past can leave others without effect: a
@@ -152,6 +202,9 @@ QByteArray experimentText(const Experiment &experiment, const LessonLibrary &lib
         writer.field("effects", '[' + effects.join(", ") + ']');
     writer.block("parameters", "{}", parameterEntries(script, *step));
     writer.block("bodies", "{}", bodyEntries(script));
+    if (script.values.sticks && script.values.sticks->empty())
+        writer.field("links", "[]");
+    writer.block("links", "[]", linkEntries(script));
     writer.block("input", "[]", inputEntries(script, *step));
     return writer.text();
 }

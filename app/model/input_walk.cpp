@@ -26,10 +26,11 @@ public:
                 return EventEffect::works;
             return held ? EventEffect::onlyLetsGo : EventEffect::noSuchBody;
         }
-        if (std::holds_alternative<sim::Set>(event.what))
+        const bool releases = std::holds_alternative<sim::Release>(event.what);
+        if (!releases && !std::holds_alternative<sim::Move>(event.what))
             return EventEffect::works;
         const bool holds = !m_held.empty();
-        if (std::holds_alternative<sim::Release>(event.what))
+        if (releases)
             m_held.clear();
         return holds ? EventEffect::works : EventEffect::nothingHeld;
     }
@@ -45,6 +46,15 @@ private:
     std::string m_held;
 };
 
+sim::Scene build(const sim::Script &script, const sim::Values &values, int event)
+{
+    try {
+        return script.build(values);
+    } catch (const sim::Error &error) {
+        throw SceneRefused(error, event);
+    }
+}
+
 }
 
 void walkInput(const sim::Script &script, const std::vector<sim::Event> &input,
@@ -52,7 +62,7 @@ void walkInput(const sim::Script &script, const std::vector<sim::Event> &input,
                const std::function<void(int, EventEffect)> &each)
 {
     sim::Values values = script.values;
-    sim::Scene scene = script.build(values);
+    sim::Scene scene = build(script, values, -1);
     newScene(scene, -1);
     Hand hand;
     const int count = static_cast<int>(input.size());
@@ -68,7 +78,7 @@ void walkInput(const sim::Script &script, const std::vector<sim::Event> &input,
             changed = end;
         }
         if (changed >= 0) {
-            scene = script.build(values);
+            scene = build(script, values, changed);
             newScene(scene, changed);
             hand.enter(scene);
         }

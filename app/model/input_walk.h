@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/error.h"
 #include "sim/script.h"
 
 #include <functional>
@@ -16,9 +17,17 @@ enum class EventEffect {
     nothingHeld, ///< moves or lets go of nothing
 };
 
+/// A scene that cannot be built.
+struct SceneRefused : sim::Error
+{
+    SceneRefused(const sim::Error &error, int index) : sim::Error(error), event(index) {}
+    int event; ///< the event after which, or -1: at the start
+};
+
 /// Walks through the input of a run in the order in which the run applies it: by rows, a row's parameters first.
 /// `input` must be sorted. Calls `newScene(scene, index)` for the start (index -1) and whenever parameters change
 /// (index: the event that does), and `each(index, effect)` for every event.
+/// @throws SceneRefused
 void walkInput(const sim::Script &script, const std::vector<sim::Event> &input,
                const std::function<void(const sim::Scene &, int)> &newScene,
                const std::function<void(int, EventEffect)> &each);

@@ -53,6 +53,13 @@ double numberOf(const QString &file, const JsonValue &value, const QString &name
     refuseType(file, value, name, Text::tr("a number"));
 }
 
+bool truthOf(const QString &file, const JsonValue &value, const QString &name)
+{
+    if (const bool *yes = std::get_if<bool>(&value.what))
+        return *yes;
+    refuseType(file, value, name, Text::tr("true or false"));
+}
+
 QString textOf(const QString &file, const JsonValue &value, const QString &name)
 {
     if (const QString *text = std::get_if<QString>(&value.what))

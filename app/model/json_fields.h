@@ -39,6 +39,7 @@ private:
 
 /// The value as a type. `name` is how messages call it. @throws Refusal for other types
 double numberOf(const QString &file, const JsonValue &value, const QString &name);
+bool truthOf(const QString &file, const JsonValue &value, const QString &name);
 QString textOf(const QString &file, const JsonValue &value, const QString &name);
 const JsonValue::List &listOf(const QString &file, const JsonValue &value, const QString &name);
 /// A whole number. @throws Refusal also when it is outside `min` to `max`

@@ -24,6 +24,21 @@ QString phrase(const std::string &text)
     return QCoreApplication::translate("sim", text.c_str());
 }
 
+QString bodyTitle(const QString &name)
+{
+    QStringList parts;
+    for (const QString &part : name.split('.')) {
+        qsizetype digits = 0;
+        while (digits < part.size() && part[part.size() - 1 - digits].isDigit())
+            ++digits;
+        const QString word = phrase(part.left(part.size() - digits).toStdString());
+        // A letter and its number stay together, as in formulas: "p3".
+        const QString gap = digits == 0 || word.size() == 1 ? QString() : QStringLiteral(" ");
+        parts << word + gap + part.right(digits);
+    }
+    return parts.join(QStringLiteral(", "));
+}
+
 QString sentenceFor(const sim::Error &error)
 {
     if (error.id() == "step-size")
@@ -36,6 +51,15 @@ QString sentenceFor(const sim::Error &error)
             .arg(value(error, "method"), value(error, "effect"));
     if (error.id() == "nothing-moves")
         return Text::tr("Nothing in this scene can move: leave at least one body free.");
+    if (error.id() == "tree-too-big")
+        return Text::
+            tr("This tree would have more than %1 branches: make its slope smaller than %2, or its smallest "
+               "branch larger than %3.")
+                .arg(value(error, "most"), value(error, "slope"), value(error, "min_scale"));
+    if (error.id() == "stick-without-end")
+        return Text::tr(
+                   "Stick %1 ends at p%2, and there is no such point: there are %3, and the first is p0.")
+            .arg(value(error, "stick"), value(error, "end"), value(error, "points"));
     return Text::tr("This does not fit together: %1.").arg(QString::fromUtf8(error.what()));
 }
 

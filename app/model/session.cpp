@@ -1,11 +1,8 @@
 #include "app/model/session.h"
 
 #include "app/model/sentences.h"
-#include "sim/error.h"
-#include "sim/methods/methods.h"
 
 #include <QElapsedTimer>
-#include <QLocale>
 
 #include <algorithm>
 #include <utility>
@@ -16,6 +13,7 @@ namespace {
 
 constexpr qint64 sliceMilliseconds = 12;
 constexpr std::int64_t sliceSteps = 64;
+constexpr std::size_t keptLooks = 3;
 
 }
 
@@ -99,6 +97,7 @@ void Session::leave()
 {
     pause();
     letGo();
+    letUp();
     m_left.insert_or_assign(keyOf(lesson().id, step().id), Left{m_timeline->script(), m_timeline->at()});
 }
 
@@ -106,6 +105,8 @@ void Session::start(sim::Script script, sim::Cursor at)
 {
     m_goingTo.reset();
     m_holding = false;
+    m_keys = {};
+    m_pointerDown.reset();
     m_ghostName.clear();
     m_timeline = std::make_unique<sim::Timeline>(std::move(script));
     m_selected = QString::fromStdString(m_timeline->track().shown().scene.names.front());
@@ -242,107 +243,28 @@ void Session::advance(int frames)
     emit moved();
 }
 
-double Session::parameter(const QString &id) const
-{
-    return m_timeline->values()[id.toStdString()];
-}
-
-template <class Change>
-void Session::edit(const QString &before, Change &&change)
-{
-    m_goingTo.reset();
-    bool forked = false;
-    try {
-        forked = change(*m_timeline);
-    } catch (const sim::Error &error) {
-        emit said(sentenceFor(error));
-        return;
-    }
-    if (forked)
-        m_ghostName = before;
-    checkTries();
-    emit runChanged();
-    emit moved();
-}
-
-void Session::setParameter(const QString &id, double value)
-{
-    const lessons::Parameter *declared = step().parameter(id);
-    if (!declared)
-        return;
-    value = std::clamp(value, declared->min, declared->max);
-    if (declared->isWhole())
-        value = std::round(value);
-    const double was = parameter(id);
-    if (value == was)
-        return;
-    const QString before = tr("before: %1 %2").arg(id, QLocale::c().toString(was, 'g', 4));
-    edit(before, [&](sim::Timeline &timeline) { return timeline.set(id.toStdString(), value); });
-}
-
-void Session::resetParameters()
-{
-    for (const lessons::Parameter &one : step().parameters)
-        setParameter(one.id, one.preset);
-}
-
-void Session::setMethod(const QString &id)
-{
-    const sim::MethodPtr method = sim::findMethod(id.toStdString());
-    const sim::MethodPtr was = m_timeline->script().method;
-    if (!method || method->id() == was->id())
-        return;
-    edit(tr("before: %1").arg(phrase(was->title())), [&](sim::Timeline &timeline) {
-        sim::Script script = timeline.script();
-        script.method = method;
-        return timeline.replace(std::move(script));
-    });
-}
-
-void Session::setStepSize(double h)
-{
-    const double was = m_timeline->script().step.h;
-    edit(tr("before: step %1").arg(QLocale::c().toString(was, 'g', 4)), [&](sim::Timeline &timeline) {
-        sim::Script script = timeline.script();
-        script.step = sim::StepSize::of(h);
-        return script.step != timeline.script().step && timeline.replace(std::move(script));
-    });
-}
-
-void Session::grab(const QString &body)
-{
-    if (m_timeline->track().shown().scene.find(body.toStdString()) < 0)
-        return;
-    select(body);
-    m_holding = true;
-    edit(tr("before: your hand"),
-         [&](sim::Timeline &timeline) { return timeline.hand(sim::Grab{body.toStdString()}); });
-}
-
-void Session::moveHand(sim::Vec2 to)
-{
-    if (!m_holding || !std::isfinite(to.x) || !std::isfinite(to.y))
-        return;
-    edit(tr("before: your hand"), [&](sim::Timeline &timeline) { return timeline.hand(sim::Move{to}); });
-}
-
-void Session::letGo()
-{
-    if (!m_holding)
-        return;
-    m_holding = false;
-    edit(tr("before: your hand"), [](sim::Timeline &timeline) { return timeline.hand(sim::Release{}); });
-}
-
 Picture Session::pictureOf(std::shared_ptr<const sim::Segment> segment, sim::State state) const
 {
     Picture picture;
-    picture.look = step().look(segment->scene, segment->values);
+    picture.look = lookOf(segment);
     if (step().guides)
         picture.guides = step().guides(segment->scene, state, segment->values);
     picture.segment = std::move(segment);
     picture.state = std::move(state);
     return picture;
+}
+
+std::shared_ptr<const lessons::Look> Session::lookOf(const std::shared_ptr<const sim::Segment> &segment) const
+{
+    for (const Looked &made : m_looks) {
+        if (made.segment.lock() == segment)
+            return made.look;
+    }
+    m_looks.push_back(
+        {segment, std::make_shared<const lessons::Look>(step().look(segment->scene, segment->values))});
+    if (m_looks.size() > keptLooks)
+        m_looks.pop_front();
+    return m_looks.back().look;
 }
 
 Picture Session::picture() const

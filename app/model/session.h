@@ -8,6 +8,7 @@
 
 #include <QObject>
 
+#include <deque>
 #include <map>
 #include <memory>
 #include <optional>
@@ -19,7 +20,7 @@ struct Picture
 {
     std::shared_ptr<const sim::Segment> segment;
     sim::State state;
-    lessons::Look look;
+    std::shared_ptr<const lessons::Look> look; ///< one and the same for all states of a segment
     std::vector<lessons::Guide> guides;
 };
 
@@ -88,6 +89,14 @@ public:
     void moveHand(sim::Vec2 to);
     void letGo();
     bool isHolding() const { return m_holding; }
+    /// The pointer's place and button reach the scene, if its step lets them in; likewise a target and a key.
+    void point(sim::Vec2 at, bool down);
+    void aim(sim::Vec2 target);
+    void steer(bool sim::Keys::*key, bool down);
+    /// Keys come up and the pointer's button, as when the window loses the keyboard.
+    void letUp();
+    /// The step as it was when it was first opened, with a preset's values. Goes on playing if it played.
+    void startWith(const lessons::Preset &preset);
 
     // What is shown
     Picture picture() const;
@@ -123,7 +132,14 @@ private:
         sim::Cursor at;
     };
 
+    struct Looked
+    {
+        std::weak_ptr<const sim::Segment> segment;
+        std::shared_ptr<const lessons::Look> look;
+    };
+
     Picture pictureOf(std::shared_ptr<const sim::Segment> segment, sim::State state) const;
+    std::shared_ptr<const lessons::Look> lookOf(const std::shared_ptr<const sim::Segment> &segment) const;
     void leave();
     void start(sim::Script script, sim::Cursor at);
     void advance(int frames);
@@ -144,9 +160,12 @@ private:
     QString m_selected;
     QString m_ghostName;
     bool m_holding = false;
+    sim::Keys m_keys;                       ///< those that the learner has down
+    std::optional<sim::Vec2> m_pointerDown; ///< where the learner has the pointer's button down
     std::optional<sim::Cursor> m_goingTo;
-    bool m_approachDue = false;     ///< whether the next slice of the way is already asked for
-    std::map<QString, Left> m_left; ///< steps that were open before, as they were left
+    bool m_approachDue = false;         ///< whether the next slice of the way is already asked for
+    mutable std::deque<Looked> m_looks; ///< the looks last made: of the run, its ghost and what is to come
+    std::map<QString, Left> m_left;     ///< steps that were open before, as they were left
 };
 
 }

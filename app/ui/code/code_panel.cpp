@@ -1,12 +1,12 @@
 #include "app/ui/code/code_panel.h"
 
+#include "app/model/sentences.h"
 #include "app/ui/code/code_view.h"
 #include "app/ui/theme/theme.h"
 
 #include <QApplication>
 #include <QClipboard>
 #include <QHBoxLayout>
-#include <QRegularExpression>
 #include <QVBoxLayout>
 
 namespace app {
@@ -143,13 +143,9 @@ int CodePanel::point() const
 
 void CodePanel::showCaption()
 {
-    static const QRegularExpression numbered(QStringLiteral("^([a-z]+)(\\d+)$"));
-    const QString name = m_session.selected();
-    const QRegularExpressionMatch match = numbered.match(name);
-    const QString spoken = match.hasMatch()       ? match.captured(1) + ' ' + match.captured(2)
-                           : name.startsWith('p') ? name
-                                                  : tr("the %1").arg(name);
-    const QString caption = tr("values of %1").arg(spoken);
+    const QString title = bodyTitle(m_session.selected());
+    const bool isNumbered = title.back().isDigit();
+    const QString caption = isNumbered ? tr("values of %1").arg(title) : tr("values of the %1").arg(title);
     if (caption == m_caption)
         return;
     m_caption = caption;

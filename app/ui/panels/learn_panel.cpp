@@ -1,10 +1,12 @@
 #include "app/ui/panels/learn_panel.h"
 
+#include "app/ui/panels/lesson_delegate.h"
 #include "app/ui/panels/lesson_list.h"
 #include "app/ui/panels/lesson_model.h"
 #include "app/ui/panels/narration.h"
 #include "app/ui/panels/panel_title.h"
 
+#include <QEvent>
 #include <QFrame>
 #include <QVBoxLayout>
 
@@ -14,8 +16,7 @@ namespace app {
 
 namespace {
 
-constexpr int lowWindow = 720;       ///< px high, below which only the open lesson's rows keep their place
-constexpr int narrationWanted = 320; ///< px that the list leaves to the text while it can scroll itself
+constexpr int leastRows = 4; ///< of the list that stay while the text wants more: the open step among them
 constexpr int topMargin = 4;
 constexpr int listMargin = 8;
 
@@ -33,11 +34,13 @@ LearnPanel::LearnPanel(Session &session, const Theme &theme, QWidget *parent)
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, topMargin, 0, 0);
     column->setSpacing(0);
+    column->setSizeConstraint(QLayout::SetNoConstraint); // the list's height follows the panel's
     column->addWidget(m_title);
     column->addWidget(m_list);
     column->addSpacing(listMargin);
     column->addWidget(divider);
     column->addWidget(m_narration, 1);
+    connect(&session, &Session::stepOpened, this, &LearnPanel::shareHeight);
     connect(m_list, &LessonList::contentHeightChanged, this, &LearnPanel::shareHeight);
     connect(m_list->model(), &QAbstractItemModel::dataChanged, this, &LearnPanel::showCount);
     showCount();
@@ -52,15 +55,29 @@ void LearnPanel::showCount()
 
 void LearnPanel::shareHeight()
 {
+    // The list can scroll and shows where it is; a text that has to be scrolled is not read. So the text comes first.
+    m_narration->fitText();
     const int all = m_list->contentHeight();
-    const int least = std::min(all, m_list->openLessonHeight());
-    const int room = height() - topMargin - PanelTitle::height - listMargin - 1 - narrationWanted;
-    const int wanted = window()->height() < lowWindow ? least : std::clamp(room, least, all);
-    // Even the open lesson gives way before the text has no room at all.
-    const int most =
-        height() - topMargin - PanelTitle::height - listMargin - 1 - m_narration->minimumSizeHint().height();
+    const int least = std::min(all, leastRows * LessonDelegate::lessonHeight);
+    const int room = height() - topMargin - PanelTitle::height - listMargin - 1;
+    const int wanted = std::clamp(room - m_narration->fullHeight(), least, all);
+    const int most = room - std::max(m_narration->minimumSizeHint().height(), m_narration->leastHeight());
     m_list->setFixedHeight(std::max(m_list->minimumSizeHint().height(), std::min(wanted, most)));
     m_list->showOpen();
+}
+
+QSize LearnPanel::minimumSizeHint() const
+{
+    return {200, topMargin + PanelTitle::height + m_list->minimumSizeHint().height() + listMargin + 1 +
+                     m_narration->minimumSizeHint().height()};
+}
+
+bool LearnPanel::event(QEvent *event)
+{
+    // A text knows its height only when it has its width.
+    if (event->type() == QEvent::LayoutRequest)
+        shareHeight();
+    return QWidget::event(event);
 }
 
 void LearnPanel::resizeEvent(QResizeEvent *event)

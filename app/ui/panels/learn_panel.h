@@ -20,8 +20,10 @@ public:
     LearnPanel(Session &session, const Theme &theme, QWidget *parent = nullptr);
 
     QSize sizeHint() const override { return {280, 700}; }
+    QSize minimumSizeHint() const override;
 
 protected:
+    bool event(QEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
 
 private:

@@ -93,6 +93,7 @@ QWidget *Narration::makeTries()
 QWidget *Narration::makeButtons()
 {
     auto *buttons = new QWidget(this);
+    m_buttons = buttons;
     m_back = new QPushButton(buttons);
     m_back->setObjectName("back");
     m_back->setAutoDefault(false);
@@ -161,6 +162,17 @@ void Narration::dress()
 {
     m_back->setIcon(m_theme.icon("left", m_theme.tokens().ink));
     showProgress();
+}
+
+int Narration::fullHeight() const
+{
+    return m_area->maximumHeight() + leastHeight() - m_area->minimumSizeHint().height();
+}
+
+int Narration::leastHeight() const
+{
+    return m_area->minimumSizeHint().height() + m_tryPage->heightForWidth(width()) +
+           m_buttons->sizeHint().height();
 }
 
 QSize Narration::minimumSizeHint() const

@@ -27,6 +27,12 @@ public:
     Narration(Session &session, const Theme &theme, QWidget *parent = nullptr);
 
     QSize minimumSizeHint() const override;
+    /// Takes the height that the text has at this width.
+    void fitText();
+    /// The height that shows all of the text, what there is to try, and the buttons at this width.
+    int fullHeight() const;
+    /// The same with as little of the text as can be scrolled.
+    int leastHeight() const;
 
 protected:
     void resizeEvent(QResizeEvent *event) override;
@@ -36,7 +42,6 @@ private:
     QWidget *makeTries();
     QWidget *makeButtons();
     void open();
-    void fitText();
     void showProgress();
     void dress();
 
@@ -46,6 +51,7 @@ private:
     QLabel *m_title = nullptr;
     NarrationText *m_text = nullptr;
     QWidget *m_tryPage = nullptr;
+    QWidget *m_buttons = nullptr;
     QLabel *m_heading = nullptr;
     QVBoxLayout *m_tryColumn = nullptr;
     std::vector<TryRow *> m_tries;

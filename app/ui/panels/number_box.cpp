@@ -16,9 +16,8 @@ namespace {
 
 constexpr QChar minus(0x2212);
 constexpr QChar ellipsis(0x2026);
-constexpr double farthest = 1e18;    ///< beyond every parameter's range
-constexpr int keptDecimals = 60;     ///< so many that the base class rounds nothing
-constexpr int roomForText = 54 - 14; ///< px
+constexpr double farthest = 1e18; ///< beyond every parameter's range
+constexpr int keptDecimals = 60;  ///< so many that the base class rounds nothing
 
 QString plain(QString text)
 {
@@ -71,9 +70,9 @@ QString NumberBox::exactText(double value) const
 QString NumberBox::textFromValue(double value) const
 {
     const QString exact = exactText(value);
-    if (m_inFull || fontMetrics().horizontalAdvance(exact) <= roomForText)
+    if (m_inFull || fontMetrics().horizontalAdvance(exact) <= width_ - 14)
         return exact;
-    return fontMetrics().elidedText(exact, Qt::ElideRight, roomForText);
+    return fontMetrics().elidedText(exact, Qt::ElideRight, width_ - 14);
 }
 
 double NumberBox::valueFromText(const QString &text) const

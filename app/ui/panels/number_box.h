@@ -40,7 +40,7 @@ protected:
     StepEnabled stepEnabled() const override { return StepUpEnabled | StepDownEnabled; }
 
 private:
-    static constexpr int width_ = 54;
+    static constexpr int width_ = 62; ///< six figures, such as 0.0025
     static constexpr int height_ = 26;
 
     void dress();

@@ -56,6 +56,8 @@ ParameterPanel::ParameterPanel(Session &session, const Theme &theme, QWidget *pa
 QWidget *ParameterPanel::makeTitle()
 {
     auto *title = new PanelTitle(tr("Parameters"), PanelTitle::CaptionPlace::besideTitle, m_theme, this);
+    makePresets(title);
+    title->addAction(m_presets);
     m_resetAll = new QToolButton(title);
     m_resetAll->setObjectName("resetAll");
     m_resetAll->setText(tr("Reset all"));
@@ -66,6 +68,29 @@ QWidget *ParameterPanel::makeTitle()
     return title;
 }
 
+void ParameterPanel::makePresets(QWidget *title)
+{
+    m_presets = new QToolButton(title);
+    m_presets->setObjectName("presets");
+    m_presets->setText(tr("Presets"));
+    m_presets->setToolTip(tr("Pictures of what other values make of this step"));
+    m_presets->setFixedHeight(28);
+    m_presets->setFocusPolicy(Qt::TabFocus); // after a click, Space shall play
+    connect(m_presets, &QToolButton::clicked, this, [this] { m_gallery->popUp(*m_presets); });
+}
+
+void ParameterPanel::setPresetPainter(PresetPainter painter)
+{
+    delete m_gallery;
+    m_gallery = new PresetGallery(m_session, m_theme, std::move(painter), this);
+    showPresets();
+}
+
+void ParameterPanel::showPresets()
+{
+    m_presets->setVisible(m_gallery && !m_session.step().presetGallery.empty());
+}
+
 void ParameterPanel::makeDisclosure()
 {
     m_more = new QToolButton(this);
@@ -73,6 +98,7 @@ void ParameterPanel::makeDisclosure()
     m_more->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_more->setIconSize({12, 12});
     m_more->setFixedHeight(disclosureHeight);
+    m_more->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     m_more->setFocusPolicy(Qt::StrongFocus);
     connect(m_more, &QToolButton::clicked, this, [this] {
         m_chosen = true;
@@ -91,6 +117,7 @@ void ParameterPanel::open()
     while (QLayoutItem *item = m_column->takeAt(0))
         delete item;
     addRows();
+    showPresets();
     alignColumns();
     m_chosen = false;
     m_unfolded = false;
@@ -112,7 +139,8 @@ void ParameterPanel::addRows()
         m_column->addWidget(m_rows.back());
     }
     m_column->addStretch(1);
-    m_more->setText(rest.join(", "));
+    m_rest = rest.join(", ");
+    nameRest();
     m_more->setVisible(!rest.isEmpty());
 }
 
@@ -126,6 +154,12 @@ void ParameterPanel::alignColumns()
     }
     for (ParameterRow *row : m_rows)
         row->setColumns(label, unit);
+}
+
+void ParameterPanel::nameRest()
+{
+    constexpr int beside = 44; // its arrow and margins
+    m_more->setText(m_more->fontMetrics().elidedText(m_rest, Qt::ElideRight, std::max(40, width() - beside)));
 }
 
 void ParameterPanel::refresh()
@@ -157,8 +191,7 @@ void ParameterPanel::unfold(bool all)
         m_rows[i]->setVisible(all);
     m_more->setIcon(m_theme.icon(all ? "down" : "right"));
     m_more->setToolTip(all ? tr("Show fewer parameters") : tr("Show all parameters"));
-    m_more->setAccessibleName(all ? tr("%1, shown").arg(m_more->text())
-                                  : tr("%1, folded").arg(m_more->text()));
+    m_more->setAccessibleName(all ? tr("%1, shown").arg(m_rest) : tr("%1, folded").arg(m_rest));
     updateGeometry();
     emit wantedHeightChanged(sizeHint().height());
 }
@@ -199,14 +232,18 @@ void ParameterPanel::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);
     m_placed = true;
+    nameRest();
     unfoldIfRoom();
 }
 
 void ParameterPanel::dress()
 {
-    m_resetAll->setFont(m_theme.ui());
-    m_resetAll->setFixedWidth(m_resetAll->fontMetrics().horizontalAdvance(m_resetAll->text()) + 8);
+    for (QToolButton *button : {m_presets, m_resetAll}) {
+        button->setFont(m_theme.ui());
+        button->setFixedWidth(button->fontMetrics().horizontalAdvance(button->text()) + 8);
+    }
     m_more->setFont(m_theme.ui(12));
+    nameRest();
     m_more->setIcon(m_theme.icon(m_unfolded ? "down" : "right"));
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/model/session.h"
+#include "app/ui/panels/preset_gallery.h"
 #include "app/ui/theme/theme.h"
 
 #include <QElapsedTimer>
@@ -25,6 +26,9 @@ class ParameterPanel : public QWidget
 public:
     ParameterPanel(Session &session, const Theme &theme, QWidget *parent = nullptr);
 
+    /// How the presets of steps that have some are painted; without it there is no gallery.
+    void setPresetPainter(PresetPainter painter);
+
     /// The height that shows what is unfolded, with the title.
     QSize sizeHint() const override;
     /// The height from which every parameter is shown unasked.
@@ -40,10 +44,13 @@ protected:
 
 private:
     QWidget *makeTitle();
+    void makePresets(QWidget *title);
     void makeDisclosure();
+    void showPresets();
     void open();
     void addRows();
     void alignColumns();
+    void nameRest();
     void refresh();
     void refreshNow();
     void unfold(bool all);
@@ -53,10 +60,13 @@ private:
 
     Session &m_session;
     const Theme &m_theme;
+    QToolButton *m_presets = nullptr;
     QToolButton *m_resetAll = nullptr;
+    PresetGallery *m_gallery = nullptr;
     QScrollArea *m_area = nullptr;
     QVBoxLayout *m_column = nullptr;
     QToolButton *m_more = nullptr;
+    QString m_rest; ///< the names of the parameters that m_more unfolds
     std::vector<ParameterRow *> m_rows;
     QElapsedTimer m_sinceRefresh;
     bool m_placed = false; ///< whether it was given a size

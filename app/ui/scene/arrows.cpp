@@ -25,7 +25,7 @@ Arrow atEdge(const Shown &shown, const Camera &camera, int point, QPointF vector
     const double length = lengthOf(vector);
     const QPointF along = length > 0.0 ? vector / length : QPointF(0.0, 1.0);
     const QPointF across(-along.y(), along.x());
-    const double radius = camera.radius(shown.radius(point));
+    const double radius = shown.isHidden(point) ? 0.0 : camera.radius(shown.radius(point));
     const double away = radius + (point == shown.selected ? gapAtRing : gap);
     Arrow arrow;
     arrow.from = camera.at(shown.state().at(point)) + away * along + aside * across;
@@ -154,6 +154,8 @@ std::vector<Arrow> velocityArrows(const Shown &shown, const Camera &camera, cons
     if (!shown.extras.velocities)
         return arrows;
     for (int i = 0; i < shown.points(); ++i) {
+        if (shown.isHidden(i))
+            continue;
         Arrow arrow = atEdge(shown, camera, i, scaled(shown.state().speed(i), shown.velocityUnit), 0.0);
         arrow.style = velocityStyle(theme);
         arrows.push_back(arrow);

@@ -20,15 +20,6 @@ constexpr double still = 0.05; ///< px/frame: shown as 0.0
 
 }
 
-QString bodyTitle(const QString &name)
-{
-    qsizetype digits = 0;
-    while (digits < name.size() && name[name.size() - 1 - digits].isDigit())
-        ++digits;
-    const QString word = phrase(name.left(name.size() - digits).toStdString());
-    return digits == 0 ? word : word + ' ' + name.right(digits);
-}
-
 QString bodySentence(const QString &name, sim::Vec2 at, sim::Vec2 speed)
 {
     const QString place =

@@ -1,5 +1,6 @@
 #include "app/ui/scene/edge_markers.h"
 
+#include "app/model/sentences.h"
 #include "app/ui/scene/body_text.h"
 #include "app/ui/scene/label_places.h"
 
@@ -68,6 +69,8 @@ std::vector<EdgeMarker> edgeMarkers(const Shown &shown, const Camera &camera, QR
 {
     std::vector<EdgeMarker> markers;
     for (int i = 0; i < shown.points(); ++i) {
+        if (shown.isHidden(i))
+            continue;
         const QPointF centre = camera.at(shown.state().at(i));
         const double radius = camera.radius(shown.radius(i));
         if (view.adjusted(-radius, -radius, radius, radius).contains(centre))

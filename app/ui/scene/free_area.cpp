@@ -1,5 +1,6 @@
 #include "app/ui/scene/free_area.h"
 
+#include "app/model/sentences.h"
 #include "app/ui/scene/body_text.h"
 
 #include <algorithm>
@@ -26,7 +27,7 @@ QRectF freeArea(const Shown &shown, QRectF view)
 QRectF cardArea(const Shown &shown, const Camera &camera, QRectF view)
 {
     QRectF area = freeArea(shown, view);
-    if (const std::optional<sim::Room> &room = shown.picture.look.room) {
+    if (const std::optional<sim::Room> &room = shown.look().room) {
         const double left = camera.at({room->left, room->floor}).x() + edge;
         const double right = camera.at({room->right, room->floor}).x() - edge;
         if (std::min(right, area.right()) - std::max(left, area.left()) >= leastCardRoom) {
@@ -50,7 +51,7 @@ QString selectedName(const Shown &shown)
 
 QRectF nameBox(const Shown &shown, const Camera &camera, QRectF view)
 {
-    if (shown.selected < 0 || hasCard(shown))
+    if (shown.selected < 0 || shown.isHidden(shown.selected) || hasCard(shown))
         return {};
     const QPointF centre = camera.at(shown.state().at(shown.selected));
     const double radius = camera.radius(shown.radius(shown.selected));

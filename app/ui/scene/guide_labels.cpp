@@ -22,7 +22,7 @@ constexpr double largestRing = 4000.0; ///< what is larger looks like a line in 
 double bodyAt(const Shown &shown, const Camera &camera, sim::Vec2 place)
 {
     for (int i = 0; i < shown.points(); ++i) {
-        if (shown.state().at(i) == place)
+        if (!shown.isHidden(i) && shown.state().at(i) == place)
             return camera.radius(shown.radius(i));
     }
     return 0.0;
@@ -57,6 +57,8 @@ QPointF anchorOf(const Guide &guide, const Shown &shown, const Camera &camera)
     case Guide::Shape::angle:
         return a + (arcRadius(guide, shown, camera) + 6.0) *
                        QPointF(std::cos(guide.size / 2), std::sin(guide.size / 2));
+    case Guide::Shape::wind:
+        break;
     }
     return a;
 }

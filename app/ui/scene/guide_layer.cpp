@@ -2,6 +2,7 @@
 
 #include "app/ui/scene/guide_labels.h"
 #include "app/ui/scene/layers.h"
+#include "app/ui/scene/wind_guide.h"
 
 #include <QPainterPath>
 
@@ -59,6 +60,9 @@ void drawGuide(const Canvas &canvas, const Guide &guide)
         break;
     case Guide::Shape::angle:
         drawAngle(canvas, guide);
+        break;
+    case Guide::Shape::wind:
+        drawWind(canvas, a);
         break;
     }
 }

@@ -16,6 +16,8 @@ int Hand::bodyAt(const Shown &shown, const Camera &camera, QPointF place)
     int nearest = -1;
     double least = 0.0;
     for (int i = 0; i < shown.points(); ++i) {
+        if (shown.isHidden(i))
+            continue;
         const double distance = QLineF(camera.at(shown.state().at(i)), place).length();
         if (distance > std::max(reach, camera.radius(shown.radius(i))))
             continue;

@@ -77,6 +77,8 @@ std::vector<QRectF> bodyBoxes(const Shown &shown, const Camera &camera)
 {
     std::vector<QRectF> boxes;
     for (int i = 0; i < shown.points(); ++i) {
+        if (shown.isHidden(i))
+            continue;
         const QPointF c = camera.at(shown.state().at(i));
         const double r = camera.radius(shown.radius(i)) + (i == shown.selected ? 6.0 : 1.0);
         boxes.emplace_back(c.x() - r, c.y() - r, 2 * r, 2 * r);

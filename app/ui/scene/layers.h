@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/ui/scene/canvas.h"
+#include "app/ui/scene/tree_painter.h"
 
 #include <QGraphicsItem>
 
@@ -9,11 +9,30 @@ namespace app {
 /// How far the scene goes, in px either way.
 constexpr double worldReach = 1e6;
 
-/// All things of one kind, drawn together. Later kinds lie above earlier ones.
+/// Which kinds lie above which: later ones above earlier ones.
+enum class Height {
+    room,
+    ground,
+    ghost,
+    onion,
+    trail,
+    tree,
+    meadow,
+    limbs,
+    skins,
+    chains,
+    legs,
+    sticks,
+    bodies,
+    guides,
+    arrows,
+};
+
+/// All things of one kind, drawn together.
 class Layer : public QGraphicsItem
 {
 public:
-    Layer(const Shown &shown, const Theme &theme, int height);
+    Layer(const Shown &shown, const Theme &theme, Height height);
 
     QRectF boundingRect() const override;
     void paint(QPainter *painter, const QStyleOptionGraphicsItem *option, QWidget *widget) final;
@@ -30,7 +49,17 @@ private:
 class RoomLayer : public Layer
 {
 public:
-    RoomLayer(const Shown &shown, const Theme &theme) : Layer(shown, theme, 0) {}
+    RoomLayer(const Shown &shown, const Theme &theme) : Layer(shown, theme, Height::room) {}
+
+protected:
+    void draw(const Canvas &canvas) const override;
+};
+
+/// An endless ground, hatched, with a distance every so many px: what stands on it does not stand still.
+class GroundLayer : public Layer
+{
+public:
+    GroundLayer(const Shown &shown, const Theme &theme) : Layer(shown, theme, Height::ground) {}
 
 protected:
     void draw(const Canvas &canvas) const override;
@@ -40,17 +69,86 @@ protected:
 class GhostLayer : public Layer
 {
 public:
-    GhostLayer(const Shown &shown, const Theme &theme) : Layer(shown, theme, 1) {}
+    GhostLayer(const Shown &shown, const Theme &theme) : Layer(shown, theme, Height::ghost) {}
 
 protected:
     void draw(const Canvas &canvas) const override;
+
+private:
+    mutable TreePainter m_tree; ///< keeps what painting needs from one time to the next
+};
+
+/// Earlier moments, the earlier the fainter.
+class OnionLayer : public Layer
+{
+public:
+    OnionLayer(const Shown &shown, const Theme &theme) : Layer(shown, theme, Height::onion) {}
+
+protected:
+    void draw(const Canvas &canvas) const override;
+
+private:
+    mutable TreePainter m_tree; ///< keeps what painting needs from one time to the next
 };
 
 /// Where the body was.
 class TrailLayer : public Layer
 {
 public:
-    TrailLayer(const Shown &shown, const Theme &theme) : Layer(shown, theme, 2) {}
+    TrailLayer(const Shown &shown, const Theme &theme) : Layer(shown, theme, Height::trail) {}
+
+protected:
+    void draw(const Canvas &canvas) const override;
+};
+
+/// Branches and blossoms.
+class TreeLayer : public Layer
+{
+public:
+    TreeLayer(const Shown &shown, const Theme &theme) : Layer(shown, theme, Height::tree) {}
+
+protected:
+    void draw(const Canvas &canvas) const override;
+
+private:
+    mutable TreePainter m_tree; ///< keeps what painting needs from one time to the next
+};
+
+/// The near ground below an open sky.
+class MeadowLayer : public Layer
+{
+public:
+    MeadowLayer(const Shown &shown, const Theme &theme) : Layer(shown, theme, Height::meadow) {}
+
+protected:
+    void draw(const Canvas &canvas) const override;
+};
+
+/// Flesh round sticks.
+class LimbLayer : public Layer
+{
+public:
+    LimbLayer(const Shown &shown, const Theme &theme) : Layer(shown, theme, Height::limbs) {}
+
+protected:
+    void draw(const Canvas &canvas) const override;
+};
+
+/// Bodies with a soft outline.
+class SkinLayer : public Layer
+{
+public:
+    SkinLayer(const Shown &shown, const Theme &theme) : Layer(shown, theme, Height::skins) {}
+
+protected:
+    void draw(const Canvas &canvas) const override;
+};
+
+/// Tentacles.
+class ChainLayer : public Layer
+{
+public:
+    ChainLayer(const Shown &shown, const Theme &theme) : Layer(shown, theme, Height::chains) {}
 
 protected:
     void draw(const Canvas &canvas) const override;
@@ -60,7 +158,17 @@ protected:
 class LegLayer : public Layer
 {
 public:
-    LegLayer(const Shown &shown, const Theme &theme) : Layer(shown, theme, 3) {}
+    LegLayer(const Shown &shown, const Theme &theme) : Layer(shown, theme, Height::legs) {}
+
+protected:
+    void draw(const Canvas &canvas) const override;
+};
+
+/// Sticks, in the colour of their error.
+class StickLayer : public Layer
+{
+public:
+    StickLayer(const Shown &shown, const Theme &theme) : Layer(shown, theme, Height::sticks) {}
 
 protected:
     void draw(const Canvas &canvas) const override;
@@ -70,7 +178,7 @@ protected:
 class BodyLayer : public Layer
 {
 public:
-    BodyLayer(const Shown &shown, const Theme &theme) : Layer(shown, theme, 4) {}
+    BodyLayer(const Shown &shown, const Theme &theme) : Layer(shown, theme, Height::bodies) {}
 
 protected:
     void draw(const Canvas &canvas) const override;
@@ -80,7 +188,7 @@ protected:
 class GuideLayer : public Layer
 {
 public:
-    GuideLayer(const Shown &shown, const Theme &theme) : Layer(shown, theme, 5) {}
+    GuideLayer(const Shown &shown, const Theme &theme) : Layer(shown, theme, Height::guides) {}
 
 protected:
     void draw(const Canvas &canvas) const override;
@@ -90,7 +198,7 @@ protected:
 class ArrowLayer : public Layer
 {
 public:
-    ArrowLayer(const Shown &shown, const Theme &theme) : Layer(shown, theme, 6) {}
+    ArrowLayer(const Shown &shown, const Theme &theme) : Layer(shown, theme, Height::arrows) {}
 
 protected:
     void draw(const Canvas &canvas) const override;

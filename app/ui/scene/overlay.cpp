@@ -50,7 +50,7 @@ QString plain(double value)
 /// A mark and what it means.
 struct Overlay::Entry
 {
-    enum class Mark { pull, velocity, sum, ghost };
+    enum class Mark { pull, velocity, sum, ghost, onion };
     Mark mark;
     double width;
     QString text;
@@ -101,7 +101,7 @@ void Overlay::drawCaption(QPainter &painter, const Camera &camera) const
     if (m_shown.caption.isEmpty())
         return;
     double x = margin;
-    if (const std::optional<sim::Room> &room = m_shown.picture.look.room) {
+    if (const std::optional<sim::Room> &room = m_shown.look().room) {
         const double wall = camera.at({room->left, room->floor}).x();
         if (wall > margin - besideWall && wall < captionShift)
             x = std::round(wall + besideWall); // no line runs through the words
@@ -111,13 +111,19 @@ void Overlay::drawCaption(QPainter &painter, const Camera &camera) const
     painter.drawText(QPointF(x, margin + 4.0), m_shown.caption);
 }
 
+QColor Overlay::captionInk() const
+{
+    const bool isPaper = m_shown.look().sky == lessons::Look::Sky::paper;
+    return isPaper ? m_theme.tokens().ink3 : m_theme.tokens().ink2;
+}
+
 double Overlay::drawScale(QPainter &painter, const Camera &camera, QRectF view) const
 {
     const double px = scaleLength(camera.zoom);
     const double y = std::round(view.bottom() - lowest) - 0.5;
     const double x = margin + 0.5;
     const double end = x + std::round(px * camera.zoom);
-    painter.setPen(QPen(m_theme.tokens().ink3, 1.3, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
+    painter.setPen(QPen(captionInk(), 1.3, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
     painter.setBrush(Qt::NoBrush);
     painter.drawPolyline(QPolygonF{{x, y - 4.0}, {x, y}, {end, y}, {end, y - 4.0}});
     const QString text = Text::tr("%1\u2009px").arg(plain(px));
@@ -131,6 +137,8 @@ std::vector<Overlay::Entry> Overlay::legend() const
     std::vector<Entry> entries;
     if (m_shown.ghost && m_shown.extras.ghost)
         entries.push_back({Entry::Mark::ghost, 30.0, m_shown.ghostName});
+    if (!m_shown.onion.empty())
+        entries.push_back({Entry::Mark::onion, 30.0, Text::tr("every %1 frames").arg(onionFrames)});
     if (m_shown.extras.velocities)
         entries.push_back({Entry::Mark::velocity, unitArrow + 8.0,
                            Text::tr("%1\u2009px/frame").arg(plain(m_shown.velocityUnit))});
@@ -181,9 +189,15 @@ void Overlay::drawEntry(QPainter &painter, const Entry &entry, QPointF at) const
         painter.setPen(dashed(t.ghost, 2.0, {3.0, 4.0}));
         painter.drawLine(mark, mark + QPointF(22.0, 0.0));
         break;
+    case Entry::Mark::onion:
+        for (int i = 0; i < 3; ++i) {
+            painter.setPen(QPen(faded(t.body, 0.2 + 0.15 * i), 1.2));
+            painter.drawEllipse(mark + QPointF(5.0 + 6.0 * i, 0.0), 4.5, 4.5);
+        }
+        break;
     }
     painter.setFont(m_shown.text);
-    painter.setPen(t.ink3);
+    painter.setPen(captionInk());
     painter.drawText(at + QPointF(entry.width, 0.0), entry.text);
 }
 

@@ -19,6 +19,8 @@ private:
     struct Entry;
 
     std::vector<Entry> legend() const;
+    /// For words on the background: stronger on a coloured sky.
+    QColor captionInk() const;
     void drawCaption(QPainter &painter, const Camera &camera) const;
     /// Returns where it ends.
     double drawScale(QPainter &painter, const Camera &camera, QRectF view) const;

@@ -209,9 +209,10 @@ void SceneBar::fillShow()
         bool Extras::*member;
     };
     const std::array items{
-        Item{tr("Trails"), &Extras::trails}, Item{tr("Velocity arrows"), &Extras::velocities},
-        Item{tr("Grid"), &Extras::grid},     Item{tr("Explaining lines"), &Extras::guides},
-        Item{tr("Eyes"), &Extras::eyes},     Item{tr("Ghost"), &Extras::ghost}};
+        Item{tr("Trails"), &Extras::trails},    Item{tr("Velocity arrows"), &Extras::velocities},
+        Item{tr("Grid"), &Extras::grid},        Item{tr("Explaining lines"), &Extras::guides},
+        Item{tr("Eyes"), &Extras::eyes},        Item{tr("Ghost"), &Extras::ghost},
+        Item{tr("Onion skins"), &Extras::onion}};
     auto *menu = new QMenu(m_show);
     for (const Item &item : items) {
         QAction *action = menu->addAction(item.text);
@@ -222,6 +223,8 @@ void SceneBar::fillShow()
             extras.*member = on;
             m_view->setExtras(extras);
         });
+        connect(m_view, &SceneView::extrasChanged, action,
+                [this, action, member = item.member] { action->setChecked(m_view->extras().*member); });
     }
     m_show->setMenu(menu);
     arrange();

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace app {
 
@@ -23,7 +24,11 @@ constexpr double creatureReach = 75.0; ///< px round a creature's middle that it
 constexpr double creatureRoom = 12.0;  ///< px that it needs beside its outermost body
 constexpr double solidSide = 12.0;     ///< px beyond the walls that a room shows
 constexpr double groundBorder = 52.0;  ///< px of the screen below a floor: scale and legends stand there
-constexpr double largestRoom = 1.5;    ///< the most that a room is enlarged at first
+constexpr double endlessBorder = 68.0; ///< likewise, of an endless ground: distances stand there too
+constexpr double endlessShare = 0.12;  ///< of the view's height, if that is more
+constexpr double largestRoom = 1.5;    ///< the most that a room or a tree is enlarged at first
+constexpr double largestWalk = 1.8;    ///< the most that who walks is enlarged at first
+constexpr double followEdge = 0.2; ///< of the view's width, at either side, that what walks is kept out of
 
 QRectF around(QPointF centre, double half)
 {
@@ -43,12 +48,64 @@ QRectF creatureArea(const Picture &picture)
     QRectF area;
     for (int i = 0; i < picture.state.points(); ++i) {
         const sim::Vec2 at = picture.state.at(i);
-        const double half = picture.look.bodies[static_cast<std::size_t>(i)].radius + creatureRoom;
+        const double half = picture.look->bodies[static_cast<std::size_t>(i)].radius + creatureRoom;
         area = area.united(around({at.x, at.y}, half));
     }
     for (const lessons::Guide &guide : picture.guides)
         area = area.united(around({guide.a.x, guide.a.y}, std::max(guide.size, creatureRoom)));
     return area.united(around(area.center(), creatureReach));
+}
+
+/// All branches of a tree, as they are now.
+QRectF treeArea(const lessons::TreeLook &tree, const sim::State &state)
+{
+    QRectF area;
+    const int count = std::min(static_cast<int>(tree.length.size()), static_cast<int>(state.angle.rows()));
+    for (int i = 0; i < count; ++i) {
+        const double angle = state.angle[i] * std::numbers::pi / 180.0;
+        const double length = tree.length[static_cast<std::size_t>(i)];
+        const QPointF from(state.position(i, 0), state.position(i, 1));
+        const QPointF to = from + length * QPointF(std::cos(angle), std::sin(angle));
+        area = area.united(QRectF(from, to).normalized().adjusted(-2, -2, 2, 2));
+    }
+    return area;
+}
+
+/// Whether there is ground without walls: it is endless.
+bool standsOnGround(const lessons::Look &look)
+{
+    return !look.room && (look.ground || look.sky != lessons::Look::Sky::paper);
+}
+
+/// px of the screen that stay free below what is shown, in a view of this height.
+double belowArea(const lessons::Look &look, double height)
+{
+    if (standsOnGround(look))
+        return std::max(endlessBorder, endlessShare * height);
+    return look.room ? groundBorder : border;
+}
+
+/// What a step shows first.
+QRectF homeOf(const Picture &picture)
+{
+    const lessons::Look &look = *picture.look;
+    if (look.room)
+        return roomArea(*look.room, look.stage);
+    if (look.tree || look.sky != lessons::Look::Sky::paper)
+        return look.tree ? look.stage.united(treeArea(*look.tree, picture.state)) : look.stage;
+    QRectF area = creatureArea(picture);
+    if (look.ground)
+        area.setBottom(*look.ground);
+    const bool isSmall = area.width() < look.stage.width() && area.height() < look.stage.height();
+    return isSmall ? area : look.stage.united(area);
+}
+
+/// The most that what a step shows first is enlarged.
+double mostAtHome(const lessons::Look &look)
+{
+    if (look.ground && !look.room)
+        return largestWalk;
+    return look.room || look.tree || look.sky != lessons::Look::Sky::paper ? largestRoom : pleasant;
 }
 
 }
@@ -60,38 +117,37 @@ double SceneView::zoom() const
 
 void SceneView::showHome()
 {
-    const Picture &picture = m_shown.picture;
-    const QRectF stage = picture.look.stage;
-    if (picture.look.room) {
-        m_home = roomArea(*picture.look.room, stage);
-    } else {
-        m_home = creatureArea(picture);
-        const bool isSmall = m_home.width() < stage.width() && m_home.height() < stage.height();
-        m_home = isSmall ? m_home : stage.united(m_home);
-    }
+    m_home = homeOf(m_shown.picture);
     m_atHome = true;
-    showArea(m_home, picture.look.room ? largestRoom : pleasant);
+    showArea(m_home, mostAtHome(m_shown.look()));
+    follow();
 }
 
 void SceneView::showArea(QRectF area, double most)
 {
-    const bool hasGround = m_shown.picture.look.room.has_value();
-    const double below = hasGround ? groundBorder : border;
+    const double below = belowArea(m_shown.look(), viewRect().height());
     const double across = (viewRect().width() - 2.0 * border) / area.width();
     const double down = (viewRect().height() - border - below) / area.height();
     const double zoom = std::clamp(std::min({across, down, most}), leastZoom, mostZoom);
     setTransform(QTransform::fromScale(zoom, zoom));
-    centerOn(area.center() + QPointF(0.0, (below - border) / 2.0 / zoom));
+    QPointF middle = area.center() + QPointF(0.0, (below - border) / 2.0 / zoom);
+    if (standsOnGround(m_shown.look())) // the ground lies low, however much room there is above
+        middle.setY(area.bottom() + (below - viewRect().height() / 2.0) / zoom);
+    centerOn(middle);
     emit zoomChanged(this->zoom());
 }
 
 void SceneView::fit()
 {
-    QRectF area = m_shown.picture.look.stage;
-    if (m_shown.picture.look.room)
-        area = area.united(roomArea(*m_shown.picture.look.room, area));
+    QRectF area = m_shown.look().stage;
+    if (m_shown.look().room)
+        area = area.united(roomArea(*m_shown.look().room, area));
+    if (m_shown.look().tree)
+        area = area.united(treeArea(*m_shown.look().tree, m_shown.state()));
     m_atHome = false;
+    m_follows = true;
     showArea(area, mostZoom);
+    follow();
 }
 
 void SceneView::zoomIn()
@@ -114,15 +170,37 @@ void SceneView::setZoom(double zoom, QPointF keep)
     const QPointF place = viewportTransform().inverted().map(keep);
     zoom = std::clamp(zoom, leastZoom, mostZoom);
     setTransform(QTransform::fromScale(zoom, zoom));
-    pan(keep - viewportTransform().map(place));
+    movePicture(keep - viewportTransform().map(place));
     emit zoomChanged(this->zoom());
 }
 
 void SceneView::pan(QPointF by)
 {
+    m_follows = false;
+    movePicture(by);
+}
+
+void SceneView::movePicture(QPointF by)
+{
     m_atHome = false;
     horizontalScrollBar()->setValue(horizontalScrollBar()->value() - static_cast<int>(std::lround(by.x())));
     verticalScrollBar()->setValue(verticalScrollBar()->value() - static_cast<int>(std::lround(by.y())));
+}
+
+void SceneView::follow()
+{
+    const int point = m_shown.look().follow;
+    const double width = viewRect().width();
+    // While a hand holds something, the picture stays: else the hand would carry it on and on.
+    if (point < 0 || !m_follows || m_hand.isDown() || width <= 0.0)
+        return;
+    const double x = camera().at(m_shown.state().at(point)).x();
+    const double kept = std::clamp(x, followEdge * width, (1.0 - followEdge) * width);
+    if (std::abs(kept - x) < 0.5)
+        return;
+    const bool wasAtHome = m_atHome;
+    movePicture({kept - x, 0.0});
+    m_atHome = wasAtHome;
 }
 
 void SceneView::bringBack(const QString &body)
@@ -132,6 +210,7 @@ void SceneView::bringBack(const QString &body)
         return;
     const sim::Vec2 at = m_shown.state().at(point);
     m_atHome = false;
+    m_follows = m_follows || point == m_shown.look().follow;
     centerOn(std::clamp(at.x, -worldReach, worldReach), std::clamp(at.y, -worldReach, worldReach));
     viewport()->update();
 }
@@ -140,7 +219,9 @@ void SceneView::resizeEvent(QResizeEvent *event)
 {
     QGraphicsView::resizeEvent(event);
     if (m_atHome && !m_home.isEmpty())
-        showArea(m_home, m_shown.picture.look.room ? largestRoom : pleasant);
+        showArea(m_home, mostAtHome(m_shown.look()));
+    if (m_shown.points() > 0)
+        follow();
 }
 
 }

@@ -18,6 +18,7 @@ namespace app {
 namespace {
 
 constexpr double handStep = 10.0;     ///< px that a key carries a body
+constexpr double toolStep = 20.0;     ///< px that a key moves the pointer or the target
 constexpr double wheelOctave = 480.0; ///< eighths of a degree that double the zoom
 constexpr double wheelPan = 0.5;      ///< px of the screen an eighth of a degree
 
@@ -52,7 +53,12 @@ void SceneView::mousePressEvent(QMouseEvent *event)
     event->accept();
     if (event->button() == Qt::LeftButton) {
         const int point = Hand::bodyAt(m_shown, camera(), m_pointer);
-        if (point >= 0) {
+        const bool pointed = point >= 0 && point == m_shown.picture.look->pointed;
+        if (pointed)
+            m_session.select(nameOf(point));
+        if ((point < 0 || pointed) && m_tools.press(camera().back(m_pointer))) {
+            setFocus(Qt::MouseFocusReason);
+        } else if (point >= 0) {
             m_hand.press(nameOf(point), m_shown.state().at(point), camera().back(m_pointer), m_pointer);
         } else if (const EdgeMarker *marker = markerAt(m_pointer)) {
             const QString body = nameOf(marker->point);
@@ -78,6 +84,8 @@ void SceneView::mouseMoveEvent(QMouseEvent *event)
     event->accept();
     if (m_hand.isDown()) {
         m_hand.carry(camera().back(m_pointer), m_pointer);
+    } else if (m_tools.isPointing()) {
+        m_tools.moveTo(camera().back(m_pointer));
     } else if (m_panFrom) {
         pan(m_pointer - *m_panFrom);
         m_panFrom = m_pointer;
@@ -89,8 +97,11 @@ void SceneView::mouseReleaseEvent(QMouseEvent *event)
 {
     m_pointer = event->position();
     event->accept();
-    if (event->button() == Qt::LeftButton)
+    if (event->button() == Qt::LeftButton) {
         m_hand.letGo();
+        if (m_tools.isPointing())
+            m_tools.letUp();
+    }
     if (event->buttons() == Qt::NoButton)
         m_panFrom.reset();
     updateCursor();
@@ -120,11 +131,43 @@ void SceneView::keyPressEvent(QKeyEvent *event)
         selectNext();
     else if (event->key() == Qt::Key_BracketLeft)
         selectPrevious();
-    else if (event->key() == Qt::Key_Escape && m_hand.isDown())
+    else if (event->key() == Qt::Key_Escape && (m_hand.isDown() || m_tools.isPointing())) {
         m_hand.letGo();
-    else
+        m_tools.letUp();
+    } else if (!useTools(*event))
         event->ignore(); // arrows and Page Up belong to the window, not to the scroll bars
     updateCursor();
+}
+
+bool SceneView::useTools(const QKeyEvent &event)
+{
+    const sim::Vec2 middle = camera().back(viewRect().center());
+    const auto modifiers = event.modifiers() & ~Qt::KeypadModifier;
+    const std::optional<sim::Vec2> way = arrowKey(event.key());
+    if (way && modifiers == (Qt::AltModifier | Qt::ShiftModifier))
+        return m_tools.nudge(toolStep * *way, middle);
+    const bool enter = event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter;
+    if (enter && modifiers == Qt::AltModifier)
+        return m_tools.togglePointer(middle);
+    return m_tools.key(event, true);
+}
+
+void SceneView::keyReleaseEvent(QKeyEvent *event)
+{
+    if (m_tools.key(*event, false))
+        event->accept();
+    else
+        QGraphicsView::keyReleaseEvent(event);
+}
+
+bool SceneView::event(QEvent *event)
+{
+    // An arrow key that steers must not step frames as well.
+    if (event->type() == QEvent::ShortcutOverride && m_tools.wants(*static_cast<QKeyEvent *>(event))) {
+        event->accept();
+        return true;
+    }
+    return QGraphicsView::event(event);
 }
 
 void SceneView::selectBeside(int step)
@@ -162,6 +205,7 @@ void SceneView::focusInEvent(QFocusEvent *event)
 void SceneView::focusOutEvent(QFocusEvent *event)
 {
     m_hand.letGo();
+    m_tools.letUp();
     m_panFrom.reset();
     m_shown.focusVisible = false;
     QGraphicsView::focusOutEvent(event);
@@ -217,10 +261,14 @@ void SceneView::updateCursor()
         shape = Qt::ClosedHandCursor;
     else if (m_panFrom)
         shape = Qt::SizeAllCursor;
+    else if (m_tools.isPointing())
+        shape = Qt::CrossCursor;
     else if (viewRect().contains(m_pointer) && Hand::bodyAt(m_shown, camera(), m_pointer) >= 0)
         shape = Qt::OpenHandCursor;
     else if (viewRect().contains(m_pointer) && markerAt(m_pointer))
         shape = Qt::PointingHandCursor;
+    else if (viewRect().contains(m_pointer) && m_tools.any())
+        shape = Qt::CrossCursor;
     if (viewport()->cursor().shape() != shape)
         viewport()->setCursor(shape);
 }

@@ -18,6 +18,12 @@ constexpr double dotRadius = 1.3;   ///< px of the screen
 constexpr double densest = 18.0;    ///< px of the screen between two dots
 constexpr double ghostShows = 1e-9; ///< px: a ghost that is closer to the run is not drawn
 
+template <class... Layers>
+void addLayers(QGraphicsScene &scene, const Shown &shown, const Theme &theme)
+{
+    (scene.addItem(new Layers(shown, theme)), ...);
+}
+
 bool differ(const Picture &a, const Picture &b)
 {
     return a.state.points() != b.state.points() ||
@@ -27,7 +33,8 @@ bool differ(const Picture &a, const Picture &b)
 }
 
 SceneView::SceneView(Session &session, const Theme &theme, QWidget *parent)
-    : QGraphicsView(parent), m_session(session), m_theme(theme), m_overlay(m_shown, theme), m_hand(session)
+    : QGraphicsView(parent), m_session(session), m_theme(theme), m_overlay(m_shown, theme), m_hand(session),
+      m_tools(session)
 {
     setFrameShape(QFrame::NoFrame);
     setRenderHint(QPainter::Antialiasing);
@@ -44,13 +51,9 @@ SceneView::SceneView(Session &session, const Theme &theme, QWidget *parent)
 
     m_scene.setItemIndexMethod(QGraphicsScene::NoIndex);
     m_scene.setSceneRect(-worldReach, -worldReach, 2.0 * worldReach, 2.0 * worldReach);
-    m_scene.addItem(new RoomLayer(m_shown, theme));
-    m_scene.addItem(new GhostLayer(m_shown, theme));
-    m_scene.addItem(new TrailLayer(m_shown, theme));
-    m_scene.addItem(new LegLayer(m_shown, theme));
-    m_scene.addItem(new BodyLayer(m_shown, theme));
-    m_scene.addItem(new GuideLayer(m_shown, theme));
-    m_scene.addItem(new ArrowLayer(m_shown, theme));
+    addLayers<RoomLayer, GroundLayer, GhostLayer, OnionLayer, TrailLayer, TreeLayer, MeadowLayer, LimbLayer,
+              SkinLayer, ChainLayer, LegLayer, StickLayer, BodyLayer, GuideLayer, ArrowLayer>(m_scene,
+                                                                                              m_shown, theme);
     setScene(&m_scene);
 
     connect(&session, &Session::stepOpened, this, &SceneView::open);
@@ -79,8 +82,11 @@ void SceneView::readTheme()
 void SceneView::open()
 {
     m_hand.letGo();
+    m_tools.letUp();
     m_shown.trail.clear();
+    m_follows = true;
     refresh();
+    takeExtrasOfStep();
     showHome();
 }
 
@@ -95,10 +101,12 @@ void SceneView::refresh()
     m_shown.gathered = m_session.gathered();
     m_shown.caption = frameCaption(timeline);
     m_shown.trail.follow(timeline);
+    takeOnion();
     m_shown.selected = m_shown.picture.segment->scene.find(m_session.selected().toStdString());
     measureArrows(m_shown, m_session.isPlaying());
     if (!m_session.isPlaying())
         describe();
+    follow();
     updateCursor();
     viewport()->update();
 }
@@ -122,8 +130,39 @@ QString SceneView::nameOf(int point) const
 
 void SceneView::setExtras(const Extras &extras)
 {
+    if (extras.velocities != m_shown.extras.velocities)
+        m_wantsVelocities = extras.velocities;
+    if (extras.onion != m_shown.extras.onion)
+        m_wantsOnion = extras.onion;
     m_shown.extras = extras;
     refresh();
+}
+
+void SceneView::takeExtrasOfStep()
+{
+    Extras extras = m_shown.extras;
+    extras.velocities = m_wantsVelocities.value_or(m_shown.look().velocities);
+    extras.onion = m_wantsOnion.value_or(m_shown.look().onionSkins);
+    if (extras.velocities == m_shown.extras.velocities && extras.onion == m_shown.extras.onion)
+        return;
+    m_shown.extras = extras;
+    refresh();
+    emit extrasChanged();
+}
+
+void SceneView::takeOnion()
+{
+    m_shown.onion.clear();
+    if (!m_shown.extras.onion)
+        return;
+    const sim::Track &track = m_session.timeline().track();
+    // At whole multiples, so that a skin stays where it is while it fades.
+    const std::int64_t every = onionFrames * track.rowFrames();
+    std::int64_t frame = (track.at().frame - 1) / every * every;
+    for (int k = 0; k < onionSkins && frame >= 0; ++k, frame -= every) {
+        if (frame < track.at().frame)
+            m_shown.onion.push_back(track.stateAt(frame));
+    }
 }
 
 void SceneView::drawBackground(QPainter *painter, const QRectF &)
@@ -131,8 +170,12 @@ void SceneView::drawBackground(QPainter *painter, const QRectF &)
     const QTransform toView = painter->worldTransform();
     const QRectF area = viewRect();
     painter->setWorldTransform({});
-    painter->fillRect(area, m_theme.tokens().scene);
-    if (m_shown.extras.grid) {
+    const bool isPaper = m_shown.look().sky == lessons::Look::Sky::paper;
+    if (isPaper)
+        painter->fillRect(area, m_theme.tokens().scene);
+    else
+        m_sky.draw(*painter, area, Camera(toView).at({0.0, horizonOf(m_shown)}).y(), m_theme.scheme());
+    if (m_shown.extras.grid && isPaper) {
         double step = dotStep * toView.m11();
         while (step < densest)
             step *= 2.0;
@@ -146,6 +189,19 @@ void SceneView::drawBackground(QPainter *painter, const QRectF &)
         }
     }
     painter->setWorldTransform(toView);
+}
+
+QImage SceneView::picture()
+{
+    QImage image(viewport()->size(), QImage::Format_RGB32);
+    QPainter painter(&image);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setWorldTransform(viewportTransform());
+    drawBackground(&painter, {});
+    painter.resetTransform();
+    m_scene.render(&painter, viewRect(), viewportTransform().inverted().mapRect(viewRect()),
+                   Qt::IgnoreAspectRatio);
+    return image;
 }
 
 void SceneView::drawForeground(QPainter *painter, const QRectF &)

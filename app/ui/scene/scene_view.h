@@ -4,6 +4,8 @@
 #include "app/ui/scene/hand.h"
 #include "app/ui/scene/overlay.h"
 #include "app/ui/scene/shown.h"
+#include "app/ui/scene/sky.h"
+#include "app/ui/scene/tools.h"
 
 #include <QGraphicsScene>
 #include <QGraphicsView>
@@ -24,9 +26,14 @@ public:
     /// In percent: at 100, a px of the scene is one of the screen.
     double zoom() const;
     const Extras &extras() const { return m_shown.extras; }
+    /// All that is drawn now.
+    const Shown &shown() const { return m_shown; }
+    /// What differs from what was shown is the learner's choice from then on, in every step.
     void setExtras(const Extras &extras);
     /// Moves the picture so that the body is in the middle.
     void bringBack(const QString &body);
+    /// The scene as it is shown, without legends and captions.
+    QImage picture();
     /// What is said inside a frame; empty between two frames.
     QString caption() const { return m_shown.caption; }
 
@@ -41,6 +48,8 @@ public slots:
 
 signals:
     void zoomChanged(double percent);
+    /// A step shows other extras than the one before.
+    void extrasChanged();
 
 protected:
     void drawBackground(QPainter *painter, const QRectF &rect) override;
@@ -52,6 +61,8 @@ protected:
     void mouseDoubleClickEvent(QMouseEvent *event) override;
     void wheelEvent(QWheelEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
+    void keyReleaseEvent(QKeyEvent *event) override;
+    bool event(QEvent *event) override;
     void focusInEvent(QFocusEvent *event) override;
     void focusOutEvent(QFocusEvent *event) override;
     bool viewportEvent(QEvent *event) override;
@@ -60,6 +71,8 @@ private:
     void open();
     void refresh();
     void describe();
+    void takeExtrasOfStep();
+    void takeOnion();
     void readTheme();
     Camera camera() const { return Camera(viewportTransform()); }
     QRectF viewRect() const { return QRectF(viewport()->rect()); }
@@ -69,22 +82,31 @@ private:
     void showArea(QRectF area, double mostZoom);
     void setZoom(double zoom, QPointF keep);
     void pan(QPointF by);
+    void movePicture(QPointF by);
+    /// Moves the picture sideways when the point that the look follows is about to leave it.
+    void follow();
     void updateCursor();
     const EdgeMarker *markerAt(QPointF place);
     QString tipAt(QPointF place);
     void pinch(const QNativeGestureEvent &gesture);
     void selectBeside(int step);
     void carrySelected(sim::Vec2 by);
+    bool useTools(const QKeyEvent &event);
 
     Session &m_session;
     const Theme &m_theme;
     Shown m_shown;
     Overlay m_overlay;
     Hand m_hand;
+    Tools m_tools;
     QGraphicsScene m_scene;
     std::vector<EdgeMarker> m_markers; ///< as last asked for
     QRectF m_home;                     ///< what a step shows first, px
     bool m_atHome = true;              ///< nobody has zoomed or moved the picture yet
+    bool m_follows = true;             ///< nobody has moved the picture away from what walks
+    Sky m_sky;
+    std::optional<bool> m_wantsVelocities; ///< as the learner chose; a step's look decides before
+    std::optional<bool> m_wantsOnion;
     std::optional<QPointF> m_panFrom;
     QPointF m_pointer{-1.0, -1.0};
 };

@@ -11,6 +11,10 @@
 
 namespace app {
 
+/// Earlier moments are shown every so many frames, and so many of them.
+constexpr int onionFrames = 4;
+constexpr int onionSkins = 6;
+
 /// What the scene view can show besides the creature.
 struct Extras
 {
@@ -20,6 +24,7 @@ struct Extras
     bool guides = true;
     bool eyes = true;
     bool ghost = true;
+    bool onion = false;
 };
 
 /// All that is drawn at one moment: the layers and the overlay read this and nothing else.
@@ -31,6 +36,7 @@ struct Shown
     std::vector<sim::Gathered> gathered; ///< inside a frame: accelerations that no move has spent yet
     QString caption;                     ///< inside a frame: what has been done, in words
     Trail trail;
+    std::vector<sim::State> onion; ///< earlier moments, the latest first; empty unless they are shown
     Extras extras;
     int selected = -1;         ///< a point, or -1
     double pullUnit = 1.0;     ///< px/frame^2 that the legend's arrow stands for
@@ -42,10 +48,14 @@ struct Shown
 
     const sim::State &state() const { return picture.state; }
     int points() const { return picture.segment ? picture.state.points() : 0; }
-    double radius(int point) const { return picture.look.bodies[static_cast<std::size_t>(point)].radius; }
-    bool isBody(int point) const
+    const lessons::Look &look() const { return *picture.look; }
+    double radius(int point) const { return look().bodies[static_cast<std::size_t>(point)].radius; }
+    bool isBody(int point) const { return shape(point) == lessons::BodyLook::Shape::body; }
+    /// Whether something else is drawn in the point's place, so that no hand can take it.
+    bool isHidden(int point) const { return shape(point) == lessons::BodyLook::Shape::none; }
+    lessons::BodyLook::Shape shape(int point) const
     {
-        return picture.look.bodies[static_cast<std::size_t>(point)].shape == lessons::BodyLook::Shape::body;
+        return look().bodies[static_cast<std::size_t>(point)].shape;
     }
     /// The sum of what is gathered on the selected body.
     sim::Vec2 sumOnSelected() const;

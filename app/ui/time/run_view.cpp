@@ -8,28 +8,86 @@ namespace app {
 
 namespace {
 
-/// Where the hand held something. It takes hold, and lets go, at the frame before the one that it first changes.
-void readHand(RunView &view, const sim::Timeline &timeline)
+/// Reads what the learner did, each thing from where it begins to where it ends.
+class InputReader
 {
-    const auto before = [&](std::int64_t frame) {
-        return std::max<std::int64_t>(0, frame - timeline.track().rowFrames());
-    };
-    for (const sim::Event &event : timeline.script().input) {
-        const bool grabs = std::holds_alternative<sim::Grab>(event.what);
-        if (!grabs && !std::holds_alternative<sim::Release>(event.what))
-            continue;
-        if (view.holding)
-            view.hand.back().to = before(event.frame);
-        if (grabs)
-            view.hand.push_back({before(event.frame), before(event.frame)});
-        view.holding = grabs;
+public:
+    explicit InputReader(const sim::Timeline &timeline) : m_timeline(timeline)
+    {
+        for (const sim::EffectPtr &effect : timeline.track().shown().scene.effects) {
+            if (effect->kind() == sim::Kind::wind)
+                m_pointerKind = sim::Kind::wind;
+        }
     }
-}
 
-void holdOn(RunView &view)
+    std::vector<Stretch> read()
+    {
+        for (const sim::Event &event : m_timeline.script().input)
+            std::visit([&](const auto &what) { take(event.frame, what); }, event.what);
+        return std::move(m_all);
+    }
+
+private:
+    /// What can go on at the same time.
+    enum Channel { hand, pointer, left, right, up, down, channels };
+
+    /// A thing begins, and ends, at the frame before the one that it first changes.
+    std::int64_t before(std::int64_t frame) const
+    {
+        return std::max<std::int64_t>(0, frame - m_timeline.track().rowFrames());
+    }
+
+    void set(Channel channel, std::int64_t frame, bool on, sim::Kind kind = sim::Kind::driver)
+    {
+        int &open = m_open[channel];
+        if (open >= 0) {
+            Stretch &last = m_all[static_cast<std::size_t>(open)];
+            last.to = before(frame);
+            last.goesOn = false;
+        }
+        open = -1;
+        if (!on)
+            return;
+        open = static_cast<int>(m_all.size());
+        m_all.push_back({before(frame), before(frame), kind, true});
+    }
+
+    void take(std::int64_t frame, const sim::Grab &) { set(hand, frame, true); }
+    void take(std::int64_t, const sim::Move &) {}
+    void take(std::int64_t frame, const sim::Release &) { set(hand, frame, false); }
+    void take(std::int64_t frame, const sim::Pointer &event)
+    {
+        if (event.down != (m_open[pointer] >= 0))
+            set(pointer, frame, event.down, m_pointerKind);
+    }
+    void take(std::int64_t frame, const sim::Target &)
+    {
+        m_all.push_back({before(frame), before(frame), sim::Kind::driver, false});
+    }
+    void take(std::int64_t, const sim::Gust &) {}
+    void take(std::int64_t frame, const sim::Key &event)
+    {
+        const Channel channel = event.key == &sim::Keys::left    ? left
+                                : event.key == &sim::Keys::right ? right
+                                : event.key == &sim::Keys::up    ? up
+                                                                 : down;
+        if (event.down != (m_open[channel] >= 0))
+            set(channel, frame, event.down);
+    }
+    void take(std::int64_t, const sim::Set &) {}
+
+    const sim::Timeline &m_timeline;
+    sim::Kind m_pointerKind = sim::Kind::driver;
+    std::vector<Stretch> m_all;
+    int m_open[channels] = {-1, -1, -1, -1, -1, -1}; ///< indices into m_all
+};
+
+void goOn(RunView &view)
 {
-    if (view.holding)
-        view.hand.back().to = std::max(view.computed, view.hand.back().from);
+    for (Stretch &stretch : view.input) {
+        if (stretch.goesOn)
+            stretch.to = std::max(view.computed, stretch.from);
+    }
 }
 
 }
@@ -40,8 +98,8 @@ RunView runViewOf(const Session &session)
     RunView view;
     view.at = timeline.at().frame;
     view.computed = timeline.computed();
-    readHand(view, timeline);
-    holdOn(view);
+    view.input = InputReader(timeline).read();
+    goOn(view);
     view.playing = session.isPlaying();
     if (const sim::Track *ghost = timeline.ghost()) {
         const std::int64_t shared = timeline.fork() - timeline.track().rowFrames();
@@ -55,7 +113,7 @@ void follow(RunView &view, const Session &session)
     const sim::Timeline &timeline = session.timeline();
     view.at = timeline.at().frame;
     view.computed = timeline.computed();
-    holdOn(view);
+    goOn(view);
     if (view.old && timeline.ghost())
         view.old->end = timeline.ghost()->computed();
 }

@@ -70,15 +70,16 @@ void paintBar(QPainter &painter, double from, double to, const QColor &color)
     painter.drawRoundedRect(bar, 3, 3);
 }
 
-void paintTrack(QPainter &painter, const TimelineAxis &axis, const RunView &view, const Tokens &t)
+void paintTrack(QPainter &painter, const TimelineAxis &axis, const RunView &view, const Theme &theme)
 {
+    const Tokens &t = theme.tokens();
     paintBar(painter, axis.left(), axis.right(), t.sunk);
     paintBar(painter, axis.left(), axis.xOf(view.computed), t.line2);
     paintBar(painter, axis.left(), axis.xOf(view.at), t.ink2);
-    for (const Stretch &stretch : view.hand) {
+    for (const Stretch &stretch : view.input) {
         // What is over in a moment can still be seen.
         const double from = std::min(axis.xOf(stretch.from), axis.right() - 3);
-        paintBar(painter, from, std::max(axis.xOf(stretch.to), from + 3), t.driver);
+        paintBar(painter, from, std::max(axis.xOf(stretch.to), from + 3), theme.kindColor(stretch.kind));
     }
 }
 
@@ -134,7 +135,7 @@ void paintTimeline(QPainter &painter, const TimelineAxis &axis, const RunView &v
 {
     painter.setRenderHint(QPainter::Antialiasing);
     paintTicks(painter, axis, theme);
-    paintTrack(painter, axis, view, theme.tokens());
+    paintTrack(painter, axis, view, theme);
     if (view.old)
         paintOldRun(painter, axis, *view.old, theme);
     const double x = axis.xOf(view.at);

@@ -11,11 +11,13 @@
 
 namespace app {
 
-/// Some frames in a row.
+/// Some frames in a row in which the learner did something.
 struct Stretch
 {
     std::int64_t from = 0;
     std::int64_t to = 0;
+    sim::Kind kind = sim::Kind::driver; ///< wind, or a hand
+    bool goesOn = false;                ///< it ends where the run does
 };
 
 /// The run as it was before a change to its past.
@@ -31,8 +33,7 @@ struct RunView
 {
     std::int64_t at = 0;
     std::int64_t computed = 0;
-    std::vector<Stretch> hand;
-    bool holding = false; ///< whether the last stretch goes on with the run
+    std::vector<Stretch> input;
     std::optional<OldRun> old;
     bool playing = false;
 };

@@ -67,8 +67,8 @@ bool TimelineStrip::coverRun()
     bool grown = m_axis.cover(m_view.computed);
     if (m_view.old)
         grown = m_axis.cover(m_view.old->end) || grown;
-    if (!m_view.hand.empty())
-        grown = m_axis.cover(m_view.hand.back().to) || grown;
+    for (const Stretch &stretch : m_view.input)
+        grown = m_axis.cover(stretch.to) || grown;
     return grown;
 }
 

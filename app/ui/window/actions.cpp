@@ -230,6 +230,13 @@ void MainWindow::showHelp()
         m_helpPage->addGesture(tr("Picture"), tr("Wheel"), tr("zoom where the pointer is"));
         m_helpPage->addGesture(tr("Picture"), tr("[ and ]"), tr("choose the body before or after"));
         m_helpPage->addGesture(tr("Picture"), tr("Alt and an arrow key"), tr("carry the chosen body 10 px"));
+        m_helpPage->addGesture(tr("Picture"), tr("Press the background"),
+                               tr("blow, steer or aim, where a step has that"));
+        m_helpPage->addGesture(tr("Picture"), tr("Drag with the middle button"), tr("move the picture"));
+        m_helpPage->addGesture(tr("Picture"), tr("Arrow keys"), tr("steer, where a step has that"));
+        m_helpPage->addGesture(tr("Picture"), tr("Alt, Shift and an arrow key"),
+                               tr("move the pointer or the target 20 px"));
+        m_helpPage->addGesture(tr("Picture"), tr("Alt and Enter"), tr("pointer button down or up"));
         m_helpPage->addGesture(tr("Picture"), tr("Esc"), tr("let go"));
         m_helpPage->addGesture(tr("Time"), tr("Drag the timeline"), tr("go anywhere in time"));
         m_helpPage->addGesture(tr("Time"), tr("Click a phase"), tr("run to it"));

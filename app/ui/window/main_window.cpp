@@ -1,13 +1,17 @@
 #include "app/ui/window/main_window.h"
 
+#include "app/model/course.h"
 #include "app/model/sentences.h"
 #include "app/ui/code/code_panel.h"
 #include "app/ui/panels/dock_title.h"
 #include "app/ui/panels/help_page.h"
 #include "app/ui/panels/learn_panel.h"
+#include "app/ui/panels/measure_panel.h"
 #include "app/ui/panels/parameter_panel.h"
 #include "app/ui/scene/scene_bar.h"
 #include "app/ui/scene/scene_view.h"
+#include "app/ui/scene/thumbnail.h"
+#include "app/ui/time/footfall_strip.h"
 #include "app/ui/time/timeline_strip.h"
 #include "app/ui/time/transport_bar.h"
 #include "app/ui/window/notice.h"
@@ -42,7 +46,7 @@ QFrame *divider(QWidget *parent)
 }
 
 MainWindow::MainWindow(Session &session, Theme &theme, QWidget *parent)
-    : QMainWindow(parent), m_session(session), m_theme(theme)
+    : QMainWindow(parent), m_session(session), m_theme(theme), m_course(new Course(session, this))
 {
     setWindowIcon(QIcon(":/app/springstep.svg"));
     setDockOptions(QMainWindow::AnimatedDocks);
@@ -77,6 +81,7 @@ QWidget *MainWindow::centre()
     m_scene->setMinimumSize(480, 320);
     m_transport = new TransportBar(m_session, m_theme, centre);
     m_timeline = new TimelineStrip(m_session, m_theme, centre);
+    m_footfall = new FootfallStrip(m_session, *m_course, *m_timeline, m_theme, centre);
     m_sceneBar->attach(*m_scene);
     auto *column = new QVBoxLayout(centre);
     column->setContentsMargins(0, 0, 0, 0);
@@ -88,6 +93,7 @@ QWidget *MainWindow::centre()
     column->addWidget(divider(centre));
     column->addWidget(m_transport);
     column->addWidget(m_timeline);
+    column->addWidget(m_footfall);
     return centre;
 }
 
@@ -115,9 +121,34 @@ void MainWindow::makeDocks()
     connect(m_code, &CodePanel::said, &m_session, &Session::said);
     m_codeDock = dock("code", codeTitle, m_code, Qt::RightDockWidgetArea);
 
-    m_parameters = new ParameterPanel(m_session, m_theme, this);
-    m_parameterDock = dock("parameters", new QWidget(this), m_parameters, Qt::RightDockWidgetArea);
+    auto *numbers = new QWidget(this);
+    m_measures = new MeasurePanel(m_session, *m_course, m_theme, numbers);
+    m_parameters = new ParameterPanel(m_session, m_theme, numbers);
+    m_parameters->setPresetPainter(
+        [this](const lessons::Step &step, const lessons::Preset &preset, QSize size) {
+            sim::Values values = step.presets();
+            for (const auto &[id, value] : preset.values)
+                values.set(id.toStdString(), value);
+            return thumbnail(step, values, m_theme, size);
+        });
+    auto *column = new QVBoxLayout(numbers);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(m_measures);
+    m_measureLine = divider(numbers);
+    column->addWidget(m_measureLine);
+    column->addWidget(m_parameters, 1);
+    m_parameterDock = dock("parameters", new QWidget(this), numbers, Qt::RightDockWidgetArea);
     connect(m_parameters, &ParameterPanel::wantedHeightChanged, this, &MainWindow::fitParameters);
+    connect(m_measures, &MeasurePanel::contentChanged, this, &MainWindow::showMeasures);
+    showMeasures();
+}
+
+void MainWindow::showMeasures()
+{
+    m_measures->setVisible(!m_measures->isEmpty());
+    m_measureLine->setVisible(!m_measures->isEmpty());
+    fitParameters();
 }
 
 void MainWindow::fitParameters()

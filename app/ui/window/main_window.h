@@ -13,9 +13,12 @@ class QLabel;
 namespace app {
 
 class CodePanel;
+class Course;
+class FootfallStrip;
 class HelpPage;
 class LearnPanel;
 class Notice;
+class MeasurePanel;
 class ParameterPanel;
 class SceneBar;
 class SceneView;
@@ -52,6 +55,7 @@ private:
     void makeDocks();
     QDockWidget *dock(const QString &name, QWidget *title, QWidget *content, Qt::DockWidgetArea area);
     void fitParameters();
+    void showMeasures();
     void makeStatus();
     void showStatus();
     void showHelp();
@@ -69,6 +73,7 @@ private:
 
     Session &m_session;
     Theme &m_theme;
+    Course *m_course; ///< what the steps measure
     std::vector<Listed> m_actions;
     QMenu *m_file = nullptr;
     QMenu *m_run = nullptr;
@@ -83,8 +88,11 @@ private:
     SceneView *m_scene = nullptr;
     TransportBar *m_transport = nullptr;
     TimelineStrip *m_timeline = nullptr;
+    FootfallStrip *m_footfall = nullptr;
     CodePanel *m_code = nullptr;
     ParameterPanel *m_parameters = nullptr;
+    MeasurePanel *m_measures = nullptr;
+    QWidget *m_measureLine = nullptr; ///< between measures and parameters
     Notice *m_notice = nullptr;
     HelpPage *m_helpPage = nullptr;
     QDockWidget *m_left = nullptr;

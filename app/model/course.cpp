@@ -1,0 +1,145 @@
+#include "app/model/course.h"
+
+#include <QElapsedTimer>
+
+#include <cmath>
+
+namespace app {
+
+namespace {
+
+constexpr qint64 sliceMilliseconds = 4;
+
+bool sameRun(const sim::Script &a, const sim::Script &b)
+{
+    return a.method == b.method && a.step == b.step && a.values == b.values && a.bodies == b.bodies &&
+           a.effectsOff == b.effectsOff;
+}
+
+sim::Script withoutInput(const sim::Script &script)
+{
+    sim::Script plain;
+    plain.values = script.values;
+    plain.bodies = script.bodies;
+    plain.effectsOff = script.effectsOff;
+    plain.method = script.method;
+    plain.step = script.step;
+    return plain;
+}
+
+}
+
+Course::Course(Session &session, QObject *parent) : QObject(parent), m_session(session)
+{
+    m_later.setSingleShot(true);
+    m_later.setInterval(0);
+    connect(&m_later, &QTimer::timeout, this, &Course::fill);
+    connect(&session, &Session::stepOpened, this, &Course::restart);
+    connect(&session, &Session::runChanged, this, &Course::dropChanged);
+    connect(&session, &Session::moved, this, &Course::fill);
+    restart();
+}
+
+const Sample *Course::at(std::int64_t frame) const
+{
+    const std::int64_t row = (frame - m_first) / m_rowFrames;
+    if (frame < m_first || row >= static_cast<std::int64_t>(m_samples.size()))
+        return nullptr;
+    return &m_samples[static_cast<std::size_t>(row)];
+}
+
+bool Course::wanted() const
+{
+    return !m_session.step().measures.empty() || m_session.step().stands;
+}
+
+void Course::restart()
+{
+    m_samples.clear();
+    m_first = 0;
+    m_rowFrames = m_session.timeline().track().rowFrames();
+    m_script = withoutInput(m_session.timeline().script());
+    emit changed();
+    fill();
+}
+
+void Course::dropChanged()
+{
+    const sim::Timeline &timeline = m_session.timeline();
+    if (!sameRun(m_script, timeline.script())) {
+        restart();
+        return;
+    }
+    // A change of input concerns the rows after the cursor.
+    if (!m_samples.empty() && last() > timeline.at().frame) {
+        if (timeline.at().frame < m_first) {
+            restart();
+            return;
+        }
+        m_samples.resize(static_cast<std::size_t>((timeline.at().frame - m_first) / m_rowFrames + 1));
+        m_before = timeline.track().stateAt(last());
+        emit changed();
+    }
+    fill();
+}
+
+void Course::fill()
+{
+    if (!wanted())
+        return;
+    const sim::Timeline &timeline = m_session.timeline();
+    if (timeline.now().points() > manyPoints) {
+        // Only where the cursor is: going back over such a run would take too long.
+        if (m_samples.empty() || last() != timeline.at().frame || m_first != last()) {
+            m_samples.clear();
+            m_first = timeline.at().frame;
+            measureNext();
+            emit changed();
+        }
+        return;
+    }
+    QElapsedTimer clock;
+    clock.start();
+    bool any = false;
+    while ((m_samples.empty() || last() < timeline.computed()) && clock.elapsed() < sliceMilliseconds) {
+        measureNext();
+        any = true;
+    }
+    if (last() < timeline.computed())
+        m_later.start();
+    if (any)
+        emit changed();
+}
+
+void Course::measureNext()
+{
+    const sim::Track &track = m_session.timeline().track();
+    const bool isFirst = m_samples.empty();
+    const std::int64_t frame = isFirst ? m_first : last() + m_rowFrames;
+    sim::State state = track.stateAt(frame);
+    const std::shared_ptr<const sim::Segment> segment = track.segmentAt(frame);
+    const bool comparable = !isFirst && m_before.points() == state.points();
+    Sample sample;
+    for (const lessons::Measure &measure : m_session.step().measures)
+        sample.measures.push_back(
+            measure.of(segment->scene, state, comparable ? &m_before : nullptr, segment->values));
+    if (m_session.step().stands) {
+        const lessons::Look look = m_session.step().look(segment->scene, segment->values);
+        for (const int foot : look.feet) {
+            const std::size_t index = sample.stands.size();
+            sample.stands.push_back(m_session.step().stands(segment->scene, state, segment->values, foot));
+            const bool stood =
+                comparable && index < m_samples.back().stands.size() && m_samples.back().stands[index];
+            const double slip = stood && sample.stands.back() ? state.at(foot).x - m_before.at(foot).x : 0.0;
+            sample.slips.push_back(slip);
+        }
+    }
+    m_samples.push_back(std::move(sample));
+    m_before = std::move(state);
+    if (m_samples.size() > mostRows) {
+        m_samples.pop_front();
+        m_first += m_rowFrames;
+    }
+}
+
+}

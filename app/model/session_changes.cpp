@@ -1,0 +1,158 @@
+// What a learner changes at the cursor.
+
+#include "app/model/sentences.h"
+#include "app/model/session.h"
+#include "sim/error.h"
+#include "sim/methods/methods.h"
+
+#include <QLocale>
+
+#include <algorithm>
+#include <cmath>
+
+namespace app {
+
+double Session::parameter(const QString &id) const
+{
+    return m_timeline->values()[id.toStdString()];
+}
+
+template <class Change>
+void Session::edit(const QString &before, Change &&change)
+{
+    m_goingTo.reset();
+    bool forked = false;
+    try {
+        forked = change(*m_timeline);
+    } catch (const sim::Error &error) {
+        emit said(sentenceFor(error));
+        return;
+    }
+    if (forked)
+        m_ghostName = before;
+    checkTries();
+    emit runChanged();
+    emit moved();
+}
+
+void Session::setParameter(const QString &id, double value)
+{
+    const lessons::Parameter *declared = step().parameter(id);
+    if (!declared)
+        return;
+    value = std::clamp(value, declared->min, declared->max);
+    if (declared->isWhole())
+        value = std::round(value);
+    const double was = parameter(id);
+    if (value == was)
+        return;
+    const QString before = tr("before: %1 %2").arg(id, QLocale::c().toString(was, 'g', 4));
+    edit(before, [&](sim::Timeline &timeline) { return timeline.set(id.toStdString(), value); });
+}
+
+void Session::resetParameters()
+{
+    for (const lessons::Parameter &one : step().parameters)
+        setParameter(one.id, one.preset);
+}
+
+void Session::setMethod(const QString &id)
+{
+    const sim::MethodPtr method = sim::findMethod(id.toStdString());
+    const sim::MethodPtr was = m_timeline->script().method;
+    if (!method || method->id() == was->id())
+        return;
+    edit(tr("before: %1").arg(phrase(was->title())), [&](sim::Timeline &timeline) {
+        sim::Script script = timeline.script();
+        script.method = method;
+        return timeline.replace(std::move(script));
+    });
+}
+
+void Session::setStepSize(double h)
+{
+    const double was = m_timeline->script().step.h;
+    edit(tr("before: step %1").arg(QLocale::c().toString(was, 'g', 4)), [&](sim::Timeline &timeline) {
+        sim::Script script = timeline.script();
+        script.step = sim::StepSize::of(h);
+        return script.step != timeline.script().step && timeline.replace(std::move(script));
+    });
+}
+
+void Session::grab(const QString &body)
+{
+    if (m_timeline->track().shown().scene.find(body.toStdString()) < 0)
+        return;
+    select(body);
+    m_holding = true;
+    edit(tr("before: your hand"),
+         [&](sim::Timeline &timeline) { return timeline.hand(sim::Grab{body.toStdString()}); });
+}
+
+void Session::moveHand(sim::Vec2 to)
+{
+    if (!m_holding || !std::isfinite(to.x) || !std::isfinite(to.y))
+        return;
+    edit(tr("before: your hand"), [&](sim::Timeline &timeline) { return timeline.hand(sim::Move{to}); });
+}
+
+void Session::letGo()
+{
+    if (!m_holding)
+        return;
+    m_holding = false;
+    edit(tr("before: your hand"), [](sim::Timeline &timeline) { return timeline.hand(sim::Release{}); });
+}
+
+void Session::point(sim::Vec2 at, bool down)
+{
+    if (!step().can(lessons::Does::pointer) || !std::isfinite(at.x) || !std::isfinite(at.y))
+        return;
+    m_pointerDown = down ? std::optional(at) : std::nullopt;
+    edit(tr("before: the pointer"), [&](sim::Timeline &timeline) {
+        return timeline.hand(sim::Pointer{at, down});
+    });
+}
+
+void Session::aim(sim::Vec2 target)
+{
+    if (!step().can(lessons::Does::target) || !std::isfinite(target.x) || !std::isfinite(target.y))
+        return;
+    edit(tr("before: the target"),
+         [&](sim::Timeline &timeline) { return timeline.hand(sim::Target{target}); });
+}
+
+void Session::steer(bool sim::Keys::*key, bool down)
+{
+    if (!step().can(lessons::Does::keys) || m_keys.*key == down)
+        return;
+    m_keys.*key = down;
+    edit(tr("before: the keys"), [&](sim::Timeline &timeline) { return timeline.hand(sim::Key{key, down}); });
+}
+
+void Session::letUp()
+{
+    for (const auto key : {&sim::Keys::left, &sim::Keys::right, &sim::Keys::up, &sim::Keys::down})
+        steer(key, false);
+    if (m_pointerDown)
+        point(*m_pointerDown, false);
+}
+
+void Session::startWith(const lessons::Preset &preset)
+{
+    const bool played = isPlaying();
+    pause();
+    sim::Script script = step().script();
+    for (const auto &[id, value] : preset.values)
+        script.values.set(id.toStdString(), value);
+    try {
+        start(std::move(script), {});
+    } catch (const sim::Error &error) {
+        emit said(sentenceFor(error));
+        return;
+    }
+    if (played)
+        play();
+}
+
+}

@@ -1,0 +1,145 @@
+#include "app/ui/panels/measure_row.h"
+
+#include <QLocale>
+#include <QPainter>
+#include <QPainterPath>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace app {
+
+namespace {
+
+constexpr int margin = 16;
+constexpr int nameWidth = 132;
+constexpr int numberWidth = 64;
+constexpr std::int64_t leastRows = 60;
+constexpr int unitWidth = 62;
+
+/// The stretch of numbers that a course covers, never empty.
+struct Span
+{
+    double low = 0.0;
+    double high = 0.0;
+
+    void take(double value)
+    {
+        low = std::min(low, value);
+        high = std::max(high, value);
+    }
+};
+
+}
+
+MeasureRow::MeasureRow(const Session &session, const Course &course, std::size_t index, const Theme &theme,
+                       QWidget *parent)
+    : QWidget(parent), m_session(session), m_course(course), m_index(index),
+      m_measure(session.step().measures[index]), m_theme(theme),
+      m_value(std::numeric_limits<double>::quiet_NaN())
+{
+    setFixedHeight(height);
+    setToolTip(m_measure.help);
+    setAccessibleName(m_measure.name);
+    refresh();
+}
+
+double MeasureRow::valueAt(std::int64_t frame) const
+{
+    const Sample *sample = m_course.at(frame);
+    return sample && m_index < sample->measures.size() ? sample->measures[m_index]
+                                                       : std::numeric_limits<double>::quiet_NaN();
+}
+
+QString MeasureRow::number() const
+{
+    if (!std::isfinite(m_value))
+        return QStringLiteral("–");
+    QString text = QLocale().toString(m_value, std::abs(m_value) < 1e6 ? 'f' : 'g', m_measure.decimals);
+    // What rounds to nothing has no sign.
+    if (text.startsWith('-') &&
+        std::none_of(text.begin(), text.end(), [](QChar c) { return c >= u'1' && c <= u'9'; }))
+        text.remove(0, 1);
+    return text.replace(u'-', u'−');
+}
+
+void MeasureRow::refresh()
+{
+    m_value = valueAt(m_session.timeline().at().frame);
+    setAccessibleDescription(QStringLiteral("%1 %2. %3").arg(number(), m_measure.unit, m_measure.help));
+    update();
+}
+
+void MeasureRow::paintCourse(QPainter &painter, const QRectF &area) const
+{
+    const std::int64_t at = m_session.timeline().at().frame;
+    const std::int64_t row = m_course.rowFrames();
+    // The cursor stands at the right end while the run grows, and wanders in when it goes back.
+    const std::int64_t end = std::clamp(at + shownRows / 4 * row, std::int64_t{0},
+                                        std::max<std::int64_t>(m_course.isEmpty() ? 0 : m_course.last(), at));
+    const std::int64_t start = std::max<std::int64_t>(0, end - shownRows * row);
+    Span span;
+    for (std::int64_t frame = start; frame <= end; frame += row) {
+        const double value = valueAt(frame);
+        if (std::isfinite(value))
+            span.take(value);
+    }
+    if (span.high - span.low < 1e-12)
+        span.high = span.low + 1.0;
+    // A young run gets all the width, too.
+    const std::int64_t shown = std::clamp<std::int64_t>(end - start, leastRows * row, shownRows * row);
+    const auto xOf = [&](std::int64_t frame) {
+        return area.left() + area.width() * double(frame - start) / double(shown);
+    };
+    const auto yOf = [&](double value) {
+        return area.bottom() - area.height() * (value - span.low) / (span.high - span.low);
+    };
+    painter.setPen(QPen(m_theme.tokens().line2, 1.0));
+    painter.drawLine(QPointF(area.left(), yOf(0.0)), QPointF(area.right(), yOf(0.0)));
+    QPainterPath path;
+    bool open = false;
+    for (std::int64_t frame = start; frame <= end; frame += row) {
+        const double value = valueAt(frame);
+        const bool isThere = std::isfinite(value);
+        if (isThere && open)
+            path.lineTo(xOf(frame), yOf(value));
+        else if (isThere)
+            path.moveTo(xOf(frame), yOf(value));
+        open = isThere;
+    }
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(m_theme.tokens().ink2, 1.5));
+    painter.drawPath(path);
+    if (std::isfinite(m_value)) {
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(m_theme.tokens().now);
+        painter.drawEllipse(QPointF(xOf(at), yOf(m_value)), 3.0, 3.0);
+    }
+}
+
+void MeasureRow::paintEvent(QPaintEvent *)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QRectF all(margin, 0, width() - 2.0 * margin, height);
+    painter.setFont(m_theme.ui());
+    painter.setPen(m_theme.tokens().ink2);
+    const QString name = QFontMetrics(m_theme.ui()).elidedText(m_measure.name, Qt::ElideRight, nameWidth);
+    painter.drawText(QRectF(all.left(), 0, nameWidth, height), Qt::AlignVCenter | Qt::AlignLeft, name);
+    const QRectF unit(all.right() - unitWidth, 0, unitWidth, height);
+    painter.setFont(m_theme.ui(12));
+    painter.setPen(m_theme.tokens().ink3);
+    painter.drawText(unit.adjusted(6, 0, 0, 0), Qt::AlignVCenter | Qt::AlignLeft,
+                     QFontMetrics(m_theme.ui(12)).elidedText(m_measure.unit, Qt::ElideRight, unitWidth - 6));
+    painter.setFont(m_theme.mono(12));
+    painter.setPen(m_theme.tokens().ink);
+    const QRectF figures(unit.left() - numberWidth, 0, numberWidth, height);
+    painter.drawText(figures, Qt::AlignVCenter | Qt::AlignRight, number());
+    const QRectF area(all.left() + nameWidth + 8, 6, figures.left() - all.left() - nameWidth - 16,
+                      height - 12.0);
+    if (area.width() > 24.0)
+        paintCourse(painter, area);
+}
+
+}

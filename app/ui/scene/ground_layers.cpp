@@ -1,0 +1,142 @@
+// What is solid, and what lies below an open sky.
+
+#include "app/ui/scene/layers.h"
+#include "app/ui/scene/sky.h"
+
+#include <QCoreApplication>
+
+#include <array>
+#include <cmath>
+
+namespace app {
+
+namespace {
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(GroundLayer)
+};
+
+constexpr double hatchStep = 12.0;   ///< px of the screen
+constexpr double tickLength = 14.0;  ///< px of the screen
+constexpr double leastTicks = 70.0;  ///< px of the screen between two distances
+constexpr double finestTicks = 100.; ///< px between two distances
+
+double firstHatch(double from, double anchor)
+{
+    return from - std::fmod(from - anchor, hatchStep) - 2.0 * hatchStep;
+}
+
+void hatchFloor(QList<QLineF> &lines, double left, double right, double anchor, double y)
+{
+    for (double x = firstHatch(left, anchor); x < right; x += hatchStep)
+        lines << QLineF(x, y + 10.0, x + 8.0, y + 1.0);
+}
+
+/// `solid`: on which side of the wall it is solid, −1 or 1.
+void hatchWall(QList<QLineF> &lines, double top, double bottom, double anchor, double x, double solid)
+{
+    for (double y = firstHatch(top, anchor); y < bottom - 8.0; y += hatchStep)
+        lines << QLineF(x + solid * 10.0, y - solid * 4.0, x + solid, y + solid * 4.0);
+}
+
+/// px between two distances that are written: 100, or so many more that the texts keep apart.
+double tickStep(double zoom)
+{
+    double step = finestTicks;
+    for (const double factor : std::array{2.0, 2.5, 2.0, 2.0, 2.5, 2.0}) {
+        if (step * zoom >= leastTicks)
+            break;
+        step *= factor;
+    }
+    return step;
+}
+
+/// Distances from the left of the stage, below the line of the ground.
+void drawDistances(const Canvas &canvas, double y)
+{
+    const double home = canvas.shown.look().stage.left();
+    const double step = tickStep(canvas.camera.zoom);
+    const double left = canvas.camera.back(canvas.area.topLeft()).x - home;
+    const double right = canvas.camera.back(canvas.area.topRight()).x - home;
+    QPainter &p = canvas.painter;
+    p.setFont(canvas.shown.text);
+    const QFontMetricsF metrics(canvas.shown.text);
+    QList<QLineF> ticks;
+    for (double at = std::floor(left / step) * step; at <= right + step; at += step) {
+        const double x = std::round(canvas.camera.at({home + at, 0.0}).x());
+        ticks << QLineF(x, y, x, y + tickLength);
+        const QString number = QString::number(std::abs(at), 'f', 0);
+        const QString text = Text::tr("%1\u202fpx").arg(at < 0.0 ? QChar(0x2212) + number : number);
+        p.setPen(canvas.tokens().ink3);
+        p.drawText(
+            QPointF(x - metrics.horizontalAdvance(text) / 2.0, y + tickLength + metrics.ascent() + 1.0),
+            text);
+    }
+    p.setPen(QPen(canvas.tokens().contact, 1.5, Qt::SolidLine, Qt::FlatCap));
+    p.drawLines(ticks);
+}
+
+}
+
+void RoomLayer::draw(const Canvas &canvas) const
+{
+    const std::optional<sim::Room> &room = canvas.shown.look().room;
+    if (!room)
+        return;
+    QPainter &p = canvas.painter;
+    const QRectF area = canvas.area;
+    const QPointF low = canvas.camera.at({room->left, room->floor});
+    const double left = std::round(low.x());
+    const double right = std::round(canvas.camera.at({room->right, room->floor}).x());
+    const double floor = std::round(low.y());
+    const QColor ground = canvas.tokens().win;
+    p.fillRect(QRectF(QPointF(area.left(), floor), area.bottomRight()).intersected(area), ground);
+    p.fillRect(QRectF(area.topLeft(), QPointF(left, area.bottom())).intersected(area), ground);
+    p.fillRect(QRectF(QPointF(right, area.top()), area.bottomRight()).intersected(area), ground);
+
+    QList<QLineF> hatch;
+    if (floor < area.bottom() + 10.0)
+        hatchFloor(hatch, std::max(left, area.left()), std::min(right, area.right()), left, floor);
+    const double bottom = std::min(floor, area.bottom() + 10.0);
+    if (left > area.left() - 10.0)
+        hatchWall(hatch, area.top(), bottom, floor, left, -1.0);
+    if (right < area.right() + 10.0)
+        hatchWall(hatch, area.top(), bottom, floor, right, 1.0);
+    p.setPen(QPen(canvas.tokens().line2, 1.3, Qt::SolidLine, Qt::FlatCap));
+    p.drawLines(hatch);
+
+    p.setPen(QPen(canvas.tokens().contact, 2.0, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
+    const double top = area.top() - 4.0;
+    p.drawPolyline(
+        QPolygonF{QPointF(left, top), QPointF(left, floor), QPointF(right, floor), QPointF(right, top)});
+}
+
+void GroundLayer::draw(const Canvas &canvas) const
+{
+    const lessons::Look &look = canvas.shown.look();
+    if (!look.ground || look.sky != lessons::Look::Sky::paper)
+        return;
+    const QRectF area = canvas.area;
+    const QPointF home = canvas.camera.at({look.stage.left(), *look.ground});
+    const double y = std::round(home.y());
+    if (y > area.bottom() + 2.0)
+        return;
+    QPainter &p = canvas.painter;
+    p.fillRect(QRectF(QPointF(area.left(), y), area.bottomRight()).intersected(area), canvas.tokens().win);
+    QList<QLineF> hatch;
+    hatchFloor(hatch, area.left(), area.right(), home.x(), y);
+    p.setPen(QPen(canvas.tokens().line2, 1.3, Qt::SolidLine, Qt::FlatCap));
+    p.drawLines(hatch);
+    drawDistances(canvas, y);
+    p.setPen(QPen(canvas.tokens().contact, 2.0, Qt::SolidLine, Qt::FlatCap));
+    p.drawLine(QPointF(area.left(), y), QPointF(area.right(), y));
+}
+
+void MeadowLayer::draw(const Canvas &canvas) const
+{
+    if (canvas.shown.look().sky == lessons::Look::Sky::dusk)
+        drawMeadow(canvas, skyColors(canvas.theme.scheme()));
+}
+
+}

@@ -1,0 +1,65 @@
+// What was: the trail, earlier moments, and the old run.
+
+#include "app/ui/scene/figure.h"
+#include "app/ui/scene/layers.h"
+
+namespace app {
+
+namespace {
+
+constexpr double ghostAlpha = 0.9;
+constexpr double latestSkin = 0.55; ///< how strong the latest of the earlier moments is
+
+}
+
+void GhostLayer::draw(const Canvas &canvas) const
+{
+    const std::optional<Picture> &ghost = canvas.shown.ghost;
+    if (!ghost || !canvas.shown.extras.ghost)
+        return;
+    const QColor color = faded(canvas.tokens().ghost, ghostAlpha);
+    if (ghost->look->tree)
+        m_tree.drawOutline(canvas, ghost->look, ghost->state, color);
+    drawOutlines(canvas, {*ghost->look, ghost->state}, {color});
+}
+
+void OnionLayer::draw(const Canvas &canvas) const
+{
+    const Shown &shown = canvas.shown;
+    // The earliest first, so that later ones lie above it.
+    for (std::size_t k = shown.onion.size(); k-- > 0;) {
+        const sim::State &state = shown.onion[k];
+        if (state.points() != shown.points())
+            continue;
+        const double alpha = latestSkin * (1.0 - static_cast<double>(k) / onionSkins);
+        const QColor color = faded(canvas.tokens().body, alpha);
+        if (shown.look().tree)
+            m_tree.drawOutline(canvas, shown.picture.look, state, color);
+        drawOutlines(canvas, {shown.look(), state},
+                     {color, 1.2, false, faded(canvas.tokens().body, alpha * 0.22)});
+    }
+}
+
+void TrailLayer::draw(const Canvas &canvas) const
+{
+    const Shown &shown = canvas.shown;
+    const std::deque<Trail::Mark> &marks = shown.trail.marks();
+    if (!shown.extras.trails || marks.size() < 2 || marks.back().position.rows() != shown.points())
+        return;
+    bool anyBody = false;
+    for (int i = 0; i < shown.points(); ++i)
+        anyBody |= shown.isBody(i);
+    for (std::size_t k = 1; k < marks.size(); ++k) {
+        const double age = static_cast<double>(marks.back().frame - marks[k].frame) / Trail::length;
+        canvas.painter.setPen(solid(faded(canvas.tokens().body, 0.05 + 0.3 * (1.0 - age)), 2.0));
+        for (int i = 0; i < shown.points(); ++i) {
+            const auto place = [&](const Trail::Mark &mark) {
+                return canvas.camera.at({mark.position(i, 0), mark.position(i, 1)});
+            };
+            if (shown.isBody(i) || (!anyBody && !shown.isHidden(i)))
+                canvas.painter.drawLine(canvas.cut(place(marks[k - 1]), place(marks[k])));
+        }
+    }
+}
+
+}

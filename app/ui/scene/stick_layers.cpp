@@ -1,0 +1,106 @@
+// Sticks, and the flesh round them.
+
+#include "app/ui/scene/layers.h"
+#include "app/ui/scene/sticks.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace app {
+
+namespace {
+
+constexpr double calm = 0.01;      ///< the error up to which a stick is as it should be
+constexpr double worst = 0.20;     ///< the error from which on it looks its worst
+constexpr double thinnest = 0.5;   ///< of a stick's width, at +worst
+constexpr double thickest = 1.7;   ///< of a stick's width, at −worst
+constexpr double finest = 1.2;     ///< px of the screen
+constexpr double besideJoint = 2.; ///< px between a joint's disc and the end cap
+
+/// 0 up to `calm`, 1 from `worst` on.
+double badness(double error)
+{
+    return std::clamp((std::abs(error) - calm) / (worst - calm), 0.0, 1.0);
+}
+
+QColor mixed(const QColor &a, const QColor &b, double share)
+{
+    const auto between = [share](int from, int to) {
+        return static_cast<int>(std::lround(from + share * (to - from)));
+    };
+    return {between(a.red(), b.red()), between(a.green(), b.green()), between(a.blue(), b.blue())};
+}
+
+/// The radius on the screen of the disc at an end of a stick.
+double discAt(const Canvas &canvas, int point)
+{
+    return canvas.shown.isHidden(point) ? 0.0 : canvas.camera.radius(canvas.shown.radius(point));
+}
+
+/// A short bar across the stick, just beside the disc at its end.
+void drawCap(const Canvas &canvas, const QLineF &stick, int point, double width)
+{
+    const QPointF u = (stick.p2() - stick.p1()) / stick.length();
+    const QPointF across = (width + 2.0) * QPointF(-u.y(), u.x());
+    const double away = discAt(canvas, point) + besideJoint + width / 2.0;
+    if (2.0 * away > stick.length())
+        return;
+    const QPointF middle = stick.p1() + away * u;
+    canvas.painter.drawLine(middle - across, middle + across);
+}
+
+void drawStick(const Canvas &canvas, const lessons::StickLook &stick)
+{
+    const sim::State &state = canvas.shown.state();
+    const QLineF line(canvas.camera.at(state.at(stick.a)), canvas.camera.at(state.at(stick.b)));
+    const QLineF visible = canvas.cut(line.p1(), line.p2());
+    if (visible.isNull())
+        return;
+    const double error = stickError(stick, state);
+    const double width = std::max(finest, stick.width * stickSwelling(error) * canvas.camera.zoom);
+    canvas.painter.setPen(solid(stickColor(canvas.tokens(), error), width));
+    canvas.painter.drawLine(visible);
+    canvas.painter.setPen(solid(canvas.tokens().stick, std::clamp(width * 0.6, 1.2, 4.0)));
+    drawCap(canvas, line, stick.a, width);
+    drawCap(canvas, QLineF(line.p2(), line.p1()), stick.b, width);
+}
+
+}
+
+double stickError(const lessons::StickLook &stick, const sim::State &state)
+{
+    if (!(stick.length > 0.0))
+        return 0.0;
+    return (sim::length(state.at(stick.b) - state.at(stick.a)) - stick.length) / stick.length;
+}
+
+QColor stickColor(const Tokens &tokens, double error)
+{
+    const double bad = badness(error);
+    if (bad < 0.5)
+        return mixed(tokens.stick, tokens.near, 2.0 * bad);
+    return mixed(tokens.near, tokens.past, 2.0 * bad - 1.0);
+}
+
+double stickSwelling(double error)
+{
+    return 1.0 + badness(error) * ((error > 0.0 ? thinnest : thickest) - 1.0);
+}
+
+void LimbLayer::draw(const Canvas &canvas) const
+{
+    const sim::State &state = canvas.shown.state();
+    for (const lessons::LimbLook &limb : canvas.shown.look().limbs) {
+        canvas.painter.setPen(solid(canvas.tokens().body, std::max(finest, limb.width * canvas.camera.zoom)));
+        canvas.painter.drawLine(
+            canvas.cut(canvas.camera.at(state.at(limb.a)), canvas.camera.at(state.at(limb.b))));
+    }
+}
+
+void StickLayer::draw(const Canvas &canvas) const
+{
+    for (const lessons::StickLook &stick : canvas.shown.look().sticks)
+        drawStick(canvas, stick);
+}
+
+}

@@ -1,0 +1,229 @@
+#include "app/ui/scene/tree_painter.h"
+
+#include "app/ui/scene/sky.h"
+#include "sim/random.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace app {
+
+namespace {
+
+constexpr double thinnest = 0.3;     ///< px of the screen: below, some branches stand for others
+constexpr double shortest = 0.7;     ///< px of the screen: likewise
+constexpr int mostMerged = 64;       ///< branches that one stands for, for each of the two reasons
+constexpr double thick = 2.0;        ///< px of the screen from which on a branch tapers and has round ends
+constexpr double tipShare = 0.55;    ///< the width of a tip's end, of its beginning
+constexpr double fineEnds = 8.0;     ///< px of the screen from which on ends need more corners to be round
+constexpr int petals = 9;            ///< corners of a blossom: too small to tell it from a disc
+constexpr double thickOutline = 5.0; ///< px of the screen from which on an outline has two sides
+constexpr int mostBlossoms = 1500;
+constexpr double blossomBranch = 5.0; ///< px of the screen: thicker tips bear none
+constexpr std::uint64_t treeSeed = 11;
+
+double chance(int branch, std::uint64_t what)
+{
+    return sim::uniform(treeSeed, what, static_cast<std::uint64_t>(branch));
+}
+
+int times(double least, double is)
+{
+    if (is >= least)
+        return 1;
+    return static_cast<int>(std::ceil(std::min<double>(mostMerged, least / std::max(is, 1e-9))));
+}
+
+}
+
+Thinning thinningOf(double length, double width)
+{
+    const int stronger = times(thinnest, width);
+    const int longer = times(shortest, length);
+    return {stronger * longer, longer, stronger};
+}
+
+bool isDrawn(int branch, int every)
+{
+    return every <= 1 ||
+           sim::scramble(static_cast<std::uint64_t>(branch)) % static_cast<unsigned>(every) == 0;
+}
+
+void TreePainter::plan(const std::shared_ptr<const lessons::Look> &look)
+{
+    if (look == m_look)
+        return;
+    m_look = look;
+    const lessons::TreeLook &tree = *look->tree;
+    const std::size_t count = tree.parent.size();
+    m_narrow.assign(count, 0.0);
+    m_isTip.assign(count, 1);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (tree.parent[i] < 0)
+            continue;
+        const auto parent = static_cast<std::size_t>(tree.parent[i]);
+        m_isTip[parent] = 0;
+        m_narrow[parent] = std::min(tree.width[parent], std::max(m_narrow[parent], tree.width[i]));
+    }
+    m_tips = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        m_tips += m_isTip[i];
+        if (m_isTip[i])
+            m_narrow[i] = tipShare * tree.width[i];
+    }
+    m_blossomEvery = 1 + m_tips / mostBlossoms;
+}
+
+template <class Visit>
+void TreePainter::visitBranches(const Canvas &canvas, const sim::State &state, double least,
+                                Visit &&visit) const
+{
+    const lessons::TreeLook &tree = *m_look->tree;
+    const int count = std::min(static_cast<int>(tree.parent.size()), state.points());
+    if (state.angle.rows() < count)
+        return;
+    const double zoom = canvas.camera.zoom;
+    const QTransform &toView = canvas.camera.toView;
+    const QRectF area = canvas.area;
+    for (int i = 0; i < count; ++i) {
+        const auto row = static_cast<std::size_t>(i);
+        Branch branch;
+        branch.width = tree.width[row] * zoom;
+        branch.length = tree.length[row] * zoom;
+        const Thinning thinning = thinningOf(branch.length, std::max(least, branch.width));
+        if (!isDrawn(i, thinning.every))
+            continue;
+        branch.from = {state.position(i, 0) * zoom + toView.dx(), state.position(i, 1) * zoom + toView.dy()};
+        const double reach = branch.length * thinning.longer + branch.width + 3.0;
+        if (branch.from.x() < area.left() - reach || branch.from.x() > area.right() + reach ||
+            branch.from.y() < area.top() - reach || branch.from.y() > area.bottom() + reach)
+            continue;
+        const double angle = state.angle[i] * std::numbers::pi / 180.0;
+        branch.number = i;
+        branch.along = {std::cos(angle), std::sin(angle)};
+        branch.narrow = m_narrow[row] * zoom;
+        visit(branch, thinning);
+    }
+}
+
+void TreePainter::addLine(const Branch &branch, const Thinning &thinning)
+{
+    const QLineF line(branch.from, branch.from + thinning.longer * branch.length * branch.along);
+    const double width = (branch.width + branch.narrow) / 2.0 * thinning.stronger;
+    if (width <= 1.0)
+        m_faint[static_cast<std::size_t>(std::clamp(std::lround(width * strengths), 1L, long{strengths}))]
+            << line;
+    else
+        m_lines[static_cast<std::size_t>(
+            std::clamp(std::lround((width - 1.0) / (thick - 1.0) * widths), 0L, long{widths}))]
+            << line;
+}
+
+void TreePainter::drawTaper(QPainter &painter, const Branch &branch)
+{
+    // Half a circle round each end. Each branch is filled by itself: a path of them all would be gone through once
+    // for every few rows of the screen.
+    const QPointF across(branch.along.y(), -branch.along.x());
+    const int corners = branch.width < fineEnds ? 3 : 9;
+    std::array<QPointF, 20> outline;
+    std::size_t count = 0;
+    const auto round = [&](QPointF centre, double radius, QPointF first, QPointF middle) {
+        for (int i = 0; i <= corners; ++i) {
+            const double turn = std::numbers::pi * i / corners;
+            outline[count++] = centre + radius * (std::cos(turn) * first + std::sin(turn) * middle);
+        }
+    };
+    round(branch.from, branch.width / 2.0, -across, -branch.along);
+    round(branch.to(), branch.narrow / 2.0, across, branch.along);
+    painter.drawConvexPolygon(outline.data(), static_cast<int>(count));
+}
+
+void TreePainter::addBlossom(const Branch &branch, double size)
+{
+    if (branch.width > blossomBranch || chance(branch.number, 2) * m_blossomEvery >= 1.0)
+        return;
+    const auto color = static_cast<std::size_t>(3.0 * chance(branch.number, 1));
+    m_blossoms[color].push_back({branch.to(), (1.5 + 1.1 * chance(branch.number, 0)) * size});
+}
+
+void TreePainter::draw(const Canvas &canvas, const std::shared_ptr<const lessons::Look> &look,
+                       const sim::State &state)
+{
+    plan(look);
+    // What is far is small; what is near is not all that large.
+    const double size = std::min(canvas.camera.zoom, std::sqrt(canvas.camera.zoom));
+    const bool isOpen = look->sky == lessons::Look::Sky::dusk;
+    const SkyColors colors = skyColors(canvas.theme.scheme());
+    canvas.painter.setPen(Qt::NoPen);
+    canvas.painter.setBrush(isOpen ? colors.bark : canvas.tokens().body);
+    visitBranches(canvas, state, 0.0, [&](const Branch &branch, const Thinning &thinning) {
+        if (branch.width >= thick)
+            drawTaper(canvas.painter, branch);
+        else
+            addLine(branch, thinning);
+        if (m_isTip[static_cast<std::size_t>(branch.number)])
+            addBlossom(branch, size);
+    });
+    drawLines(canvas.painter, isOpen ? colors.twigs : canvas.tokens().body);
+    drawBlossoms(canvas.painter, colors);
+}
+
+void TreePainter::drawLines(QPainter &painter, const QColor &color)
+{
+    for (std::size_t i = 1; i < m_faint.size(); ++i) {
+        painter.setPen(
+            QPen(faded(color, static_cast<double>(i) / strengths), 1.0, Qt::SolidLine, Qt::FlatCap));
+        painter.drawLines(m_faint[i]);
+        m_faint[i].resize(0);
+    }
+    for (std::size_t i = 0; i < m_lines.size(); ++i) {
+        const double width = 1.0 + (thick - 1.0) * static_cast<double>(i) / widths;
+        painter.setPen(QPen(color, width, Qt::SolidLine, Qt::FlatCap));
+        painter.drawLines(m_lines[i]);
+        m_lines[i].resize(0);
+    }
+}
+
+void TreePainter::drawBlossoms(QPainter &painter, const SkyColors &colors)
+{
+    std::array<QPointF, petals> unit;
+    for (std::size_t i = 0; i < unit.size(); ++i) {
+        const double turn = 2.0 * std::numbers::pi * static_cast<double>(i) / petals;
+        unit[i] = {std::cos(turn), std::sin(turn)};
+    }
+    painter.setPen(Qt::NoPen);
+    for (std::size_t i = 0; i < m_blossoms.size(); ++i) {
+        painter.setBrush(colors.blossoms[i]); // opaque: much cheaper
+        for (const Blossom &blossom : m_blossoms[i]) {
+            std::array<QPointF, petals> outline;
+            for (std::size_t k = 0; k < unit.size(); ++k)
+                outline[k] = blossom.centre + blossom.radius * unit[k];
+            painter.drawConvexPolygon(outline.data(), petals);
+        }
+        m_blossoms[i].clear();
+    }
+    painter.setBrush(Qt::NoBrush);
+}
+
+void TreePainter::drawOutline(const Canvas &canvas, const std::shared_ptr<const lessons::Look> &look,
+                              const sim::State &state, const QColor &color)
+{
+    plan(look);
+    QList<QLineF> &lines = m_faint.front();
+    visitBranches(canvas, state, 1.0, [&](const Branch &branch, const Thinning &thinning) {
+        const QPointF end = branch.from + thinning.longer * branch.length * branch.along;
+        if (branch.width < thickOutline) {
+            lines << QLineF(branch.from, end);
+            return;
+        }
+        const QPointF across(branch.along.y(), -branch.along.x());
+        for (const double side : {-0.5, 0.5})
+            lines << QLineF(branch.from + side * branch.width * across, end + side * branch.narrow * across);
+    });
+    canvas.painter.setPen(QPen(color, 1.0, Qt::SolidLine, Qt::FlatCap));
+    canvas.painter.drawLines(lines);
+    lines.resize(0);
+}
+
+}

@@ -1,0 +1,84 @@
+#pragma once
+
+#include "app/ui/scene/canvas.h"
+
+#include <QLineF>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace app {
+
+struct SkyColors;
+
+/// How much of the branches of one size is drawn: one in `every`, and each `longer` times as long and `stronger`
+/// times as strong, so that all together cover as much as they should.
+struct Thinning
+{
+    int every = 1;
+    int longer = 1;
+    int stronger = 1;
+};
+
+/// For branches of `length` and `width` px of the screen.
+Thinning thinningOf(double length, double width);
+/// Whether branch number `branch` is the one in `every` that is drawn: always the same ones.
+bool isDrawn(int branch, int every);
+
+/// Paints trees in batches, a pen at a time, with all detail that shows and not more. Keeps its working memory
+/// from one frame to the next.
+class TreePainter
+{
+public:
+    /// Branches, and blossoms on their tips.
+    void draw(const Canvas &canvas, const std::shared_ptr<const lessons::Look> &look,
+              const sim::State &state);
+    /// Thin lines: of thick branches the edges, of others the middle.
+    void drawOutline(const Canvas &canvas, const std::shared_ptr<const lessons::Look> &look,
+                     const sim::State &state, const QColor &color);
+
+private:
+    /// A branch on the screen.
+    struct Branch
+    {
+        int number = 0;
+        QPointF from;
+        QPointF along; ///< of length 1
+        double length = 0.0;
+        double width = 0.0;  ///< where it begins
+        double narrow = 0.0; ///< where it ends
+        QPointF to() const { return from + length * along; }
+    };
+
+    struct Blossom
+    {
+        QPointF centre; ///< on the screen
+        double radius = 0.0;
+    };
+
+    static constexpr int strengths = 12; ///< of lines 1 px wide: what is thinner is fainter
+    static constexpr int widths = 8;     ///< of lines wider than 1 px
+
+    void plan(const std::shared_ptr<const lessons::Look> &look);
+    /// Calls `visit` with each branch that can show.
+    template <class Visit>
+    void visitBranches(const Canvas &canvas, const sim::State &state, double least, Visit &&visit) const;
+    void addLine(const Branch &branch, const Thinning &thinning);
+    static void drawTaper(QPainter &painter, const Branch &branch);
+    void addBlossom(const Branch &branch, double size);
+    void drawLines(QPainter &painter, const QColor &color);
+    void drawBlossoms(QPainter &painter, const SkyColors &colors);
+
+    std::shared_ptr<const lessons::Look> m_look; ///< what the plan below is for
+    std::vector<double> m_narrow;                ///< px, the width of each branch where it ends
+    std::vector<char> m_isTip;
+    int m_tips = 0;
+
+    std::array<QList<QLineF>, strengths + 1> m_faint;
+    std::array<QList<QLineF>, widths + 1> m_lines;
+    std::array<std::vector<Blossom>, 3> m_blossoms; ///< by colour
+    int m_blossomEvery = 1;
+};
+
+}

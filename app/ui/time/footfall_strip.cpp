@@ -1,0 +1,222 @@
+#include "app/ui/time/footfall_strip.h"
+
+#include "app/ui/time/timeline_strip.h"
+
+#include <QHelpEvent>
+#include <QLocale>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QToolTip>
+
+#include <algorithm>
+#include <cmath>
+
+namespace app {
+
+namespace {
+
+constexpr int titleHeight = 18;
+constexpr int tallRow = 14;
+constexpr int mostHeight = 84; ///< px for all rows
+constexpr int bottomMargin = 8;
+constexpr double widestUnnamed = 26.0; ///< px from which a stance has room for its slip
+
+QString pixels(double value)
+{
+    return QLocale().toString(value, 'f', value < 10.0 ? 1 : 0);
+}
+
+}
+
+std::vector<Stance> stancesOf(const Course &course, std::size_t foot)
+{
+    std::vector<Stance> stances;
+    if (course.isEmpty())
+        return stances;
+    bool stood = false;
+    for (std::int64_t frame = course.first(); frame <= course.last(); frame += course.rowFrames()) {
+        const Sample *sample = course.at(frame);
+        const bool stands = foot < sample->stands.size() && sample->stands[foot];
+        if (stands && !stood)
+            stances.push_back({frame, frame, 0.0});
+        if (stands) {
+            stances.back().to = frame;
+            stances.back().slip += stood ? std::abs(sample->slips[foot]) : 0.0;
+        }
+        stood = stands;
+    }
+    return stances;
+}
+
+FootfallStrip::FootfallStrip(Session &session, const Course &course, TimelineStrip &timeline,
+                             const Theme &theme, QWidget *parent)
+    : QWidget(parent), m_session(session), m_course(course), m_timeline(timeline), m_theme(theme)
+{
+    setObjectName("footfall");
+    setAccessibleName(tr("Feet on the ground"));
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    setMouseTracking(true);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    connect(&course, &Course::changed, this, &FootfallStrip::read);
+    connect(&session, &Session::stepOpened, this, &FootfallStrip::open);
+    connect(&session, &Session::runChanged, this, &FootfallStrip::open);
+    connect(&session, &Session::moved, this, qOverload<>(&QWidget::update));
+    connect(&session, &Session::moved, this, &FootfallStrip::say);
+    connect(&theme, &Theme::changed, this, qOverload<>(&QWidget::update));
+    open();
+}
+
+void FootfallStrip::open()
+{
+    m_names.clear();
+    if (m_session.step().stands) {
+        const sim::Segment &segment = m_session.timeline().track().shown();
+        for (const int foot : m_session.step().look(segment.scene, segment.values).feet)
+            m_names.push_back(QString::fromStdString(segment.scene.names[static_cast<std::size_t>(foot)]));
+    }
+    setVisible(!m_names.empty());
+    updateGeometry();
+    read();
+}
+
+void FootfallStrip::read()
+{
+    m_stances.clear();
+    for (std::size_t foot = 0; foot < m_names.size(); ++foot)
+        m_stances.push_back(stancesOf(m_course, foot));
+    update();
+    say();
+}
+
+int FootfallStrip::rowHeight() const
+{
+    const int rows = std::max(1, static_cast<int>(m_names.size()));
+    return std::clamp(mostHeight / rows, 5, tallRow);
+}
+
+QSize FootfallStrip::sizeHint() const
+{
+    return {600, titleHeight + static_cast<int>(m_names.size()) * rowHeight() + bottomMargin};
+}
+
+int FootfallStrip::rowAt(int y) const
+{
+    const int row = (y - titleHeight) / rowHeight();
+    return y >= titleHeight && row < static_cast<int>(m_names.size()) ? row : -1;
+}
+
+const Stance *FootfallStrip::stanceAt(std::size_t foot, std::int64_t frame) const
+{
+    const std::vector<Stance> &stances = m_stances[foot];
+    const auto after = std::upper_bound(stances.begin(), stances.end(), frame,
+                                        [](std::int64_t at, const Stance &one) { return at < one.from; });
+    return after != stances.begin() && std::prev(after)->to >= frame ? &*std::prev(after) : nullptr;
+}
+
+QString FootfallStrip::sentence() const
+{
+    QStringList parts;
+    for (std::size_t foot = 0; foot < m_names.size(); ++foot) {
+        const Stance *stance = stanceAt(foot, m_timeline.frame());
+        parts << (stance ? tr("%1 stands, slipped %2\u202Fpx.").arg(m_names[foot], pixels(stance->slip))
+                         : tr("%1 is in the air.").arg(m_names[foot]));
+    }
+    return parts.join(' ');
+}
+
+void FootfallStrip::say()
+{
+    if (!m_session.isPlaying() && isVisible())
+        setAccessibleDescription(sentence());
+}
+
+void FootfallStrip::paintStance(QPainter &painter, const Stance &stance, double top,
+                                const QFontMetricsF &metrics) const
+{
+    const TimelineAxis &axis = m_timeline.axis();
+    // A row's state holds from its end on: a stance of one row is seen, too.
+    const double from = axis.xOf(stance.from - m_course.rowFrames() / 2);
+    const double to = std::max(axis.xOf(stance.to), from + 1.5);
+    const double high = rowHeight() - (rowHeight() > 8 ? 3.0 : 1.0);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(m_theme.tokens().contact);
+    painter.drawRoundedRect(QRectF(from, top, to - from, high), std::min(3.0, high / 2),
+                            std::min(3.0, high / 2));
+    const QString slip = pixels(stance.slip);
+    if (rowHeight() < tallRow || to - from < std::max(widestUnnamed, metrics.horizontalAdvance(slip) + 8.0))
+        return;
+    painter.setPen(m_theme.tokens().panel);
+    painter.drawText(QRectF(from, top - 1.0, to - from, high + 2.0), Qt::AlignCenter, slip);
+}
+
+void FootfallStrip::paintEvent(QPaintEvent *)
+{
+    QPainter painter(this);
+    painter.fillRect(rect(), m_theme.tokens().panel);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const TimelineAxis &axis = m_timeline.axis();
+    const QFont caption = m_theme.ui(11.5);
+    painter.setFont(caption);
+    painter.setPen(m_theme.tokens().ink3);
+    const double baseline = QFontMetricsF(caption).ascent();
+    painter.drawText(QPointF(axis.left(), baseline), tr("Feet on the ground, and how many px each slips"));
+    const QFont small = m_theme.mono(11);
+    const QFontMetricsF metrics(small);
+    painter.setFont(small);
+    for (std::size_t foot = 0; foot < m_stances.size(); ++foot) {
+        const double top = titleHeight + static_cast<double>(foot) * rowHeight();
+        const double middle = std::floor(top + rowHeight() / 2.0 - 1.0) + 0.5;
+        painter.setPen(m_theme.tokens().line);
+        painter.drawLine(QPointF(axis.left(), middle), QPointF(axis.right(), middle));
+        if (rowHeight() == tallRow) {
+            painter.setPen(m_theme.tokens().ink3);
+            painter.drawText(QPointF(4.0, top + metrics.ascent() - 1.0), QString::number(foot));
+        }
+        for (const Stance &stance : m_stances[foot])
+            paintStance(painter, stance, top, metrics);
+    }
+    const double now = axis.xOf(m_timeline.frame());
+    painter.setPen(QPen(m_theme.tokens().now, 2.0));
+    painter.drawLine(QPointF(now, titleHeight - 2.0), QPointF(now, height() - bottomMargin + 2.0));
+}
+
+QString FootfallStrip::tipAt(const QPoint &place) const
+{
+    const int row = rowAt(place.y());
+    if (row < 0)
+        return tr("Which foot stands when. Click to go to that frame");
+    const auto foot = static_cast<std::size_t>(row);
+    const std::int64_t frame = m_timeline.axis().frameAt(place.x());
+    const Stance *stance = stanceAt(foot, frame);
+    if (!stance)
+        return tr("%1 is in the air at frame %2").arg(m_names[foot]).arg(frame);
+    return tr("%1 stands from frame %2 to %3 and slips %4\u202Fpx")
+        .arg(m_names[foot])
+        .arg(stance->from)
+        .arg(stance->to)
+        .arg(pixels(stance->slip));
+}
+
+bool FootfallStrip::event(QEvent *event)
+{
+    if (event->type() == QEvent::ToolTip) {
+        const auto *help = static_cast<QHelpEvent *>(event);
+        QToolTip::showText(help->globalPos(), tipAt(help->pos()), this);
+        return true;
+    }
+    return QWidget::event(event);
+}
+
+void FootfallStrip::mousePressEvent(QMouseEvent *event)
+{
+    if (event->button() == Qt::LeftButton)
+        m_timeline.scrubTo(m_timeline.axis().frameAt(event->position().x()));
+}
+
+void FootfallStrip::mouseMoveEvent(QMouseEvent *event)
+{
+    if (event->buttons() & Qt::LeftButton)
+        m_timeline.scrubTo(m_timeline.axis().frameAt(event->position().x()));
+}
+
+}
