@@ -11,6 +11,7 @@
 #include <QMouseEvent>
 #include <QSettings>
 #include <QStandardPaths>
+#include <QTest>
 #include <QWheelEvent>
 
 using namespace app;
@@ -89,14 +90,39 @@ void useOwnSettings(const QTemporaryDir &folder)
     QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder.path());
 }
 
-SceneBench::SceneBench(const char *step)
-    : library(sceneLibrary()), session(library), theme(Scheme::light), view(session, theme)
+namespace {
+
+LessonLibrary libraryOf(std::vector<lessons::Step> steps)
+{
+    LessonEntry entry;
+    entry.id = "scene";
+    entry.steps = std::move(steps);
+    LessonLibrary library;
+    library.lessons = {entry};
+    return library;
+}
+
+}
+
+SceneBench::SceneBench(const char *step) : SceneBench(sceneLibrary().lessons.front().steps)
 {
     session.openStep("scene", step);
+    QApplication::processEvents();
+}
+
+SceneBench::SceneBench(std::vector<lessons::Step> steps)
+    : library(libraryOf(std::move(steps))), session(library), theme(Scheme::light), view(session, theme)
+{
     view.resize(600, 470);
     view.show();
     view.setFocus();
     QApplication::processEvents();
+}
+
+void SceneBench::goTo(std::int64_t frame)
+{
+    session.goTo({frame, 0});
+    QVERIFY(QTest::qWaitFor([&] { return !session.goingTo(); }, 60'000));
 }
 
 QPoint SceneBench::onScreen(const char *body) const

@@ -21,7 +21,11 @@ struct SceneBench
     app::SceneView view;
 
     explicit SceneBench(const char *step = "creature");
+    /// With these steps in place of the library's, the first one open.
+    explicit SceneBench(std::vector<lessons::Step> steps);
 
+    /// Goes to a frame, and waits until it is there: far ones are approached in slices.
+    void goTo(std::int64_t frame);
     /// Where a body is on the screen.
     QPoint onScreen(const char *body) const;
     sim::Vec2 place(const char *body) const;

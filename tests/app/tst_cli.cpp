@@ -135,8 +135,13 @@ private slots:
             for (const QJsonValue &step : lesson["steps"].toArray()) {
                 QCOMPARE(step.toObject().keys(), QStringList({"id", "parameters", "title"}));
                 for (const QJsonValue &parameter : step["parameters"].toArray()) {
-                    QCOMPARE(parameter.toObject().keys(),
-                             QStringList({"default", "id", "max", "min", "unit"}));
+                    const QStringList keys = parameter.toObject().keys();
+                    if (keys.contains("choices")) {
+                        QCOMPARE(keys, QStringList({"choices", "default", "id"}));
+                        QVERIFY(parameter["choices"].toArray().contains(parameter["default"]));
+                        continue;
+                    }
+                    QCOMPARE(keys, QStringList({"default", "id", "max", "min", "unit"}));
                     QVERIFY(parameter["default"].isDouble() && parameter["unit"].isString());
                 }
             }

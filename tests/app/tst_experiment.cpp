@@ -98,6 +98,9 @@ private slots:
             QTest::newRow(name) << text << sentence;
         };
         const QByteArray format = "\"format\": \"springstep-experiment/1\"";
+        const QString lessons =
+            "\"single_spring\", \"two_body\", \"multi_foot\", \"gravity_walls\", \"walking_gait\", "
+            "\"swaying_tree\", \"rigid_constraint\", \"codeling\"";
         row("nothing in it", "{}",
             "line 1: the file has no \"format\"; it takes \"springstep-experiment/1\".");
         row("another format", "{\"format\": \"drawing\"}",
@@ -107,26 +110,22 @@ private slots:
             "\"springstep-experiment/1\".");
         row("a format that is a number", "{\"format\": 1}",
             "line 1: \"format\" is 1; it takes a text in double quotes.");
-        row("no lesson", "{" + format + "}",
-            "line 1: the file has no \"lesson\"; it takes \"single_spring\", \"two_body\", \"multi_foot\", "
-            "\"gravity_walls\".");
+        row("no lesson", "{" + format + "}", "line 1: the file has no \"lesson\"; it takes " + lessons + ".");
         row("a lesson that is a list", "{" + format + ", \"lesson\": []}",
             "line 1: \"lesson\" is a list; it takes a text in double quotes.");
         row("no step", "{" + format + ", \"lesson\": \"two_body\"}",
             "line 1: the file has no \"step\"; it takes \"mutual\", \"leg_line\".");
         row("an unknown lesson", "{" + format + ",\n\"lesson\": \"three_body\", \"step\": \"mutual\"}",
-            "line 2: there is no lesson \"three_body\"; there is \"single_spring\", \"two_body\", "
-            "\"multi_foot\", \"gravity_walls\".");
+            "line 2: there is no lesson \"three_body\"; there is " + lessons + ".");
         row("an unknown step", "{" + format + ",\n\"lesson\": \"two_body\",\n\"step\": \"mutal\"}",
             "line 3: the lesson \"two_body\" has no step \"mutal\"; it has \"mutual\", \"leg_line\".");
         row("a lesson with a line break and an escape sequence",
             "{" + format + ", \"lesson\": \"a\\nb\\u001b[31m\", \"step\": \"mutual\"}",
-            "line 1: there is no lesson \"a b\uFFFD[31m\"; there is \"single_spring\", \"two_body\", "
-            "\"multi_foot\", \"gravity_walls\".");
+            "line 1: there is no lesson \"a b\uFFFD[31m\"; there is " + lessons + ".");
         row("a lesson of a million letters",
             "{" + format + ", \"lesson\": \"" + QByteArray(1'000'000, 'a') + "\", \"step\": \"mutual\"}",
-            "line 1: there is no lesson \"aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa\u2026\"; there is "
-            "\"single_spring\", \"two_body\", \"multi_foot\", \"gravity_walls\".");
+            "line 1: there is no lesson \"aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa\u2026\"; there is " +
+                lessons + ".");
         row("an unknown field", with("\"gravity\": 1"),
             "line 5: the file has no field \"gravity\"; there is \"format\", \"lesson\", \"step\", "
             "\"method\", \"h\", \"tolerance\", \"effects\", \"scene\", \"frames\", \"parameters\", "
@@ -231,6 +230,32 @@ private slots:
         row("bodies as a list", "\"bodies\": []", "line 5: \"bodies\" is a list; it takes an object in { }.");
     }
     void aFieldOutOfItsRangeIsRefused() { checkRow(); }
+
+    void aTreeThatGrowsTooBigIsRefused_data()
+    {
+        addColumns();
+        const auto row = [](const char *name, const QByteArray &fields, const QString &sentence) {
+            QTest::newRow(name)
+                << "{\n\"format\": \"springstep-experiment/1\",\n\"lesson\": \"swaying_tree\",\n"
+                   "\"step\": \"turbulence\",\n" +
+                       fields + "\n}\n"
+                << sentence;
+        };
+        const QString tooBig =
+            "This tree would have more than 131071 branches: make its slope smaller than %1, or "
+            "its smallest branch larger than %2.";
+        row("branches that are all alike", "\"parameters\": {\"slope\": 1}",
+            "line 1: " + tooBig.arg("1").arg("0.2"));
+        row("no smallest branch", "\"parameters\": {\"min_scale\": 0}",
+            "line 1: " + tooBig.arg("0.8").arg("0"));
+        row("with a body of its own",
+            "\"parameters\": {\"slope\": 1},\n\"bodies\": {\"branch7\": {\"x\": 1, \"y\": 2}}",
+            "line 1: " + tooBig.arg("1").arg("0.2"));
+        row("later",
+            "\"input\": [\n{\"frame\": 3, \"event\": \"set\", \"parameter\": \"slope\", \"value\": 2}]",
+            "line 6: " + tooBig.arg("2").arg("0.2"));
+    }
+    void aTreeThatGrowsTooBigIsRefused() { checkRow(); }
 
     void moreValuesThanAnExperimentHasAreRefused()
     {

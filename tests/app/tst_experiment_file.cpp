@@ -102,7 +102,7 @@ private slots:
     {
         QFETCH(QString, path);
         const Experiment experiment = readExperiment(path, library());
-        QVERIFY(!experiment.script.bodies.empty());
+        QVERIFY(!experiment.script.bodies.empty() || !experiment.script.input.empty());
         compareAfterRoundTrip(experiment);
     }
 

@@ -1,5 +1,6 @@
 // What the scene view draws and says.
 
+#include "app/model/sentences.h"
 #include "app/ui/scene/body_text.h"
 #include "app/ui/scene/free_area.h"
 #include "app/ui/scene/guide_labels.h"
@@ -265,6 +266,8 @@ void SceneDrawingTest::namesAndNumbersAreReadable_data()
     QTest::addColumn<QString>("shown");
     QTest::addColumn<QString>("expected");
     QTest::newRow("a numbered foot") << bodyTitle("foot12") << "foot 12";
+    QTest::newRow("a foot of one of several") << bodyTitle("creature1.foot0") << "creature 1, foot 0";
+    QTest::newRow("a letter") << bodyTitle("p12") << "p12";
     QTest::newRow("minus") << fixedNumber(-3.26, 1) << "−3.3";
     QTest::newRow("no minus nought") << fixedNumber(-0.01, 1) << "0.0";
     QTest::newRow("almost nothing") << shownMagnitude(0.0004) << "< 0.01";

@@ -289,17 +289,15 @@ void WindowTest::nothingRunsWhilePaused()
         }
     } counter;
     qApp->installEventFilter(&counter);
-    // However slow the machine is, what opening the window started comes to an end.
-    const auto quiet = [&] {
+    // What opening the window started comes to an end, however slow the machine is, and so does a tip that an earlier
+    // test left open: Qt hides it by a timer of its own, seconds later.
+    const auto nothingForASecond = [&] {
         counter.timers = counter.paints = 0;
-        QTest::qWait(250);
+        QTest::qWait(1000);
         return counter.timers + counter.paints == 0;
     };
-    QTRY_VERIFY_WITH_TIMEOUT(quiet(), 20'000);
-    QTest::qWait(1000);
+    QTRY_VERIFY_WITH_TIMEOUT(nothingForASecond(), 30'000);
     qApp->removeEventFilter(&counter);
-    QCOMPARE(counter.timers, 0);
-    QCOMPARE(counter.paints, 0);
 }
 
 QTEST_MAIN(WindowTest)

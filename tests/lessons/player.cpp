@@ -58,6 +58,24 @@ void Player::drag(const std::string &body, sim::Vec2 to, int frames)
     letGo();
 }
 
+void Player::point(sim::Vec2 at, bool down)
+{
+    m_run.hand(sim::Pointer{at, down});
+    look();
+}
+
+void Player::target(sim::Vec2 at)
+{
+    m_run.hand(sim::Target{at});
+    look();
+}
+
+void Player::key(bool sim::Keys::*key, bool down)
+{
+    m_run.hand(sim::Key{key, down});
+    look();
+}
+
 void Player::set(const std::string &parameter, double value)
 {
     m_run.set(parameter, value);

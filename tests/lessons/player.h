@@ -24,6 +24,10 @@ public:
     void letGo();
     /// Grabs, carries and lets go: a throw, if `frames` is small.
     void drag(const std::string &body, sim::Vec2 to, int frames);
+    /// The pointer at a place, its button down or up; and the other things that reach a scene.
+    void point(sim::Vec2 at, bool down);
+    void target(sim::Vec2 at);
+    void key(bool sim::Keys::*key, bool down);
     void set(const std::string &parameter, double value);
     void useMethod(const std::string &id);
     void useStep(double h);

@@ -32,6 +32,12 @@ sim::Vec2 pair(const QJsonObject &object, const QString &first, const QString &s
     return {object[first].toDouble(), object[second].toDouble()};
 }
 
+/// 3 for "p3".
+int pointOf(const QJsonValue &name)
+{
+    return name.toString().mid(1).toInt();
+}
+
 sim::Event readEvent(const QJsonObject &object)
 {
     const std::int64_t frame = object[QStringLiteral("frame")].toInteger();
@@ -42,6 +48,13 @@ sim::Event readEvent(const QJsonObject &object)
         return {frame, sim::Move{pair(object, QStringLiteral("x"), QStringLiteral("y"))}};
     if (what == u"release")
         return {frame, sim::Release{}};
+    if (what == u"pointer")
+        return {frame, sim::Pointer{pair(object, QStringLiteral("x"), QStringLiteral("y")),
+                                    object[QStringLiteral("down")].toBool()}};
+    if (what == u"target")
+        return {frame, sim::Target{pair(object, QStringLiteral("x"), QStringLiteral("y"))}};
+    if (what == u"gust")
+        return {frame, sim::Gust{object[QStringLiteral("degrees")].toDouble()}};
     throw std::runtime_error("unknown event " + what.toStdString());
 }
 
@@ -51,8 +64,15 @@ sim::Script readScript(const QJsonObject &file, const lessons::Step &step)
     script.method = sim::findMethod(file[QStringLiteral("method")].toString().toStdString());
     script.step = sim::StepSize::of(file[QStringLiteral("h")].toDouble());
     const QJsonObject parameters = file[QStringLiteral("parameters")].toObject();
-    for (const QString &id : parameters.keys())
-        script.values.set(id.toStdString(), parameters[id].toDouble());
+    for (const QString &id : parameters.keys()) {
+        const lessons::Parameter *parameter = step.parameter(id);
+        const QJsonValue value = parameters[id];
+        if (!parameter)
+            throw std::runtime_error("unknown parameter " + id.toStdString());
+        script.values.set(id.toStdString(), value.isString()
+                                                ? double(parameter->choices.indexOf(value.toString()))
+                                                : value.toDouble());
+    }
     const QJsonObject bodies = file[QStringLiteral("bodies")].toObject();
     for (const QString &name : bodies.keys()) {
         const QJsonObject start = bodies[name].toObject();
@@ -60,6 +80,17 @@ sim::Script readScript(const QJsonObject &file, const lessons::Step &step)
         if (start.contains(QStringLiteral("vx")))
             body.v = pair(start, QStringLiteral("vx"), QStringLiteral("vy"));
         script.bodies[name.toStdString()] = body;
+    }
+    if (step.points == lessons::Points::files && !bodies.isEmpty())
+        script.values.points = static_cast<int>(bodies.size());
+    if (file.contains(QStringLiteral("links"))) {
+        script.values.sticks.emplace();
+        for (const QJsonValue &value : file[QStringLiteral("links")].toArray()) {
+            const QJsonObject link = value.toObject();
+            script.values.sticks->push_back(
+                {pointOf(link[QStringLiteral("a")]), pointOf(link[QStringLiteral("b")]),
+                 link[QStringLiteral("length")].toDouble(), link[QStringLiteral("share")].toDouble()});
+        }
     }
     for (const QJsonValue &event : file[QStringLiteral("input")].toArray())
         script.input.push_back(readEvent(event.toObject()));
@@ -73,11 +104,18 @@ std::vector<PublishedRow> readRows(const QByteArray &csv)
     lines.removeFirst(); // the column names
     for (const QByteArray &line : lines) {
         const QList<QByteArray> cells = line.trimmed().split(',');
+        if (cells.size() < 4)
+            continue;
+        PublishedRow row{cells[0].toLongLong(),
+                         cells[1].toStdString(),
+                         {cells[2].toDouble(), cells[3].toDouble()},
+                         {},
+                         {}};
         if (cells.size() == 6)
-            rows.push_back({cells[0].toLongLong(),
-                            cells[1].toStdString(),
-                            {cells[2].toDouble(), cells[3].toDouble()},
-                            {cells[4].toDouble(), cells[5].toDouble()}});
+            row.v = {cells[4].toDouble(), cells[5].toDouble()};
+        if (cells.size() == 5)
+            row.angle = cells[4].toDouble();
+        rows.push_back(row);
     }
     return rows;
 }
@@ -118,8 +156,12 @@ double largestDifference(const PublishedRun &run)
         const int point = timeline.track().shown().scene.find(row.body);
         if (point < 0 || timeline.at().frame != row.frame)
             return std::numeric_limits<double>::infinity();
-        largest = std::max({largest, difference(timeline.now().at(point), row.x),
-                            difference(timeline.now().speed(point), row.v)});
+        const sim::State &now = timeline.now();
+        largest = std::max(largest, difference(now.at(point), row.x));
+        if (row.v)
+            largest = std::max(largest, difference(now.speed(point), *row.v));
+        if (row.angle)
+            largest = std::max(largest, std::abs(now.angle[point] - *row.angle));
     }
     return largest;
 }

@@ -6,18 +6,20 @@
 #include <QString>
 #include <QStringList>
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace support {
 
-/// One row of a published trajectory: positions in px, velocities in px/frame.
+/// One row of a published trajectory: positions in px, velocities in px/frame, angles in degrees.
 struct PublishedRow
 {
     std::int64_t frame = 0;
     std::string body;
     sim::Vec2 x;
-    sim::Vec2 v;
+    std::optional<sim::Vec2> v;
+    std::optional<double> angle;
 };
 
 /// An experiment of the tutorials, and what their own code computes for it.
@@ -34,7 +36,7 @@ QStringList publishedNames(const QString &lesson);
 /// @throws std::runtime_error when one cannot be read
 PublishedRun readPublished(const QString &name, const LoadedLesson &lesson);
 
-/// The largest difference of a position or a velocity between `run`'s rows and what its script computes.
+/// The largest difference of a position, a velocity or an angle between `run`'s rows and what its script computes.
 double largestDifference(const PublishedRun &run);
 
 }

@@ -31,7 +31,7 @@ private slots:
     {
         QTest::addColumn<int>("budget");
         QTest::addColumn<double>("h");
-        for (const int budget : {1000, 5000, 20'000, 300'000}) {
+        for (const int budget : {2000, 5000, 20'000, 300'000}) {
             for (const double h : {0.5, 1.0, 3.0})
                 QTest::addRow("%d bytes, h = %g", budget, h) << budget << h;
         }

@@ -20,15 +20,26 @@ double opaque(double value)
     return hidden;
 }
 
-/// FNV-1a over the bits of a state.
+/// FNV-1a over the bits of what moves, of masses, and of what is held.
 std::uint64_t hashOf(const State &state)
 {
     std::uint64_t hash = 0xcbf29ce484222325u;
-    visitMemory(state, [&](const void *data, std::size_t bytes) {
+    const auto add = [&](const void *data, std::size_t bytes) {
         const auto *byte = static_cast<const unsigned char *>(data);
         for (std::size_t i = 0; i < bytes; ++i)
             hash = (hash ^ byte[i]) * 0x100000001b3u;
-    });
+    };
+    const auto addArray = [&](const auto &values) {
+        const auto rows = static_cast<std::int64_t>(values.rows());
+        add(&rows, sizeof rows);
+        add(values.data(), static_cast<std::size_t>(values.size()) * sizeof(double));
+    };
+    addArray(state.position);
+    addArray(state.velocity);
+    addArray(state.acceleration);
+    addArray(state.inverseMass);
+    add(&state.hold.point, sizeof state.hold.point);
+    add(&state.hold.hand, sizeof state.hold.hand);
     return hash;
 }
 

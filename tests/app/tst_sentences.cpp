@@ -1,0 +1,42 @@
+#include "app/model/sentences.h"
+
+#include <QTest>
+
+/// What sim refuses is told in one sentence, with all that the learner has to know.
+class Sentences : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void refusals_data()
+    {
+        QTest::addColumn<QString>("id");
+        QTest::addColumn<QStringList>("values"); // name, value...
+        QTest::addColumn<QString>("sentence");
+        QTest::newRow("a step")
+            << "step-size" << QStringList{"h", "0.3"}
+            << "The step 0.3 does not fit: it can be 1 divided by a whole number, or a whole number, from "
+               "0.000001 to 100 frames.";
+        QTest::newRow("a method and an effect")
+            << "method-does-not-fit" << QStringList{"method", "rk4", "effect", "sticks"}
+            << "The method rk4 cannot compute sticks: choose another method, or switch that effect off.";
+        QTest::newRow("a scene at rest") << "nothing-moves" << QStringList{"method", "published"}
+                                         << "Nothing in this scene can move: leave at least one body free.";
+        QTest::newRow("a stick without an end")
+            << "stick-without-end" << QStringList{"stick", "4", "end", "7", "points", "5"}
+            << "Stick 4 ends at p7, and there is no such point: there are 5, and the first is p0.";
+    }
+    void refusals()
+    {
+        QFETCH(QString, id);
+        QFETCH(QStringList, values);
+        QFETCH(QString, sentence);
+        std::map<std::string, std::string> given;
+        for (qsizetype i = 0; i + 1 < values.size(); i += 2)
+            given[values[i].toStdString()] = values[i + 1].toStdString();
+        QCOMPARE(app::sentenceFor(sim::Error(id.toStdString(), given)), sentence);
+    }
+};
+
+QTEST_GUILESS_MAIN(Sentences)
+#include "tst_sentences.moc"

@@ -1,0 +1,199 @@
+// Pointer, targets and keys that reach the scene.
+
+#include "look_scenes.h"
+#include "scene_bench.h"
+
+#include <QTemporaryDir>
+#include <QtTest>
+
+using namespace app;
+using lessons::Does;
+
+namespace {
+
+constexpr sim::Vec2 empty = {420.0, 330.0}; ///< where no body is
+
+lessons::Step stepThatKnows(const char *id, std::vector<Does> does, int pointed = -1)
+{
+    const sim::Scene scene = look_scenes::pointsAt({{200, 150}, {300, 150}});
+    lessons::Look look = look_scenes::feetOnly(scene);
+    look.pointed = pointed;
+    lessons::Step step = look_scenes::step(id, scene, look);
+    step.does = std::move(does);
+    return step;
+}
+
+/// What the run was told, one word an event with its place in whole px.
+QStringList told(const Session &session)
+{
+    QStringList all;
+    const auto place = [](sim::Vec2 at) { return QString(" %1,%2").arg(qRound(at.x)).arg(qRound(at.y)); };
+    for (const sim::Event &event : session.timeline().script().input) {
+        if (const auto *pointer = std::get_if<sim::Pointer>(&event.what))
+            all << (pointer->down ? "down" : "up") + place(pointer->at);
+        else if (const auto *target = std::get_if<sim::Target>(&event.what))
+            all << "target" + place(target->at);
+        else if (const auto *key = std::get_if<sim::Key>(&event.what))
+            all << QString("%1 %2").arg(key->key == &sim::Keys::left ? "left" : "other",
+                                        key->down ? "down" : "up");
+        else if (const auto *grab = std::get_if<sim::Grab>(&event.what))
+            all << "grab " + QString::fromStdString(grab->body);
+    }
+    return all;
+}
+
+struct ToolBench : SceneBench
+{
+    explicit ToolBench(lessons::Step step) : SceneBench(std::vector<lessons::Step>{std::move(step)}) {}
+    QPoint onScreen(sim::Vec2 at) const { return view.mapFromScene(at.x, at.y); }
+    sim::Vec2 inScene(QPoint at) const
+    {
+        const QPointF place = view.mapToScene(at);
+        return {place.x(), place.y()};
+    }
+    QString word(const char *what, QPoint at) const
+    {
+        const sim::Vec2 place = inScene(at);
+        return QString("%1 %2,%3").arg(what).arg(qRound(place.x)).arg(qRound(place.y));
+    }
+};
+
+}
+
+class TestTools : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { useOwnSettings(m_settings); }
+
+    void aPressOnTheBackgroundIsThePointersDownToItsRelease()
+    {
+        ToolBench bench(stepThatKnows("wind", {Does::hand, Does::pointer}));
+        const QPoint from = bench.onScreen(empty), to = bench.onScreen({380, 300});
+        const QTransform before = bench.view.transform();
+        bench.press(from);
+        QCOMPARE(told(bench.session), QStringList{bench.word("down", from)});
+        bench.session.frameForward();
+        bench.move(to);
+        bench.session.frameForward();
+        bench.release(to);
+        QCOMPARE(told(bench.session),
+                 (QStringList{bench.word("down", from), bench.word("down", to), bench.word("up", to)}));
+        QCOMPARE(bench.view.transform(), before);
+    }
+
+    void movesInOneFrameAreOneEvent()
+    {
+        ToolBench bench(stepThatKnows("wind", {Does::hand, Does::pointer}));
+        bench.press(bench.onScreen(empty));
+        for (const double x : {400.0, 390.0, 380.0})
+            bench.move(bench.onScreen({x, 320}));
+        QCOMPARE(told(bench.session), QStringList{bench.word("down", bench.onScreen({380, 320}))});
+    }
+
+    void aBodyIsStillTakenByTheHand()
+    {
+        ToolBench bench(stepThatKnows("wind", {Does::hand, Does::pointer}));
+        const QPoint body = bench.onScreen({300, 150});
+        bench.press(body);
+        bench.move(body + QPoint(30, 0));
+        QCOMPARE(told(bench.session), QStringList{"grab p1"});
+    }
+
+    void theBodyThatThePointerCarriesGoesWithIt()
+    {
+        ToolBench bench(stepThatKnows("sticks", {Does::hand, Does::pointer}, 0));
+        const QPoint body = bench.onScreen({200, 150});
+        bench.press(body);
+        QCOMPARE(told(bench.session), QStringList{bench.word("down", body)});
+        QCOMPARE(bench.session.selected(), QString("p0"));
+    }
+
+    void aClickOnTheBackgroundSetsATarget()
+    {
+        ToolBench bench(stepThatKnows("swim", {Does::hand, Does::target}));
+        const QPoint at = bench.onScreen(empty);
+        bench.press(at);
+        bench.release(at);
+        QCOMPARE(told(bench.session), QStringList{bench.word("target", at)});
+    }
+
+    void withoutAToolTheBackgroundMovesThePicture()
+    {
+        ToolBench bench(stepThatKnows("plain", {Does::hand}));
+        const QPoint at = bench.onScreen(empty);
+        bench.press(at);
+        bench.move(at + QPoint(40, 0));
+        bench.release(at + QPoint(40, 0));
+        QVERIFY(told(bench.session).isEmpty());
+        QVERIFY(bench.onScreen(empty) != at);
+    }
+
+    void arrowKeysSteerWhileItPlaysAndOnlyThen()
+    {
+        ToolBench bench(stepThatKnows("steered", {Does::hand, Does::keys}));
+        QTest::keyClick(&bench.view, Qt::Key_Left);
+        QVERIFY(told(bench.session).isEmpty());
+        bench.session.play();
+        QTest::keyPress(&bench.view, Qt::Key_Left);
+        QTest::keyRelease(&bench.view, Qt::Key_Left);
+        bench.session.pause();
+        QCOMPARE(told(bench.session), (QStringList{"left down", "left up"}));
+    }
+
+    void aKeyThatSteersDoesNotReachTheWindowsShortcuts()
+    {
+        ToolBench bench(stepThatKnows("steered", {Does::hand, Does::keys}));
+        QKeyEvent override(QEvent::ShortcutOverride, Qt::Key_Left, Qt::NoModifier);
+        override.ignore();
+        QApplication::sendEvent(&bench.view, &override);
+        QVERIFY(!override.isAccepted());
+        bench.session.play();
+        QApplication::sendEvent(&bench.view, &override);
+        QVERIFY(override.isAccepted());
+    }
+
+    void whatIsDownComesUpWhenTheKeyboardLeaves()
+    {
+        ToolBench bench(stepThatKnows("steered", {Does::hand, Does::keys}));
+        bench.session.play();
+        QTest::keyPress(&bench.view, Qt::Key_Left);
+        bench.view.clearFocus();
+        QCOMPARE(told(bench.session).constLast(), QString("left up"));
+    }
+
+    void theKeyboardMovesAndPressesThePointer()
+    {
+        ToolBench bench(stepThatKnows("wind", {Does::hand, Does::pointer}));
+        QTest::keyClick(&bench.view, Qt::Key_Return, Qt::AltModifier);
+        bench.session.frameForward();
+        const QString first = told(bench.session).constLast();
+        QVERIFY(first.startsWith("down"));
+        const double x = bench.session.timeline().now().outside.pointer->x;
+        QTest::keyClick(&bench.view, Qt::Key_Right, Qt::AltModifier | Qt::ShiftModifier);
+        bench.session.frameForward();
+        QCOMPARE(bench.session.timeline().now().outside.pointer->x, x + 20.0);
+        QVERIFY(bench.session.timeline().now().outside.pointerDown);
+        QTest::keyClick(&bench.view, Qt::Key_Return, Qt::AltModifier);
+        bench.session.frameForward();
+        QVERIFY(!bench.session.timeline().now().outside.pointerDown);
+    }
+
+    void leavingAStepKeepsWhatAFileSaysOfThePointer()
+    {
+        ToolBench bench(stepThatKnows("wind", {Does::hand, Does::pointer}));
+        Experiment experiment = bench.session.experiment();
+        experiment.script.input = {{2, sim::Pointer{{10, 10}, true}}, {9, sim::Pointer{{10, 10}, false}}};
+        bench.session.open(experiment);
+        bench.session.goTo({5, 0});
+        bench.session.openStep("scene", "wind"); // leaves it, and comes back to it as it was left
+        QCOMPARE(bench.session.timeline().script().input.size(), std::size_t(2));
+    }
+
+private:
+    QTemporaryDir m_settings;
+};
+
+QTEST_MAIN(TestTools)
+#include "tst_tools.moc"

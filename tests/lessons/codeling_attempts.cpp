@@ -1,0 +1,137 @@
+#include "tests/lessons/attempts.h"
+
+namespace support {
+
+namespace {
+
+/// Sends it to and fro between two places.
+void zigzag(Player &p, sim::Vec2 a, sim::Vec2 b, int times, int frames)
+{
+    for (int i = 0; i < times && !p.done(); ++i) {
+        p.target(i % 2 ? b : a);
+        p.playUntilDone(frames);
+    }
+}
+
+}
+
+std::vector<Attempt> attempts()
+{
+    return {
+        {"motor", 0, "sent to the right",
+         [](Player &p) {
+             p.play(5);
+             p.target({420, 150});
+             p.playUntilDone(200);
+         }},
+        {"motor", 1, "keeps all",
+         [](Player &p) {
+             p.set("keep", 1.0);
+             p.target({300, 100});
+             p.playUntilDone(150);
+         }},
+        {"motor", 2, "thrown",
+         [](Player &p) {
+             p.drag("lead", {400, 300}, 10);
+             p.playUntilDone(200);
+         }},
+        {"orientation", 0, "sent up, then to the left",
+         [](Player &p) {
+             p.target({250, 60});
+             p.play(40);
+             p.target({60, 60});
+             p.playUntilDone(100);
+         }},
+        {"orientation", 1, "pulled by its tail",
+         [](Player &p) {
+             p.play(5);
+             p.drag("tail", {40, 320}, 20);
+             p.playUntilDone(300);
+         }},
+        {"orientation", 2, "stopped after the move",
+         [](Player &p) {
+             p.target({480, 200});
+             for (int i = 0; i < 60 && !p.done(); ++i)
+                 p.stepPhases(1);
+         }},
+        {"anticipation", 0, "stopped after the shift",
+         [](Player &p) {
+             p.play(5);
+             p.target({450, 200});
+             p.stepPhases(1);
+         }},
+        {"anticipation", 1, "winds up",
+         [](Player &p) {
+             p.set("anticipation", 0.6);
+             p.target({400, 300});
+             p.playUntilDone(20);
+         }},
+        {"anticipation", 2, "another one",
+         [](Player &p) {
+             p.play(10);
+             p.target({450, 200});
+             p.play(40);
+             p.goTo(8);
+             p.set("anticipation", 0.5);
+             p.play(15);
+         }},
+        {"squash_stretch", 0, "sent far",
+         [](Player &p) {
+             p.target({500, 80});
+             p.playUntilDone(60);
+         }},
+        {"squash_stretch", 1, "sent where it looks",
+         [](Player &p) {
+             p.play(5);
+             p.target({520, 200});
+             p.playUntilDone(60);
+         }},
+        {"squash_stretch", 2, "rigid",
+         [](Player &p) {
+             p.target({500, 80});
+             p.play(40);
+             p.goTo(5);
+             p.set("soft", 1.0);
+             p.play(20);
+         }},
+        {"volume", 0, "squashed",
+         [](Player &p) {
+             p.play(5);
+             p.target({520, 200});
+             p.playUntilDone(60);
+         }},
+        {"volume", 1, "stretched",
+         [](Player &p) {
+             p.target({500, 80});
+             p.playUntilDone(60);
+         }},
+        {"volume", 2, "pulled at a side",
+         [](Player &p) {
+             p.play(5);
+             p.grab("side0");
+             p.carryTo({180, 120}, 20);
+             p.playUntilDone(30);
+         }},
+        {"tentacles", 0, "eight of them",
+         [](Player &p) {
+             p.set("tentacles", 8.0);
+             p.target({450, 120});
+             p.playUntilDone(200);
+         }},
+        {"tentacles", 1, "to and fro",
+         [](Player &p) {
+             p.set("water", 0.98);
+             zigzag(p, {500, 60}, {60, 340}, 12, 15);
+         }},
+        {"tentacles", 2, "thicker water",
+         [](Player &p) {
+             p.target({500, 80});
+             p.play(40);
+             p.goTo(5);
+             p.set("water", 0.5);
+             p.play(20);
+         }},
+    };
+}
+
+}

@@ -1,0 +1,314 @@
+#include "tests/lessons/attempts.h"
+#include "tests/lessons/codeling_targets.h"
+#include "tests/lessons/published_files.h"
+
+#include <QTest>
+
+#include <cmath>
+#include <complex>
+
+using namespace support;
+
+namespace {
+
+struct Place
+{
+    double x = 0.0, y = 0.0;
+    Place minus(Place other) const { return {x - other.x, y - other.y}; }
+    double length() const { return std::hypot(x, y); }
+};
+
+/// The tutorial's code for lead and tail, written down a second time from its text, with nothing of sim in it:
+/// places now and before, and no velocities.
+struct Printed
+{
+    double k = 0.9, dt = 0.25, keep = 0.7, anticipation = 0.2, along = 0.7, across = 0.5;
+    double soft = 0.1, hard = 0.8, least = 20, rest = 40, most = 60;
+    Place lead, leadBefore, tail, tailBefore, target;
+
+    void mouseDown(Place at)
+    {
+        target = at;
+        const Place displacement = lead.minus(target);
+        lead.x += displacement.x * anticipation;
+        lead.y += displacement.y * anticipation;
+    }
+
+    void update()
+    {
+        moveLead();
+        moveTail();
+        relax();
+    }
+
+private:
+    void moveLead()
+    {
+        const Place force = {-k * (lead.x - target.x), -k * (lead.y - target.y)};
+        const Place next = {(1 + keep) * lead.x - keep * leadBefore.x + force.x * dt * dt,
+                            (1 + keep) * lead.y - keep * leadBefore.y + force.y * dt * dt};
+        leadBefore = lead;
+        lead = next;
+    }
+
+    void moveTail()
+    {
+        const Place velocity = tail.minus(tailBefore), displacement = lead.minus(tail);
+        const double dot = velocity.x * displacement.x + velocity.y * displacement.y;
+        const double ratio = dot / (displacement.length() * displacement.length());
+        const Place parallel = {displacement.x * ratio, displacement.y * ratio};
+        const Place perpendicular = velocity.minus(parallel);
+        tailBefore = tail;
+        tail.x += along * parallel.x + across * perpendicular.x;
+        tail.y += along * parallel.y + across * perpendicular.y;
+    }
+
+    void relax()
+    {
+        const Place displacement = lead.minus(tail);
+        const double length = displacement.length();
+        double wanted = rest, strength = soft;
+        if (length < least || length > most) {
+            wanted = length < least ? least : most;
+            strength = hard;
+        }
+        const double ratio = (length - wanted) / length * strength;
+        tail.x += displacement.x * ratio;
+        tail.y += displacement.y * ratio;
+    }
+};
+
+}
+
+class Codeling : public QObject
+{
+    Q_OBJECT
+
+    const LoadedLesson m_lesson = loadLesson(QStringLiteral("codeling"));
+
+    const lessons::Step &step(const char *id) const { return m_lesson.step(QString::fromUtf8(id)); }
+
+private slots:
+    void publishedTrajectories_data();
+    void publishedTrajectories();
+    void matchesThePrintedCode_data();
+    void matchesThePrintedCode();
+    void theMotorIsTheExactDampedOscillator_data();
+    void theMotorIsTheExactDampedOscillator();
+    void theMotorConvergesToItsContinuousModel();
+    void theTailIsAlwaysAtItsRestLength();
+    void anticipationIsOppositeToTheMove_data();
+    void anticipationIsOppositeToTheMove();
+    void twoTargetsInOneFrameBothCount();
+    void aHeldLeadDoesNotAnticipate();
+    void twoHalfStepsOfASoftStickAreOne();
+    void settingTheTargetParameterSendsIt();
+    void everyTryIsDoneByWhatItDescribes_data() { addAttemptRows(m_lesson, attempts()); }
+    void everyTryIsDoneByWhatItDescribes() { checkAttempt(m_lesson); }
+};
+
+void Codeling::publishedTrajectories_data()
+{
+    QTest::addColumn<QString>("name");
+    for (const QString &name : publishedNames(QStringLiteral("codeling")))
+        QTest::addRow("%s", qPrintable(name)) << name;
+}
+
+void Codeling::publishedTrajectories()
+{
+    QFETCH(QString, name);
+    QVERIFY(largestDifference(readPublished(name, m_lesson)) <= 1e-9);
+}
+
+void Codeling::matchesThePrintedCode_data()
+{
+    QTest::addColumn<int>("seed");
+    for (int seed = 1; seed <= 20; ++seed)
+        QTest::addRow("random targets %d", seed) << seed;
+    for (int seed = 21; seed <= 80; ++seed)
+        QTest::addRow("random parameters and targets %d", seed) << seed;
+}
+
+void Codeling::matchesThePrintedCode()
+{
+    QFETCH(int, seed);
+    constexpr int frames = 400;
+    std::mt19937 random(static_cast<unsigned>(seed));
+    const auto real = [&](double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(random);
+    };
+    Printed printed;
+    if (seed > 20) { // not so wild that the tail comes near the lead, where rounding is blown up
+        printed.k = real(0.3, 2);
+        printed.dt = real(0.15, 0.4);
+        printed.keep = real(0.3, 0.9);
+        printed.anticipation = real(0, 0.3);
+        printed.along = real(0.3, 0.9);
+        printed.across = real(0.3, 0.9);
+        printed.soft = real(0.05, 0.5);
+        printed.hard = real(0.7, 1);
+        printed.least = real(15, 25);
+        printed.rest = printed.least + real(10, 30);
+        printed.most = printed.rest + real(10, 30);
+    }
+    printed.target = {real(0, 540), real(0, 400)};
+    printed.lead = printed.leadBefore = {real(0, 540), real(0, 400)};
+    printed.tail = printed.tailBefore = {printed.lead.x + real(5, 70), printed.lead.y - real(5, 70)};
+    sim::Script script = scriptOf(step("squash_stretch"), "published", 1.0,
+                                  {{"k", printed.k},
+                                   {"dt", printed.dt},
+                                   {"keep", printed.keep},
+                                   {"anticipation", printed.anticipation},
+                                   {"along", printed.along},
+                                   {"across", printed.across},
+                                   {"soft", printed.soft},
+                                   {"hard", printed.hard},
+                                   {"min_length", printed.least},
+                                   {"rest_length", printed.rest},
+                                   {"max_length", printed.most},
+                                   {"target_x", printed.target.x},
+                                   {"target_y", printed.target.y}});
+    script.bodies = {{"lead", {{printed.lead.x, printed.lead.y}, {}}},
+                     {"tail", {{printed.tail.x, printed.tail.y}, {}}}};
+    const Targets targets = randomTargets(frames, seed % 2, 40, static_cast<unsigned>(seed));
+    send(script, targets);
+    sim::Track track(script, 0);
+    auto next = targets.begin();
+    for (int frame = 1; frame <= frames; ++frame) {
+        for (; next != targets.end() && next->first == frame; ++next)
+            printed.mouseDown({next->second.x, next->second.y});
+        printed.update();
+        track.seek({frame, 0});
+        for (const auto &[point, wanted] : {std::pair{0, printed.lead}, std::pair{1, printed.tail}}) {
+            const sim::Vec2 at = track.now().at(point);
+            QVERIFY2(std::abs(at.x - wanted.x) <= 1e-9 && std::abs(at.y - wanted.y) <= 1e-9,
+                     qPrintable(QString::number(frame)));
+        }
+    }
+}
+
+void Codeling::theMotorIsTheExactDampedOscillator_data()
+{
+    QTest::addColumn<double>("k");
+    QTest::addColumn<double>("keep");
+    QTest::newRow("as published") << 0.9 << 0.7;
+    QTest::newRow("no drag") << 0.9 << 1.0;
+    QTest::newRow("much drag: no overshoot") << 0.5 << 0.3;
+    QTest::newRow("stiff") << 20.0 << 0.7;
+}
+
+/// x(n+1) = (1 + keep - k dt^2) x(n) - keep x(n-1), seen from the target: a sum of powers of the two roots of
+/// z^2 = (1 + keep - k dt^2) z - keep, with x(0) = 1 and x(1) = 1 - k dt^2 from rest.
+void Codeling::theMotorIsTheExactDampedOscillator()
+{
+    QFETCH(double, k);
+    QFETCH(double, keep);
+    const double pull = k * 0.25 * 0.25;
+    const std::complex<double> sum = 1 + keep - pull;
+    const std::complex<double> root = std::sqrt(sum * sum - 4 * keep);
+    const std::complex<double> z1 = 0.5 * (sum + root), z2 = 0.5 * (sum - root);
+    const std::complex<double> part1 = (1 - pull - z2) / (z1 - z2), part2 = 1.0 - part1;
+    sim::Script script = scriptOf(step("motor"), "published", 1.0, {{"k", k}, {"keep", keep}});
+    script.values.set("target_x", 450);
+    script.values.set("target_y", 120);
+    for (const int n : {1, 2, 3, 10, 40, 100}) {
+        const double left = (part1 * std::pow(z1, n) + part2 * std::pow(z2, n)).real();
+        const sim::Vec2 wanted = sim::Vec2{450, 120} + left * sim::Vec2{-250, 80};
+        QVERIFY(sim::length(stateAfter(script, n).at(0) - wanted) <= 1e-9);
+    }
+}
+
+/// x'' = k dt^2 (target - x) - c x' with c = -ln(keep), from rest.
+void Codeling::theMotorConvergesToItsContinuousModel()
+{
+    const double c = -std::log(0.7), w2 = 0.9 * 0.0625, w = std::sqrt(w2 - c * c / 4), t = 12;
+    const double left = std::exp(-c * t / 2) * (std::cos(w * t) + c / (2 * w) * std::sin(w * t));
+    for (const char *method : {"published", "semi_implicit_euler"}) {
+        const Slope slope = slopeOf(
+            [&](double h) {
+                const sim::Script script = scriptOf(step("motor"), method, h, {{"target_x", 450}});
+                return std::abs(stateAfter(script, 12).position(0, 0) - (450 - 250 * left));
+            },
+            4, 9);
+        QVERIFY(slope.least > 0.9 && slope.greatest < 1.1);
+    }
+}
+
+void Codeling::theTailIsAlwaysAtItsRestLength()
+{
+    for (const char *id : {"orientation", "anticipation"}) {
+        sim::Script script = step(id).script();
+        send(script, randomTargets(1000, 1, 60, 11));
+        sim::Track track(script, 0);
+        for (int frame = 1; frame <= 1000; ++frame) {
+            track.seek({frame, 0});
+            QVERIFY(std::abs(sim::length(track.now().at(0) - track.now().at(1)) - 40.0) <= 1e-9);
+        }
+    }
+}
+
+void Codeling::anticipationIsOppositeToTheMove_data()
+{
+    QTest::addColumn<QString>("id");
+    for (const lessons::Step &one : m_lesson.steps) {
+        if (one.parameter("anticipation"))
+            QTest::addRow("%s", qPrintable(one.id)) << one.id;
+    }
+}
+
+/// From rest at (200, 200): the shift is 0.2 of the way, and goes away from the target. Then it keeps 0.7 of that, and
+/// the motor pulls 0.05625 of the way of now 1.2 times: 0.2 + 0.14 - 0.0675 of the way in the first frame.
+void Codeling::anticipationIsOppositeToTheMove()
+{
+    QFETCH(QString, id);
+    for (const double angle : {0.0, 1.0, 2.5, 4.0}) {
+        const sim::Vec2 way = 150.0 * sim::Vec2{std::cos(angle), std::sin(angle)};
+        sim::Script script = m_lesson.step(id).script();
+        script.input = {{10, sim::Target{sim::Vec2{200, 200} + way}}};
+        const sim::Vec2 came = stateAfter(script, 10).at(0) - sim::Vec2{200, 200};
+        QVERIFY(sim::length(came + (0.2 + 0.14 - 0.0675) * way) <= 1e-9);
+        QVERIFY(sim::length(stateAfter(script, 100).at(0) - sim::Vec2{200, 200} - way) < 0.1);
+    }
+}
+
+void Codeling::twoTargetsInOneFrameBothCount()
+{
+    sim::Script script = step("anticipation").script();
+    script.input = {{1, sim::Target{{300, 200}}}, {1, sim::Target{{200, 400}}}};
+    const sim::State both = stateAfter(script, 1);
+    // 200 - 20 = 180 and 200, then + 0.2 (180 - 200, 200 - 400): (176, 160), with the velocity (-24, -40).
+    const sim::Vec2 v = sim::Vec2{0.7 * -24, 0.7 * -40} + 0.05625 * sim::Vec2{200 - 176, 400 - 160};
+    QVERIFY(sim::length(both.at(0) - sim::Vec2{176, 160} - v) <= 1e-9);
+}
+
+void Codeling::aHeldLeadDoesNotAnticipate()
+{
+    sim::Script script = step("squash_stretch").script();
+    script.input = {{1, sim::Grab{"lead"}}, {1, sim::Move{{300, 300}}}, {5, sim::Target{{100, 100}}}};
+    QCOMPARE(stateAfter(script, 20).at(0), (sim::Vec2{300, 300}));
+}
+
+/// What is left of the error after h frames is (1 - soft)^h of it, whatever the step. Lead and tail at rest, nothing
+/// else acting on the tail: it keeps no speed.
+void Codeling::twoHalfStepsOfASoftStickAreOne()
+{
+    for (const double h : {1.0, 0.5, 0.125}) {
+        sim::Script script = scriptOf(step("squash_stretch"), "published", h, {{"along", 0}, {"across", 0}});
+        script.bodies["tail"] = {{150, 200}, {}};
+        for (const int frame : {1, 5}) {
+            const double spine =
+                sim::length(stateAfter(script, frame).at(0) - stateAfter(script, frame).at(1));
+            QVERIFY(std::abs(spine - (40 + 10 * std::pow(0.9, frame))) <= 1e-9);
+        }
+    }
+}
+
+void Codeling::settingTheTargetParameterSendsIt()
+{
+    sim::Script script = step("anticipation").script();
+    script.input = {{10, sim::Set{"target_x", 400.0}}};
+    QVERIFY(sim::length(stateAfter(script, 200).at(0) - sim::Vec2{400, 200}) < 1e-6);
+}
+
+QTEST_GUILESS_MAIN(Codeling)
+#include "tst_codeling.moc"

@@ -1,0 +1,153 @@
+// The soft body of a codeling: spine, volume and tentacles, over many moves.
+
+#include "tests/lessons/codeling_targets.h"
+#include "tests/lessons/support.h"
+
+#include "sim/effects/area_stick.h"
+
+#include <QTest>
+
+#include <cmath>
+
+using namespace support;
+
+class CodelingBody : public QObject
+{
+    Q_OBJECT
+
+    const LoadedLesson m_lesson = loadLesson(QStringLiteral("codeling"));
+
+    const lessons::Step &step(const char *id) const { return m_lesson.step(QString::fromUtf8(id)); }
+
+private slots:
+    void theTailNeverPassesThroughTheLead();
+    void theAreaStays_data();
+    void theAreaStays();
+    void everyLinkKeepsItsLength_data();
+    void everyLinkKeepsItsLength();
+    void allPointsInOnePlacePart_data();
+    void allPointsInOnePlacePart();
+};
+
+/// The spine: never shorter than 15 px (measured: 16.06, and up to 85.8) over 99 000 frames of clicks anywhere on the stage.
+void CodelingBody::theTailNeverPassesThroughTheLead()
+{
+    double shortest = 1e9, longest = 0.0;
+    for (const char *id : {"squash_stretch", "volume", "tentacles"}) {
+        sim::Script script = step(id).script();
+        send(script, randomTargets(33000, 1, 120, 5));
+        sim::Track track(script, 0);
+        for (int frame = 1; frame <= 33000; ++frame) {
+            track.seek({frame, 0});
+            const double spine = sim::length(track.now().at(0) - track.now().at(1));
+            shortest = std::min(shortest, spine);
+            longest = std::max(longest, spine);
+        }
+    }
+    QVERIFY2(shortest > 15.0 && longest < 100.0,
+             qPrintable(QStringLiteral("%1 %2").arg(shortest).arg(longest)));
+}
+
+void CodelingBody::theAreaStays_data()
+{
+    QTest::addColumn<QString>("id");
+    QTest::addColumn<QString>("method");
+    QTest::addColumn<double>("h");
+    QTest::addColumn<double>("band");
+    for (const QString &id : {QStringLiteral("volume"), QStringLiteral("tentacles")}) {
+        for (const QString &method : {QStringLiteral("published"), QStringLiteral("semi_implicit_euler")}) {
+            for (const auto &[h, band] : {std::pair{1.0, 1e-9}, std::pair{0.25, 0.3}})
+                QTest::addRow("%s, %s, h = %g", qPrintable(id), qPrintable(method), h)
+                    << id << method << h << band;
+        }
+    }
+}
+
+/// The width follows from the area exactly as long as the spine is longer than 10 px. In steps of a frame it is (see
+/// above), and the band is rounding. In steps of a quarter the hard case takes longer to act, and the spine comes down
+/// to 7.8 px (measured): there the width has its limit and the area falls to 0.78.
+void CodelingBody::theAreaStays()
+{
+    QFETCH(QString, id);
+    QFETCH(QString, method);
+    QFETCH(double, h);
+    QFETCH(double, band);
+    sim::Script script = scriptOf(m_lesson.step(id), method.toStdString(), h);
+    send(script, randomTargets(4000, 1, 120, 8));
+    sim::Track track(script, 0);
+    double least = 1e9, most = -1e9;
+    for (int frame = 1; frame <= 4000; ++frame) {
+        track.seek({frame, 0});
+        const double area = sim::areaOf(track.now(), {0, 1, 2, 3}) / 600.0;
+        least = std::min(least, area);
+        most = std::max(most, area);
+    }
+    QVERIFY2(least > 1 - band && most < 1 + 1e-9, qPrintable(QString::number(least)));
+}
+
+void CodelingBody::everyLinkKeepsItsLength_data()
+{
+    QTest::addColumn<double>("tentacles");
+    QTest::addColumn<double>("links");
+    for (const double tentacles : {2.0, 5.0, 8.0}) {
+        for (const double links : {3.0, 10.0, 30.0})
+            QTest::addRow("%g tentacles of %g links", tentacles, links) << tentacles << links;
+    }
+}
+
+void CodelingBody::everyLinkKeepsItsLength()
+{
+    QFETCH(double, tentacles);
+    QFETCH(double, links);
+    sim::Script script =
+        scriptOf(step("tentacles"), "published", 1.0, {{"tentacles", tentacles}, {"links", links}});
+    send(script, randomTargets(1500, 1, 60, 9));
+    sim::Track track(script, 0);
+    const sim::Scene scene = sim::sceneOf(script, script.values);
+    QCOMPARE(scene.start.points(), static_cast<int>(4 + tentacles * links));
+    double worst = 0.0;
+    for (int frame = 1; frame <= 1500; ++frame) {
+        track.seek({frame, 0});
+        const sim::State &now = track.now();
+        for (int i = 4; i < now.points(); ++i) {
+            const bool isRoot = (i - 4) % static_cast<int>(links) == 0;
+            const double away = isRoot ? std::min(sim::length(now.at(i) - now.at(2)) - 7.0,
+                                                  std::abs(sim::length(now.at(i) - now.at(3)) - 7.0))
+                                       : sim::length(now.at(i) - now.at(i - 1)) - 7.0;
+            worst = std::max(worst, isRoot ? std::max(0.0, away) : std::abs(away));
+        }
+    }
+    QVERIFY2(worst <= 1e-9, qPrintable(QString::number(worst)));
+}
+
+void CodelingBody::allPointsInOnePlacePart_data()
+{
+    QTest::addColumn<QString>("id");
+    QTest::addColumn<QString>("method");
+    for (const lessons::Step &one : m_lesson.steps) {
+        for (const QString &method : {QStringLiteral("published"), QStringLiteral("semi_implicit_euler")})
+            QTest::addRow("%s with %s", qPrintable(one.id), qPrintable(method)) << one.id << method;
+    }
+}
+
+void CodelingBody::allPointsInOnePlacePart()
+{
+    QFETCH(QString, id);
+    QFETCH(QString, method);
+    sim::Script script = scriptOf(m_lesson.step(id), method.toStdString());
+    for (const std::string &name : sim::sceneOf(script, script.values).names)
+        script.bodies[name] = {{200, 200}, sim::Vec2{}};
+    sim::Track track(script, 0);
+    track.seek({200, 0});
+    QVERIFY(!track.stop());
+    const sim::State &now = track.now();
+    for (int i = 1; i < std::min(4, now.points()); ++i) {
+        for (int j = 0; j < i; ++j)
+            QVERIFY(sim::length(now.at(i) - now.at(j)) > 1e-6);
+    }
+    if (now.points() > 1)
+        QVERIFY(std::abs(sim::length(now.at(0) - now.at(1)) - 40.0) < 1.0);
+}
+
+QTEST_GUILESS_MAIN(CodelingBody)
+#include "tst_codeling_body.moc"

@@ -1,0 +1,297 @@
+#include "sim/effects/torsion.h"
+#include "tests/lessons/support.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <random>
+
+using namespace support;
+
+/// The tree whose joints are springs that turn: step `real_sway`.
+class RealSway : public QObject
+{
+    Q_OBJECT
+
+    const lessons::Step m_step = loadLesson(QStringLiteral("swaying_tree")).step(QStringLiteral("real_sway"));
+
+    /// The step with its branches bent at the start: `bend(i)` in degrees.
+    sim::Script bent(const std::function<double(int)> &bend, double h = 1.0,
+                     const Changes &changes = {}) const
+    {
+        sim::Script script = scriptOf(m_step, "semi_implicit_euler", h, changes);
+        script.build = [build = script.build, bend](const sim::Values &values) {
+            sim::Scene scene = build(values);
+            for (int i = 0; i < scene.start.points(); ++i)
+                scene.start.angle[i] += bend(i);
+            return scene;
+        };
+        return script;
+    }
+
+    static const sim::Torsion &springsOf(const sim::Scene &scene)
+    {
+        for (const sim::EffectPtr &effect : scene.effects) {
+            if (const auto *found = dynamic_cast<const sim::Torsion *>(effect.get()))
+                return *found;
+        }
+        throw std::runtime_error("no springs");
+    }
+
+    sim::Scene sceneOf(const Changes &changes = {}) const
+    {
+        const sim::Script script = scriptOf(m_step, "semi_implicit_euler", 1.0, changes);
+        return sim::sceneOf(script, script.values);
+    }
+
+    static Eigen::ArrayXd accelerations(const sim::Torsion &springs, const sim::State &state)
+    {
+        Eigen::ArrayXd into = Eigen::ArrayXd::Zero(state.points());
+        springs.add(state, {0, state.points()}, 1.0, into);
+        return into;
+    }
+
+    /// The largest eigenvalue of stiffness/inertia, by power iteration on the accelerations themselves.
+    static double largestEigenvalue(const sim::Scene &scene)
+    {
+        const sim::Torsion &springs = springsOf(scene);
+        sim::State state = scene.start;
+        Eigen::ArrayXd bends(state.points());
+        for (int i = 0; i < state.points(); ++i)
+            bends[i] = std::sin(1.0 + 3.7 * i);
+        double value = 0.0;
+        for (int turn = 0; turn < 3000; ++turn) {
+            state.angle = scene.start.angle + bends;
+            const Eigen::ArrayXd next = -accelerations(springs, state);
+            value = std::sqrt(next.square().sum() / bends.square().sum());
+            bends = next / std::sqrt(next.square().sum());
+        }
+        return value;
+    }
+
+private slots:
+    void aLoneTrunkSwingsAsItsClosedForm_data();
+    void aLoneTrunkSwingsAsItsClosedForm();
+    void aTwigWhoseParentIsHeldSwingsAsItsClosedForm();
+    void thinBranchesSwingFaster();
+    void jointsOnlyPassTorqueOn();
+    void aBentTwigMovesTheTrunk();
+    void withoutDampingTheEnergyStaysOver100000Frames();
+    void dampingOnlyTakesEnergy();
+    void theStepLimitIsWhereTheNarrationSays();
+    void theBoundOfTheStepLimitHolds_data();
+    void theBoundOfTheStepLimitHolds();
+    void bothMethodsAgreeAsOneOrder();
+    void theMeasuresAddUp();
+};
+
+void RealSway::aLoneTrunkSwingsAsItsClosedForm_data()
+{
+    QTest::addColumn<double>("k");
+    QTest::addColumn<double>("damp");
+    QTest::newRow("as it is set") << 0.05 << 0.96;
+    QTest::newRow("without damping") << 0.05 << 1.0;
+    QTest::newRow("stiff, strongly damped") << 0.3 << 0.7;
+    QTest::newRow("overdamped") << 0.01 << 0.7;
+}
+
+/// b'' = -k b - c b' with c = -ln(damp), from b = 10 and b' = 0. The method is of order 1, so the error halves with
+/// the step; extrapolated to a step of 0 it vanishes.
+void RealSway::aLoneTrunkSwingsAsItsClosedForm()
+{
+    QFETCH(double, k);
+    QFETCH(double, damp);
+    constexpr int frames = 40;
+    const std::complex<double> c = -std::log(damp), w = std::sqrt(std::complex<double>(k) - 0.25 * c * c);
+    const auto truth = [&](int frame) {
+        const std::complex<double> t = frame;
+        return (10.0 * std::exp(-0.5 * c * t) * (std::cos(w * t) + 0.5 * c / w * std::sin(w * t))).real();
+    };
+    const auto bends = [&](double h) {
+        const Changes lone = {{"min_scale", 1.0}, {"k", k}, {"damp", damp}};
+        sim::Track run(bent([](int) { return 10.0; }, h, lone), 0);
+        std::vector<double> all;
+        for (int frame = 1; frame <= frames; ++frame) {
+            run.seek({frame, 0});
+            all.push_back(run.now().angle[0] + 90.0);
+        }
+        return all;
+    };
+    const auto error = [&](double h) {
+        const std::vector<double> all = bends(h);
+        double largest = 0.0;
+        for (int frame = 1; frame <= frames; ++frame)
+            largest = std::max(largest, std::abs(all[static_cast<std::size_t>(frame - 1)] - truth(frame)));
+        return largest;
+    };
+    const Slope slope = slopeOf(error, 5, 10);
+    QVERIFY2(slope.least > 0.9 && slope.greatest < 1.1,
+             qPrintable(QString::number(slope.least) + u' ' + QString::number(slope.greatest)));
+    const auto coarse = bends(1.0 / 256), fine = bends(1.0 / 512), finest = bends(1.0 / 1024);
+    for (int frame = 1; frame <= frames; ++frame) {
+        const auto row = static_cast<std::size_t>(frame - 1);
+        const double second = 2.0 * finest[row] - fine[row], first = 2.0 * fine[row] - coarse[row];
+        QVERIFY(std::abs((4.0 * second - first) / 3.0 - truth(frame)) < 1e-5);
+    }
+}
+
+/// Alone it has w^2 = k / scale, whatever it is bent by; in steps of h that makes
+/// cos(w h) = 1 - k h^2 / (2 scale).
+void RealSway::aTwigWhoseParentIsHeldSwingsAsItsClosedForm()
+{
+    const double k = 0.05, scale = std::pow(0.8, 7);
+    const double w = std::acos(1.0 - 0.5 * k / scale);
+    sim::Script script = bent([](int i) { return i == 254 ? 7.0 : 0.0; }, 1.0, {{"damp", 1.0}});
+    script.input = {{1, sim::Grab{"branch126"}}};
+    sim::Track run(script, 0);
+    const double rest = run.shown().scene.start.angle[254] - 7.0;
+    // From rest: b(n) = 7 (cos(w n) - tan(w / 2) sin(w n)), as the kick comes before the turn.
+    for (int n = 1; n <= 200; ++n) {
+        run.seek({n, 0});
+        const double truth = 7.0 * (std::cos(w * n) - std::tan(0.5 * w) * std::sin(w * n));
+        QVERIFY(std::abs(run.now().angle[254] - rest - truth) < 1e-9);
+    }
+}
+
+void RealSway::thinBranchesSwingFaster()
+{
+    const sim::Scene scene = sceneOf();
+    const Eigen::ArrayXd square = springsOf(scene).limbs().stiffness / springsOf(scene).limbs().inertia;
+    for (int i = 1; i < square.rows(); ++i) {
+        const int parent = (i - 1) / 2;
+        QVERIFY(square[i] > 1.2 * square[parent]);
+    }
+}
+
+/// To each action a reaction: what all joints together do to the tree is what the ground does to the trunk.
+void RealSway::jointsOnlyPassTorqueOn()
+{
+    const sim::Scene scene = sceneOf();
+    const sim::Torsion &springs = springsOf(scene);
+    std::mt19937 random(5);
+    for (int turn = 0; turn < 20; ++turn) {
+        sim::State state = scene.start;
+        for (int i = 0; i < state.points(); ++i)
+            state.angle[i] += std::uniform_real_distribution<double>(-40, 40)(random);
+        const double torque = (springs.limbs().inertia * accelerations(springs, state)).sum();
+        const double ground = -springs.limbs().stiffness[0] * (state.angle[0] - scene.start.angle[0]);
+        const double size = springs.limbs().stiffness[0] * 40.0;
+        QVERIFY(std::abs(torque - ground) < 1e-10 * size);
+    }
+}
+
+void RealSway::aBentTwigMovesTheTrunk()
+{
+    sim::Track run(bent([](int i) { return i == 254 ? 30.0 : 0.0; }), 0);
+    run.seek({20, 0});
+    QVERIFY(std::abs(run.now().angle[0] + 90.0) > 1e-6);
+}
+
+/// Semi-implicit Euler keeps a neighbour of the energy, H + (h/2) sum(I w a), to rounding; so the energy itself stays
+/// within bounds, without a trend.
+void RealSway::withoutDampingTheEnergyStaysOver100000Frames()
+{
+    const sim::Script script = bent([](int i) { return 20.0 * std::sin(1.0 + i); }, 1.0, {{"damp", 1.0}});
+    sim::Track run(script, 0);
+    const sim::Torsion &springs = springsOf(run.shown().scene);
+    const auto energy = [&] { return springs.motionEnergy(run.now()) + springs.springEnergy(run.now()); };
+    const auto neighbour = [&] {
+        const Eigen::ArrayXd a = accelerations(springs, run.now());
+        return energy() + 0.5 * (springs.limbs().inertia * run.now().spin * a).sum();
+    };
+    const double start = energy(), startNeighbour = neighbour();
+    double least = start, most = start, early = 0.0, late = 0.0;
+    constexpr int frames = 100'000, part = 10'000;
+    for (int frame = 1; frame <= frames; ++frame) {
+        run.seek({frame, 0});
+        const double now = energy();
+        least = std::min(least, now);
+        most = std::max(most, now);
+        early += frame <= part ? now / part : 0.0;
+        late += frame > frames - part ? now / part : 0.0;
+    }
+    QVERIFY(std::abs(neighbour() / startNeighbour - 1.0) < 1e-9);
+    // |H - neighbour| is at most h sqrt(largest eigenvalue) / 2 of H.
+    const double bound = 0.5 * std::sqrt(springs.stiffestPull());
+    QVERIFY(least > start * (1.0 - bound) / (1.0 + bound) && most < start * (1.0 + bound) / (1.0 - bound));
+    QVERIFY2(std::abs(late / early - 1.0) < 0.005, qPrintable(QString::number(late / early)));
+}
+
+void RealSway::dampingOnlyTakesEnergy()
+{
+    sim::Track run(bent([](int i) { return 20.0 * std::sin(1.0 + i); }), 0);
+    const sim::Torsion &springs = springsOf(run.shown().scene);
+    double last = 1e300;
+    for (int frame = 0; frame <= 1000; frame += 100) { // longer than the longest period
+        run.seek({frame, 0});
+        const double now = springs.motionEnergy(run.now()) + springs.springEnergy(run.now());
+        QVERIFY(now < 0.5 * last);
+        last = now;
+    }
+}
+
+void RealSway::theStepLimitIsWhereTheNarrationSays()
+{
+    const double limit = 2.0 / std::sqrt(largestEigenvalue(sceneOf()));
+    QVERIFY2(limit >= 3.1 && limit < 3.2, qPrintable(QString::number(limit, 'g', 8)));
+    const auto swings = [&](double h) {
+        sim::Track run(bent([](int i) { return 0.1 * std::sin(1.0 + i); }, h, {{"damp", 1.0}}), 0);
+        run.seek({1200, 0});
+        return (run.now().angle - sceneOf().start.angle).abs().maxCoeff();
+    };
+    QVERIFY(swings(3.0) < 100.0);
+    QVERIFY(!(swings(4.0) < 1e6));
+}
+
+void RealSway::theBoundOfTheStepLimitHolds_data()
+{
+    QTest::addColumn<double>("slope");
+    QTest::addColumn<double>("minScale");
+    QTest::newRow("as it is set") << 0.8 << 0.2;
+    QTest::newRow("a trunk alone") << 0.8 << 1.0;
+    QTest::newRow("a slow slope") << 0.9 << 0.5;
+    QTest::newRow("a steep slope") << 0.5 << 0.01;
+}
+
+void RealSway::theBoundOfTheStepLimitHolds()
+{
+    QFETCH(double, slope);
+    QFETCH(double, minScale);
+    const sim::Scene scene = sceneOf({{"slope", slope}, {"min_scale", minScale}});
+    const double truth = largestEigenvalue(scene), bound = springsOf(scene).stiffestPull();
+    QVERIFY(bound >= truth * (1.0 - 1e-9) && bound <= 2.0 * truth);
+}
+
+void RealSway::bothMethodsAgreeAsOneOrder()
+{
+    const auto after = [&](const char *method, double h) {
+        sim::Script script = scriptOf(m_step, method, h);
+        script.input = {{1, sim::Pointer{{60, 250}, true}}, {9, sim::Pointer{{60, 250}, false}}};
+        return stateAfter(script, 40);
+    };
+    QVERIFY(farthestApart(after("published", 1.0), after("semi_implicit_euler", 1.0)) < 1e-9);
+}
+
+void RealSway::theMeasuresAddUp()
+{
+    const auto measured = [&](const QString &name, const sim::State &state) {
+        for (const lessons::Measure &one : m_step.measures) {
+            if (one.name == name)
+                return one.of(sceneOf(), state, nullptr, m_step.presets());
+        }
+        return -1.0;
+    };
+    sim::Script script = m_step.script();
+    script.input = {{1, sim::Pointer{{60, 250}, true}}};
+    const sim::State state = stateAfter(script, 60);
+    QCOMPARE(measured(u"Energy"_qs, sceneOf().start), 0.0);
+    QVERIFY(measured(u"In motion"_qs, state) > 0.0 && measured(u"In springs"_qs, state) > 0.0);
+    QCOMPARE(measured(u"Energy"_qs, state),
+             measured(u"In motion"_qs, state) + measured(u"In springs"_qs, state));
+}
+
+QTEST_GUILESS_MAIN(RealSway)
+#include "tst_real_sway.moc"

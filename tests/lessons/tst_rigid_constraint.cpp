@@ -1,0 +1,275 @@
+#include "tests/lessons/attempts.h"
+#include "tests/lessons/published_files.h"
+
+#include "sim/error.h"
+
+#include <QTest>
+
+#include <cmath>
+#include <random>
+
+using namespace support;
+
+namespace {
+
+struct Place
+{
+    double x = 0.0, y = 0.0;
+};
+
+/// The tutorial's function, written down a second time from its text, with nothing of sim in it.
+void constraint(Place &first, Place &second, double distance, double errorOnFirst)
+{
+    const double errorOnSecond = 1 - errorOnFirst;
+    const double distX = first.x - second.x, distY = first.y - second.y;
+    const double actual = std::sqrt(distX * distX + distY * distY);
+    const double angle = -std::atan2(distX, distY);
+    const double error = actual - distance;
+    first.x += error * errorOnFirst * std::sin(angle);
+    first.y -= error * errorOnFirst * std::cos(angle);
+    second.x -= error * errorOnSecond * std::sin(angle);
+    second.y += error * errorOnSecond * std::cos(angle);
+}
+
+/// A figure, and where the pointer is in each frame.
+struct Figure
+{
+    std::vector<Place> places;
+    std::vector<sim::Stick> sticks;
+    std::vector<sim::Vec2> pointer; ///< from frame 1 on
+};
+
+Figure randomFigure(int points, int sticks, std::mt19937 &random)
+{
+    const auto real = [&](double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(random);
+    };
+    Figure figure;
+    for (int i = 0; i < points; ++i)
+        figure.places.push_back(real(0, 1) < 0.1 ? Place{240, 165} : Place{real(0, 540), real(0, 400)});
+    std::uniform_int_distribution<int> point(0, points - 1);
+    while (static_cast<int>(figure.sticks.size()) < sticks) {
+        const int a = point(random), b = point(random);
+        const double share = real(0, 1);
+        if (a != b)
+            figure.sticks.push_back({a, b, real(0, 200), share < 0.2 ? 0.0 : share > 0.8 ? 1.0 : share});
+    }
+    sim::Vec2 at = {240, 165};
+    for (int frame = 1; frame <= 60; ++frame) {
+        at = at + sim::Vec2{real(-20, 20), real(-20, 20)};
+        figure.pointer.push_back(at);
+    }
+    return figure;
+}
+
+std::string nameOf(std::size_t point)
+{
+    return std::string("p").append(std::to_string(point));
+}
+
+sim::Script scriptOf(const Figure &figure, const lessons::Step &step)
+{
+    sim::Script script = step.script();
+    script.values.points = static_cast<int>(figure.places.size());
+    script.values.sticks = figure.sticks;
+    for (std::size_t i = 0; i < figure.places.size(); ++i)
+        script.bodies[nameOf(i)] = {{figure.places[i].x, figure.places[i].y}, {}};
+    for (std::size_t i = 0; i < figure.pointer.size(); ++i)
+        script.input.push_back(
+            {static_cast<std::int64_t>(i) + 1, sim::Pointer{figure.pointer[i], i % 2 == 0}});
+    return script;
+}
+
+}
+
+Q_DECLARE_METATYPE(Figure)
+
+class RigidConstraint : public QObject
+{
+    Q_OBJECT
+
+    const LoadedLesson m_lesson = loadLesson(QStringLiteral("rigid_constraint"));
+
+    const lessons::Step &step(const char *id) const { return m_lesson.step(QString::fromUtf8(id)); }
+
+private slots:
+    void publishedTrajectories_data();
+    void publishedTrajectories();
+    void matchesThePrintedCode_data();
+    void matchesThePrintedCode();
+    void theErrorIsSharedAsAsked_data();
+    void theErrorIsSharedAsAsked();
+    void eachFrameLeavesItsShareOfTheError_data();
+    void eachFrameLeavesItsShareOfTheError();
+    void twoPointsInOnePlacePart_data();
+    void twoPointsInOnePlacePart();
+    void aHeldEndLeavesAllOfTheErrorToTheOther();
+    void withoutAPointerP0StaysWhereItStarts();
+    void sticksWithoutAnEndAreRefused_data();
+    void sticksWithoutAnEndAreRefused();
+    void everyTryIsDoneByWhatItDescribes_data() { addAttemptRows(m_lesson, attempts()); }
+    void everyTryIsDoneByWhatItDescribes() { checkAttempt(m_lesson); }
+};
+
+void RigidConstraint::publishedTrajectories_data()
+{
+    QTest::addColumn<QString>("name");
+    for (const QString &name : publishedNames(QStringLiteral("rigid_constraint")))
+        QTest::addRow("%s", qPrintable(name)) << name;
+}
+
+void RigidConstraint::publishedTrajectories()
+{
+    QFETCH(QString, name);
+    QVERIFY(largestDifference(readPublished(name, m_lesson)) <= 1e-9);
+}
+
+void RigidConstraint::matchesThePrintedCode_data()
+{
+    QTest::addColumn<QString>("id");
+    QTest::addColumn<Figure>("figure");
+    std::mt19937 random(7);
+    const char *const ids[] = {"pair", "shared_error", "triangle", "list"};
+    for (const auto &[points, sticks] :
+         {std::pair{1, 0}, {2, 1}, {2, 5}, {3, 3}, {5, 9}, {12, 30}, {40, 60}, {300, 500}, {1000, 1500}}) {
+        for (const char *id : ids)
+            QTest::addRow("%s, %d points, %d sticks", id, points, sticks)
+                << QString(QLatin1String(id)) << randomFigure(points, sticks, random);
+    }
+}
+
+void RigidConstraint::matchesThePrintedCode()
+{
+    QFETCH(QString, id);
+    QFETCH(Figure, figure);
+    sim::Track track(scriptOf(figure, m_lesson.step(id)), 0);
+    std::vector<Place> places = figure.places;
+    for (std::size_t frame = 1; frame <= figure.pointer.size(); ++frame) {
+        places[0] = {figure.pointer[frame - 1].x, figure.pointer[frame - 1].y};
+        for (const sim::Stick &stick : figure.sticks)
+            constraint(places[static_cast<std::size_t>(stick.a)], places[static_cast<std::size_t>(stick.b)],
+                       stick.length, stick.share);
+        track.seek({static_cast<std::int64_t>(frame), 0});
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            const sim::Vec2 at = track.now().at(static_cast<int>(i));
+            QVERIFY(std::abs(at.x - places[i].x) <= 1e-9 && std::abs(at.y - places[i].y) <= 1e-9);
+        }
+    }
+}
+
+void RigidConstraint::theErrorIsSharedAsAsked_data()
+{
+    QTest::addColumn<QString>("method");
+    QTest::addColumn<double>("share");
+    for (const QString &method : {QStringLiteral("published"), QStringLiteral("semi_implicit_euler")}) {
+        for (const double share : {0.0, 0.25, 0.5, 0.8, 1.0})
+            QTest::addRow("%s, share %g", qPrintable(method), share) << method << share;
+    }
+}
+
+/// From a distance of 50 px (3-4-5 triangle) to 100 px: the error is -50 px, along (0.6, 0.8).
+void RigidConstraint::theErrorIsSharedAsAsked()
+{
+    QFETCH(QString, method);
+    QFETCH(double, share);
+    sim::Script script =
+        support::scriptOf(step("shared_error"), method.toStdString(), 1.0, {{"share", share}});
+    script.bodies = {{"p0", {{230, 240}, {}}}, {"p1", {{200, 200}, {}}}};
+    const sim::State state = stateAfter(script, 1);
+    const sim::Vec2 wanted0 = sim::Vec2{230, 240} + (50 * share) * sim::Vec2{0.6, 0.8};
+    const sim::Vec2 wanted1 = sim::Vec2{200, 200} - (50 * (1 - share)) * sim::Vec2{0.6, 0.8};
+    QVERIFY(sim::length(state.at(0) - wanted0) <= 1e-12 && sim::length(state.at(1) - wanted1) <= 1e-12);
+    if (share == 0.0)
+        QCOMPARE(state.at(0), (sim::Vec2{230, 240}));
+    if (share == 1.0)
+        QCOMPARE(state.at(1), (sim::Vec2{200, 200}));
+}
+
+void RigidConstraint::eachFrameLeavesItsShareOfTheError_data()
+{
+    QTest::addColumn<double>("share");
+    for (const double share : {0.0, 0.3, 0.5, 0.9, 1.0})
+        QTest::addRow("share %g", share) << share;
+}
+
+/// The pointer stands at a distance of 300 px from p1, a stick of 100 px: after n frames p0 is 200 share^n px short.
+void RigidConstraint::eachFrameLeavesItsShareOfTheError()
+{
+    QFETCH(double, share);
+    sim::Script script = support::scriptOf(step("shared_error"), "published", 1.0, {{"share", share}});
+    script.bodies = {{"p0", {{100, 100}, {}}}, {"p1", {{100, 300}, {}}}};
+    script.input = {{1, sim::Pointer{{400, 300}, false}}};
+    for (int frame = 1; frame <= 20; ++frame) {
+        const double away = sim::length(stateAfter(script, frame).at(0) - sim::Vec2{400, 300});
+        QVERIFY(std::abs(away - 200 * std::pow(share, frame)) <= 1e-10);
+    }
+}
+
+void RigidConstraint::twoPointsInOnePlacePart_data()
+{
+    QTest::addColumn<QString>("method");
+    QTest::newRow("published") << "published";
+    QTest::newRow("semi-implicit Euler") << "semi_implicit_euler";
+}
+
+void RigidConstraint::twoPointsInOnePlacePart()
+{
+    QFETCH(QString, method);
+    const sim::State state = stateAfter(support::scriptOf(step("pair"), method.toStdString()), 1);
+    QVERIFY(std::abs(sim::length(state.at(0) - state.at(1)) - 100.0) <= 1e-12);
+    QVERIFY(sim::length(state.at(0) + state.at(1) - sim::Vec2{480, 330}) <= 1e-12);
+    if (method == u"published") { // straight up and down
+        QCOMPARE(state.at(0), (sim::Vec2{240, 215}));
+        QCOMPARE(state.at(1), (sim::Vec2{240, 115}));
+    }
+}
+
+void RigidConstraint::aHeldEndLeavesAllOfTheErrorToTheOther()
+{
+    for (const char *held : {"p0", "p1"}) {
+        sim::Script script = support::scriptOf(step("shared_error"), "published", 1.0, {{"share", 0.3}});
+        script.input = {{1, sim::Grab{held}}, {1, sim::Move{{400, 300}}}};
+        const sim::State state = stateAfter(script, 1);
+        const int hand = state.hold.point;
+        QCOMPARE(state.at(hand), (sim::Vec2{400, 300}));
+        QVERIFY(std::abs(sim::length(state.at(1 - hand) - state.at(hand)) - 100.0) <= 1e-12);
+    }
+}
+
+void RigidConstraint::withoutAPointerP0StaysWhereItStarts()
+{
+    sim::Script script = step("pair").script();
+    script.bodies = {{"p0", {{100, 100}, {}}}, {"p1", {{160, 180}, {}}}};
+    QCOMPARE(stateAfter(script, 10).at(0), (sim::Vec2{100, 100}));
+}
+
+void RigidConstraint::sticksWithoutAnEndAreRefused_data()
+{
+    QTest::addColumn<QString>("id");
+    QTest::addColumn<int>("end");
+    for (const lessons::Step &one : m_lesson.steps) {
+        for (const int end : {-1, 2, 1000000})
+            QTest::addRow("%s, end %d of 2 points", qPrintable(one.id), end) << one.id << end;
+    }
+}
+
+void RigidConstraint::sticksWithoutAnEndAreRefused()
+{
+    QFETCH(QString, id);
+    QFETCH(int, end);
+    sim::Script script = m_lesson.step(id).script();
+    script.values.points = 2;
+    script.values.sticks = {{0, 1, 50, 0.5}, {1, end, 50, 0.5}};
+    try {
+        const sim::Track track(script, 0);
+        QFAIL("nothing was refused");
+    } catch (const sim::Error &error) {
+        QCOMPARE(error.id(), std::string("stick-without-end"));
+        const std::map<std::string, std::string> wanted = {
+            {"stick", "1"}, {"end", std::to_string(end)}, {"points", "2"}};
+        QVERIFY(error.values() == wanted);
+    }
+}
+
+QTEST_GUILESS_MAIN(RigidConstraint)
+#include "tst_rigid_constraint.moc"

@@ -1,0 +1,336 @@
+#include "sim/direction.h"
+#include "sim/effects/tree_wind.h"
+#include "tests/lessons/attempts.h"
+#include "tests/lessons/printed_tree.h"
+#include "tests/lessons/published_files.h"
+
+#include <QTest>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+using namespace support;
+using Stage = PrintedTree::Stage;
+
+Q_DECLARE_METATYPE(PrintedTree::Stage)
+
+/// The tutorial's tree. The step that is ours has a suite of its own: tst_real_sway.
+class SwayingTree : public QObject
+{
+    Q_OBJECT
+
+    const LoadedLesson m_lesson = loadLesson(QStringLiteral("swaying_tree"));
+
+    const lessons::Step &step(const char *id) const { return m_lesson.step(QString::fromUtf8(id)); }
+
+    static void addWindSteps()
+    {
+        QTest::addColumn<QString>("id");
+        for (const char *id : {"wind", "rest", "distance", "thickness", "turbulence"})
+            QTest::newRow(id) << QString::fromUtf8(id);
+    }
+
+    sim::Script pressed(const char *id, sim::Vec2 at, const Changes &changes = {}, double h = 1.0) const
+    {
+        sim::Script script = scriptOf(step(id), "published", h, changes);
+        script.input = {{1, sim::Pointer{at, true}}};
+        return script;
+    }
+
+private slots:
+    void publishedTrajectories_data();
+    void publishedTrajectories();
+    void matchesThePrintedCode_data();
+    void matchesThePrintedCode();
+    void correctedBranchesPointAtThePointerAfterOneFrame();
+    void fromItsEndABranchWouldFlipWhenThePointerIsNear();
+    void correctedWindBlowsAwayFromThePointer();
+    void theShortWayRoundNeeds180OnBothSides_data();
+    void theShortWayRoundNeeds180OnBothSides();
+    void aPointerOnABranchsEndIsNoTrouble_data();
+    void aPointerOnABranchsEndIsNoTrouble();
+    void correctedWindNeverTurnsABranchPastIt();
+    void smallerStepsConverge_data();
+    void smallerStepsConverge();
+    void aHeldBranchKeepsItsAngleAndCarriesItsChildren_data();
+    void aHeldBranchKeepsItsAngleAndCarriesItsChildren();
+    void theWindIsDrawnWhileTheButtonIsDown();
+    void everyTryIsDoneByWhatItDescribes_data() { addAttemptRows(m_lesson, attempts()); }
+    void everyTryIsDoneByWhatItDescribes() { checkAttempt(m_lesson); }
+};
+
+void SwayingTree::publishedTrajectories_data()
+{
+    QTest::addColumn<QString>("name");
+    for (const QString &name : publishedNames(QStringLiteral("swaying_tree")))
+        QTest::addRow("%s", qPrintable(name)) << name;
+}
+
+void SwayingTree::publishedTrajectories()
+{
+    QFETCH(QString, name);
+    QVERIFY(largestDifference(readPublished(name, m_lesson)) <= 1e-9);
+}
+
+void SwayingTree::matchesThePrintedCode_data()
+{
+    QTest::addColumn<QString>("id");
+    QTest::addColumn<Stage>("stage");
+    QTest::addColumn<int>("dice");
+    const std::pair<const char *, Stage> all[] = {{"trunk", Stage::still},
+                                                  {"branches", Stage::still},
+                                                  {"randomness", Stage::still},
+                                                  {"towards_pointer", Stage::towardsPointer},
+                                                  {"wind", Stage::wind},
+                                                  {"rest", Stage::rest},
+                                                  {"distance", Stage::distance},
+                                                  {"thickness", Stage::thickness},
+                                                  {"turbulence", Stage::turbulence}};
+    for (const auto &[id, stage] : all) {
+        for (int dice = 0; dice < 12; ++dice)
+            QTest::addRow("%s, random numbers %d", id, dice) << QString::fromUtf8(id) << stage << dice;
+    }
+}
+
+void SwayingTree::matchesThePrintedCode()
+{
+    QFETCH(QString, id);
+    QFETCH(Stage, stage);
+    QFETCH(int, dice);
+    std::mt19937 engine(static_cast<unsigned>(100 * dice + int(stage)));
+    const auto real = [&](double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(engine);
+    };
+    PrintedTree::Numbers numbers;
+    if (id == u"trunk")
+        numbers.minScale = 1e9; // a trunk alone
+    if (dice > 0 && id != u"trunk")
+        numbers = {real(0, 180), real(0, 40), real(0.4, 0.8), real(0.15, 0.5), real(40, 160),
+                   real(2, 20),  real(1, 10), real(0, 60),    unsigned(dice)};
+    if (id == u"branches")
+        numbers.jitter = 0.0;
+    const sim::Values presets = step(qPrintable(id)).presets();
+    sim::Script script = scriptOf(step(qPrintable(id)));
+    script.values.seed = numbers.seed;
+    const std::pair<const char *, double> values[] = {
+        {"formula", 1.0},         {"spread", numbers.spread},         {"jitter", numbers.jitter},
+        {"slope", numbers.slope}, {"min_scale", numbers.minScale},    {"base_length", numbers.baseLength},
+        {"ease", numbers.ease},   {"turbulence", numbers.turbulence}, {"wind", numbers.wind}};
+    for (const auto &[name, value] : values) {
+        if (presets.has(name))
+            script.values.set(name, value);
+    }
+    PrintedTree printed(stage, numbers);
+    std::vector<std::pair<bool, double>> gusts(120);
+    std::vector<std::tuple<double, double, bool>> mice(120);
+    for (int frame = 1; frame < 120; ++frame) {
+        const auto row = static_cast<std::size_t>(frame);
+        mice[row] = {real(-50, 600), real(-50, 450), real(0, 1) < 0.7};
+        gusts[row] = {stage == Stage::turbulence && real(0, 1) < 0.5, real(-30, 30)};
+        const auto &[x, y, down] = mice[row];
+        script.input.push_back({frame, sim::Pointer{{x, y}, down}});
+        if (gusts[row].first)
+            script.input.push_back({frame, sim::Gust{gusts[row].second}});
+    }
+    sim::Timeline run(script);
+    for (int frame = 0; frame < 120; ++frame) {
+        run.seek({frame, 0});
+        if (frame > 0) {
+            const auto row = static_cast<std::size_t>(frame);
+            const auto &[x, y, down] = mice[row];
+            printed.mouse(x, y, down);
+            printed.enterFrame(gusts[row].first ? &gusts[row].second : nullptr);
+        }
+        const std::vector<PrintedTree::Row> rows = printed.rows();
+        QCOMPARE(run.now().points(), static_cast<int>(rows.size()));
+        for (int i = 0; i < run.now().points(); ++i) {
+            const PrintedTree::Row &row = rows[static_cast<std::size_t>(i)];
+            QVERIFY(std::abs(run.now().angle[i] - row.angle) <= 1e-6);
+            QVERIFY(sim::length(run.now().at(i) - sim::Vec2{row.x, row.y}) <= 1e-6);
+        }
+    }
+}
+
+void SwayingTree::correctedBranchesPointAtThePointerAfterOneFrame()
+{
+    for (const sim::Vec2 pointer : {sim::Vec2{20, 30}, {500, 390}, {290, 330}, {275, 250}}) {
+        const sim::State after = stateAfter(pressed("towards_pointer", pointer), 1);
+        for (int i = 0; i < after.points(); ++i) {
+            const sim::Vec2 way = pointer - after.at(i);
+            const double angle = std::atan2(way.y, way.x) * 180.0 / std::numbers::pi;
+            QVERIFY(sim::length(way) < 1e-9 ||
+                    std::abs(std::remainder(after.angle[i] - angle, 360.0)) < 1e-9);
+        }
+    }
+}
+
+/// Why `corrected` aims from the origin. A pointer D away and a branch of length L: from the end, a small error of
+/// the angle comes back -L / (D - L) times as large, from an added end L / (D + L) times.
+void SwayingTree::fromItsEndABranchWouldFlipWhenThePointerIsNear()
+{
+    const auto errorAfter = [](double sign, double D) {
+        double angle = 0.02; // rad; the pointer is along 0
+        for (int frame = 0; frame < 30; ++frame)
+            angle = std::atan2(sign * 100.0 * std::sin(angle), D + sign * 100.0 * std::cos(angle));
+        return std::abs(angle);
+    };
+    QVERIFY(errorAfter(1.0, 150.0) < 1e-9);
+    QVERIFY(errorAfter(-1.0, 250.0) < 1e-3);
+    QVERIFY(errorAfter(-1.0, 150.0) > 0.5);
+}
+
+void SwayingTree::correctedWindBlowsAwayFromThePointer()
+{
+    for (const sim::Vec2 pointer : {sim::Vec2{60, 200}, {500, 100}, {275, 380}}) {
+        const sim::Script script = pressed("wind", pointer);
+        const sim::State after = stateAfter(script, 400);
+        const sim::Scene scene = sim::sceneOf(script, script.values);
+        const lessons::Look look = step("wind").look(scene, script.values);
+        for (int i = 0; i < after.points(); ++i) {
+            const double rad = after.angle[i] * std::numbers::pi / 180.0;
+            const double length = look.tree->length[static_cast<std::size_t>(i)];
+            const sim::Vec2 end = after.at(i) + length * sim::Vec2{std::cos(rad), std::sin(rad)};
+            const sim::Vec2 away = end - pointer;
+            const double wind = std::atan2(away.y, away.x) * 180.0 / std::numbers::pi;
+            QVERIFY(std::abs(std::remainder(after.angle[i] - wind, 360.0)) <= 1.0);
+        }
+    }
+}
+
+void SwayingTree::theShortWayRoundNeeds180OnBothSides_data()
+{
+    QTest::addColumn<double>("angle");
+    QTest::addColumn<double>("wind");
+    QTest::addColumn<double>("corrected"); // half of the way, added
+    QTest::addColumn<double>("published");
+    QTest::newRow("20 degrees") << -10.0 << 10.0 << 0.0 << 0.0;
+    QTest::newRow("190 down is 170 up, in both") << 0.0 << -190.0 << 85.0 << 85.0;
+    QTest::newRow("190 up is 170 down, as published the long way") << 0.0 << 190.0 << -85.0 << 95.0;
+    QTest::newRow("340 up is 20 down, as published the long way") << -170.0 << 170.0 << -180.0 << 0.0;
+    QTest::newRow("370 up is 10 up, in both") << 0.0 << 370.0 << 5.0 << 5.0;
+    QTest::newRow("two turns away") << -700.0 << 10.0 << -705.0 << -525.0;
+    QTest::newRow("within a degree") << 5.0 << 5.9 << 5.0 << 5.0;
+}
+
+void SwayingTree::theShortWayRoundNeeds180OnBothSides()
+{
+    QFETCH(double, angle);
+    QFETCH(double, wind);
+    QTEST(sim::bend(angle, wind, 2.0, 1.0), "corrected");
+    QTEST(sim::bendPublished(angle, wind, 2.0, 1.0), "published");
+}
+
+void SwayingTree::aPointerOnABranchsEndIsNoTrouble_data()
+{
+    addWindSteps();
+    QTest::newRow("towards_pointer") << "towards_pointer";
+}
+
+void SwayingTree::aPointerOnABranchsEndIsNoTrouble()
+{
+    QFETCH(QString, id);
+    const Changes plain = {{"jitter", 0.0}};
+    const sim::State start = stateAfter(scriptOf(step(qPrintable(id)), "published", 1.0, plain), 0);
+    for (const int branch : {1, 2, 3, 6, 7, 200}) { // its origin is the end of its parent
+        sim::Script script = pressed(qPrintable(id), start.at(branch), plain);
+        sim::Timeline run(script);
+        run.seek({200, 0});
+        QVERIFY(!run.stop());
+        QVERIFY(run.now().angle.isFinite().all() && run.now().position.isFinite().all());
+    }
+}
+
+void SwayingTree::correctedWindNeverTurnsABranchPastIt()
+{
+    for (const double strength : {0.0, 1e-9, 0.3, 0.9, 1.0, 7.0, 1e300}) {
+        for (const double h : {0.125, 1.0, 10.0}) {
+            const double after = sim::bend(-90.0, -40.0, strength, h);
+            QVERIFY(after >= -90.0 && after <= -40.0);
+        }
+    }
+}
+
+void SwayingTree::smallerStepsConverge_data()
+{
+    QTest::addColumn<QString>("id");
+    QTest::addColumn<double>("x");
+    QTest::newRow("wind") << "wind" << 40.0;
+    QTest::newRow("rest") << "rest" << 40.0;
+    QTest::newRow("distance, so weak that nothing returns") << "distance" << -700.0;
+    QTest::newRow("thickness") << "thickness" << 40.0;
+}
+
+/// The rates are one step of explicit Euler: of order 1. No branch comes within the 1 degree in which it stays.
+void SwayingTree::smallerStepsConverge()
+{
+    QFETCH(QString, id);
+    QFETCH(double, x);
+    const auto after = [&](double h) {
+        const Changes small = {{"min_scale", 0.5}, {"jitter", 0.0}, {"ease", 20.0}};
+        return stateAfter(pressed(qPrintable(id), {x, 120}, small, h), 4);
+    };
+    const auto error = [&](double h) { return (after(h).angle - after(0.5 * h).angle).abs().maxCoeff(); };
+    const Slope slope = slopeOf(error, 4, 9);
+    QVERIFY2(slope.least > 0.9 && slope.greatest < 1.1,
+             qPrintable(QString::number(slope.least) + u' ' + QString::number(slope.greatest)));
+}
+
+void SwayingTree::aHeldBranchKeepsItsAngleAndCarriesItsChildren_data()
+{
+    QTest::addColumn<QString>("id");
+    for (const lessons::Step &one : m_lesson.steps)
+        QTest::addRow("%s", qPrintable(one.id)) << one.id;
+}
+
+void SwayingTree::aHeldBranchKeepsItsAngleAndCarriesItsChildren()
+{
+    QFETCH(QString, id);
+    const lessons::Step &one = step(qPrintable(id));
+    const int held = id == u"trunk" ? 0 : 1;
+    sim::Script script = one.script();
+    script.input = {{1, sim::Pointer{{60, 200}, true}},
+                    {20, sim::Grab{"branch" + std::to_string(held)}},
+                    {20, sim::Move{{200, 150}}},
+                    {40, sim::Release{}}};
+    sim::Timeline run(script);
+    run.seek({19, 0});
+    const double angle = run.now().angle[held];
+    run.seek({39, 0});
+    QCOMPARE(run.now().at(held), (sim::Vec2{200, 150}));
+    QCOMPARE(run.now().angle[held], angle);
+    const lessons::Look look = one.look(run.track().shown().scene, run.values());
+    const double rad = angle * std::numbers::pi / 180.0;
+    const double length = look.tree->length[static_cast<std::size_t>(held)];
+    const sim::Vec2 end = sim::Vec2{200, 150} + length * sim::Vec2{std::cos(rad), std::sin(rad)};
+    for (int child = 0; child < run.now().points(); ++child) {
+        if (look.tree->parent[static_cast<std::size_t>(child)] == held)
+            QVERIFY(sim::length(run.now().at(child) - end) < 1e-9);
+    }
+    if (held == 0)
+        return;
+    run.seek({41, 0});
+    QVERIFY(sim::length(run.now().at(held) - sim::Vec2{200, 150}) > 10.0); // back at the trunk's end
+}
+
+void SwayingTree::theWindIsDrawnWhileTheButtonIsDown()
+{
+    for (const lessons::Step &one : m_lesson.steps) {
+        if (!one.guides || one.id == u"trunk")
+            continue;
+        const sim::Values values = one.presets();
+        const sim::Scene scene = one.scene(values);
+        sim::State state = scene.start;
+        state.outside.pointer = {{60, 200}};
+        QVERIFY(one.guides(scene, state, values).empty());
+        state.outside.pointerDown = true;
+        const std::vector<lessons::Guide> guides = one.guides(scene, state, values);
+        QVERIFY(!guides.empty());
+        QCOMPARE(guides.front().a, (sim::Vec2{60, 200}));
+        const bool isWind = guides.front().shape == lessons::Guide::Shape::wind;
+        QCOMPARE(isWind, one.id != u"towards_pointer");
+    }
+}
+
+QTEST_GUILESS_MAIN(SwayingTree)
+#include "tst_swaying_tree.moc"

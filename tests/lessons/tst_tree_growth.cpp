@@ -1,0 +1,147 @@
+#include "sim/error.h"
+#include "tests/lessons/support.h"
+
+#include <QTest>
+
+using namespace support;
+
+/// How the tree of the lesson swaying_tree grows, and what is left of a run when it grows anew.
+class TreeGrowth : public QObject
+{
+    Q_OBJECT
+
+    const LoadedLesson m_lesson = loadLesson(QStringLiteral("swaying_tree"));
+
+    const lessons::Step &step(const char *id) const { return m_lesson.step(QString::fromUtf8(id)); }
+
+    sim::Script pressed(const char *id, sim::Vec2 at, const Changes &changes = {}) const
+    {
+        sim::Script script = scriptOf(step(id), "published", 1.0, changes);
+        script.input = {{1, sim::Pointer{at, true}}};
+        return script;
+    }
+
+private slots:
+    void aTreeHasSoManyBranches_data();
+    void aTreeHasSoManyBranches();
+    void aTreeWithoutEndIsRefused_data();
+    void aTreeWithoutEndIsRefused();
+    void aChangedTreeKeepsItsBends();
+    void theSeedGrowsTheTreeAndTheGusts();
+    void galleriesOfferTreesThatGrowAndDiffer();
+};
+
+void TreeGrowth::aTreeHasSoManyBranches_data()
+{
+    QTest::addColumn<double>("slope");
+    QTest::addColumn<double>("minScale");
+    QTest::addColumn<int>("branches");
+    QTest::newRow("as published") << 0.8 << 0.2 << 255;
+    QTest::newRow("a trunk alone") << 0.8 << 0.9 << 1;
+    QTest::newRow("a limit that is just met does not grow") << 0.5 << 0.25 << 3;
+    QTest::newRow("17 levels") << 0.9 << 0.18 << 131'071;
+}
+
+void TreeGrowth::aTreeHasSoManyBranches()
+{
+    QFETCH(double, slope);
+    QFETCH(double, minScale);
+    QFETCH(int, branches);
+    for (const char *id : {"branches", "turbulence", "real_sway"}) {
+        sim::Script script = step(id).script();
+        script.values.set("slope", slope);
+        script.values.set("min_scale", minScale);
+        const sim::State after = stateAfter(script, 2);
+        QCOMPARE(after.points(), branches);
+        QCOMPARE(sim::firstNotFinite(after), -1);
+    }
+}
+
+void TreeGrowth::aTreeWithoutEndIsRefused_data()
+{
+    QTest::addColumn<double>("slope");
+    QTest::addColumn<double>("minScale");
+    QTest::newRow("18 levels") << 0.9 << 0.16;
+    QTest::newRow("all alike") << 1.0 << 0.2;
+    QTest::newRow("ever larger") << 2.0 << 0.2;
+    QTest::newRow("no smallest branch") << 0.8 << 0.0;
+    QTest::newRow("a tiny smallest branch") << 0.8 << 1e-300;
+}
+
+void TreeGrowth::aTreeWithoutEndIsRefused()
+{
+    QFETCH(double, slope);
+    QFETCH(double, minScale);
+    for (const lessons::Step &one : m_lesson.steps) {
+        if (!one.parameter(QStringLiteral("slope")))
+            continue;
+        sim::Timeline run(one.script());
+        run.seek({3, 0});
+        try {
+            run.set("min_scale", minScale);
+            run.set("slope", slope);
+            QFAIL("not refused");
+        } catch (const sim::Error &error) {
+            QCOMPARE(error.id(), std::string("tree-too-big"));
+            QCOMPARE(error.values().at("most"), std::string("131071"));
+        }
+        run.seek({5, 0}); // goes on
+        QCOMPARE(run.at().frame, 5);
+    }
+}
+
+void TreeGrowth::aChangedTreeKeepsItsBends()
+{
+    sim::Timeline run(pressed("wind", {60, 200}));
+    run.seek({30, 0});
+    run.hand(sim::Pointer{{60, 200}, false});
+    run.seek({31, 0});
+    const sim::State before = run.now();
+    const Eigen::ArrayXd bends = before.angle - run.track().shown().scene.start.angle;
+    run.set("spread", 50.0);
+    run.seek({40, 0});
+    const Eigen::ArrayXd after = run.now().angle - run.track().shown().scene.start.angle;
+    QVERIFY(((bends - after).abs() < 1e-9).all());
+    QVERIFY(farthestApart(before, run.now()) > 20.0);
+}
+
+void TreeGrowth::theSeedGrowsTheTreeAndTheGusts()
+{
+    const auto runWith = [&](std::uint64_t seed, double jitter) {
+        sim::Script script = pressed("turbulence", {60, 200}, {{"jitter", jitter}});
+        script.values.seed = seed;
+        return stateAfter(script, 50);
+    };
+    QVERIFY(sim::sameBits(runWith(3, 10.0), runWith(3, 10.0)));
+    QVERIFY(farthestApart(runWith(3, 10.0), runWith(4, 10.0)) > 1.0);
+    QVERIFY(farthestApart(runWith(3, 0.0), runWith(4, 0.0)) > 0.01); // the same tree, other gusts
+}
+
+void TreeGrowth::galleriesOfferTreesThatGrowAndDiffer()
+{
+    for (const char *id : {"randomness", "turbulence", "real_sway"}) {
+        const lessons::Step &one = step(id);
+        QVERIFY(one.presetGallery.size() >= 5);
+        QStringList titles;
+        std::vector<sim::State> trees = {one.scene(one.presets()).start};
+        for (const lessons::Preset &preset : one.presetGallery) {
+            QVERIFY(!preset.title.isEmpty() && preset.help.endsWith(u'.'));
+            titles << preset.title;
+            sim::Values values = one.presets();
+            for (const auto &[name, value] : preset.values) {
+                const lessons::Parameter *parameter = one.parameter(name);
+                QVERIFY(parameter && value >= parameter->min && value <= parameter->max);
+                values.set(name.toStdString(), value);
+            }
+            trees.push_back(one.scene(values).start);
+            for (std::size_t i = 0; i + 1 < trees.size(); ++i)
+                QVERIFY(trees[i].points() != trees.back().points() ||
+                        farthestApart(trees[i], trees.back()) > 20.0);
+        }
+        titles.removeDuplicates();
+        QCOMPARE(titles.size(), static_cast<qsizetype>(one.presetGallery.size()));
+    }
+}
+
+QTEST_GUILESS_MAIN(TreeGrowth)
+#include "tst_tree_growth.moc"

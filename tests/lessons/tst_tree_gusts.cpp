@@ -1,0 +1,133 @@
+#include "sim/effects/gust.h"
+#include "sim/effects/wind_torque.h"
+#include "tests/lessons/support.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+using namespace support;
+
+/// The wind of step `real_sway`: gusts that run outwards, and what they do to branches.
+class TreeGusts : public QObject
+{
+    Q_OBJECT
+
+    const lessons::Step m_step = loadLesson(QStringLiteral("swaying_tree")).step(QStringLiteral("real_sway"));
+
+    sim::Scene sceneOf(const Changes &changes = {}) const
+    {
+        const sim::Script script = scriptOf(m_step, "semi_implicit_euler", 1.0, changes);
+        return sim::sceneOf(script, script.values);
+    }
+
+private slots:
+    void aGustReachesFarBranchesLater_data();
+    void aGustReachesFarBranchesLater();
+    void theEndOfAGustRunsAfterItsFront();
+    void windPushesAcrossAndAway_data();
+    void windPushesAcrossAndAway();
+    void twigsBendFartherThanTheTrunk();
+};
+
+void TreeGusts::aGustReachesFarBranchesLater_data()
+{
+    QTest::addColumn<double>("speed");
+    QTest::addColumn<double>("h");
+    for (const double speed : {5.0, 12.0, 40.0}) {
+        for (const double h : {0.25, 1.0})
+            QTest::addRow("%g px/frame, h = %g", speed, h) << speed << h;
+    }
+}
+
+/// The wind alone, without springs: each branch is first pushed in the step in which the front has come as far as
+/// its end.
+void TreeGusts::aGustReachesFarBranchesLater()
+{
+    QFETCH(double, speed);
+    QFETCH(double, h);
+    const sim::Vec2 pointer{20, 250};
+    sim::Script script = scriptOf(m_step, "semi_implicit_euler", h, {{"gust_speed", speed}});
+    script.effectsOff = {"torsion"};
+    script.input = {{1, sim::Pointer{pointer, true}}};
+    const sim::Scene scene = sim::sceneOf(script, script.values);
+    const lessons::Look look = m_step.look(scene, script.values);
+    sim::Track run(script, 0);
+    std::vector<int> steps(scene.names.size(), 0);
+    const int frames = static_cast<int>(1500.0 / speed);
+    const int phases = run.next()->pipeline.phasesPerStep();
+    for (int step = 1; step <= frames / h; ++step) {
+        const int perRow = run.next()->pipeline.step.perRow;
+        run.seek({(step) / perRow, step % perRow * phases});
+        for (std::size_t i = 0; i < steps.size(); ++i) {
+            if (steps[i] == 0 && run.now().spin[static_cast<int>(i)] != 0.0)
+                steps[i] = step;
+        }
+    }
+    // A branch that its own wind has not reached stays where it grew, but for what moves its parents.
+    for (const int i : {0, 1, 2}) {
+        const double rad = scene.start.angle[i] * std::numbers::pi / 180.0;
+        const double length = look.tree->length[static_cast<std::size_t>(i)];
+        const sim::Vec2 end = scene.start.at(i) + length * sim::Vec2{std::cos(rad), std::sin(rad)};
+        const double distance = sim::length(end - pointer);
+        if (i == 0 || i == 1)
+            QVERIFY(std::abs(steps[static_cast<std::size_t>(i)] - std::ceil(distance / (speed * h))) <= 1.0);
+    }
+    const int nearest = *std::min_element(steps.begin(), steps.end());
+    const int farthest = *std::max_element(steps.begin(), steps.end());
+    QVERIFY(nearest > 0);
+    QVERIFY((farthest - nearest) * h * speed > 200.0); // the crown is that wide
+}
+
+void TreeGusts::theEndOfAGustRunsAfterItsFront()
+{
+    sim::Gale gale;
+    gale = sim::runOn(gale, false, 10.0, 1.0);
+    QCOMPARE(gale.front, 0.0);
+    for (int frame = 0; frame < 5; ++frame)
+        gale = sim::runOn(gale, true, 10.0, 1.0);
+    for (int frame = 0; frame < 3; ++frame)
+        gale = sim::runOn(gale, false, 10.0, 1.0);
+    QCOMPARE(gale.front, 80.0);
+    QCOMPARE(gale.end, 30.0);
+    for (const auto &[distance, blows] : {std::pair{20.0, false}, {50.0, true}, {79.0, true}, {90.0, false}})
+        QCOMPARE(sim::gustAt(distance, gale, 0.5) > 0.0, blows);
+    gale = sim::runOn(gale, true, 10.0, 1.0); // a new one
+    QCOMPARE(gale.front, 10.0);
+    QCOMPARE(gale.end, 0.0);
+}
+
+void TreeGusts::windPushesAcrossAndAway_data()
+{
+    QTest::addColumn<double>("wind"); // degrees, where it blows to
+    QTest::addColumn<double>("turn"); // of a branch that points straight up
+    QTest::newRow("to the right: clockwise") << 0.0 << 1.0;
+    QTest::newRow("to the left: counter-clockwise") << 180.0 << -1.0;
+    QTest::newRow("along") << -90.0 << 0.0;
+    QTest::newRow("half across") << -60.0 << 0.5;
+}
+
+void TreeGusts::windPushesAcrossAndAway()
+{
+    QFETCH(double, wind);
+    QFETCH(double, turn);
+    const double rad = wind * std::numbers::pi / 180.0;
+    const sim::WindPush push =
+        sim::windPush({std::cos(rad), std::sin(rad)}, {0, -1}, 200.0, 5.0, 1.0, 1.0, 2.0);
+    QVERIFY(std::abs(push.turn - turn) < 1e-12);
+    QVERIFY(std::abs(push.pull - 5.0 / 200.0 * 180.0 / std::numbers::pi * turn / 2.0) < 1e-12);
+}
+
+void TreeGusts::twigsBendFartherThanTheTrunk()
+{
+    sim::Script script = m_step.script();
+    script.input = {{1, sim::Pointer{{60, 250}, true}}};
+    const Eigen::ArrayXd bend = stateAfter(script, 300).angle - sceneOf().start.angle;
+    QVERIFY(bend[0] > 1.0); // away: to the right
+    QVERIFY(bend.tail(128).mean() > 2.0 * bend[0]);
+}
+
+QTEST_GUILESS_MAIN(TreeGusts)
+#include "tst_tree_gusts.moc"

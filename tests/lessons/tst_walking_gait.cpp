@@ -1,0 +1,246 @@
+#include "tests/lessons/attempts.h"
+#include "tests/lessons/published_files.h"
+#include "tests/lessons/walking_tutorial.h"
+
+#include "sim/methods/methods.h"
+
+#include <QTest>
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+using namespace support;
+using std::numbers::pi;
+using Complex = std::complex<double>;
+
+namespace {
+
+/// z'' + c z' + k (z - centre - radius e^{i (phase + speed t)}) = 0 from rest at `start`, at time t: the exact
+/// motion of a foot whose place goes round. Solved by hand: a circle, and two modes that die away.
+Complex driven(double k, double c, Complex centre, double radius, double phase, double speed, Complex start,
+               double t)
+{
+    const Complex i(0.0, 1.0);
+    const Complex round = k * radius * std::polar(1.0, phase) / (k - speed * speed + i * c * speed);
+    const Complex root = std::sqrt(Complex(c * c - 4.0 * k));
+    const Complex one = 0.5 * (-c + root), other = 0.5 * (-c - root);
+    const Complex x = start - centre - round, v = -i * speed * round;
+    const Complex a = (v - other * x) / (one - other), b = x - a;
+    return centre + round * std::exp(i * speed * t) + a * std::exp(one * t) + b * std::exp(other * t);
+}
+
+Complex complex(sim::Vec2 a)
+{
+    return {a.x, a.y};
+}
+
+sim::Vec2 momentumOf(const sim::State &state)
+{
+    return {state.velocity.col(0).sum(), state.velocity.col(1).sum()};
+}
+
+}
+
+/// The published steps up to `body_pulled`, and all tries; `ground` is in tst_walking_ground.cpp, the tutorial's
+/// suggestions in tst_walking_further.cpp and tst_walking_company.cpp.
+class WalkingGait : public QObject
+{
+    Q_OBJECT
+
+    const LoadedLesson m_lesson = loadLesson(QStringLiteral("walking_gait"));
+
+    const lessons::Step &step(const char *id) const { return m_lesson.step(QString::fromUtf8(id)); }
+
+    static void addMethodRows()
+    {
+        QTest::addColumn<QString>("method");
+        for (const sim::MethodPtr &method : sim::allMethods())
+            QTest::addRow("%s", method->id().c_str()) << QString::fromStdString(method->id());
+    }
+
+    sim::Script scriptOfRow(const char *id, double h, const Changes &changes = {}) const
+    {
+        QFETCH(QString, method);
+        return scriptOf(step(id), method.toStdString(), h, changes);
+    }
+
+private slots:
+    void publishedTrajectories_data();
+    void publishedTrajectories();
+    void matchesTheTutorialsCode_data();
+    void matchesTheTutorialsCode();
+    void footZeroBelongsOnTheLeft();
+    void aFootFollowsItsPlaceAsTheExactSolutionDoes_data() { addMethodRows(); }
+    void aFootFollowsItsPlaceAsTheExactSolutionDoes();
+    void aPulledCreatureConvergesToItsExactSolution_data() { addMethodRows(); }
+    void aPulledCreatureConvergesToItsExactSolution();
+    void theSwingIsAsWideAsTheStepSays();
+    void noLegChangesTheMomentum_data();
+    void noLegChangesTheMomentum();
+    void aHeldEndFeelsNothingTheOtherFeelsItsLeg();
+    void theCurveChangesOnlyThePicture();
+    void everyTryIsDoneByWhatItDescribes_data() { addAttemptRows(m_lesson, attempts()); }
+    void everyTryIsDoneByWhatItDescribes() { checkAttempt(m_lesson); }
+};
+
+void WalkingGait::publishedTrajectories_data()
+{
+    QTest::addColumn<QString>("name");
+    const QStringList names = publishedNames(QStringLiteral("walking_gait"));
+    QCOMPARE(names.size(), 3);
+    for (const QString &name : names)
+        QTest::addRow("%s", qPrintable(name)) << name;
+}
+
+void WalkingGait::publishedTrajectories()
+{
+    QFETCH(QString, name);
+    QVERIFY(largestDifference(readPublished(name, m_lesson)) <= 1e-9);
+}
+
+void WalkingGait::matchesTheTutorialsCode_data()
+{
+    QTest::addColumn<Walk>("walk");
+    std::mt19937 random(5);
+    using Kind = WalkingTutorial::Kind;
+    const std::vector<std::pair<const char *, Kind>> steps = {
+        {"bones", Kind::bones},       {"legs", Kind::bones},     {"feet_below", Kind::below},
+        {"curved_legs", Kind::below}, {"swing", Kind::swing},    {"body_pulled", Kind::bodyPulled},
+        {"ground", Kind::ground},     {"steering", Kind::ground}};
+    for (const auto &[id, kind] : steps) {
+        for (int run = 0; run < 12; ++run)
+            QTest::addRow("%s, random drags %d", id, run) << Walk{id, randomWalk(kind, 2, random)};
+    }
+    for (int feet = 2; feet <= 12; ++feet)
+        QTest::addRow("more_feet, %d feet", feet)
+            << Walk{"more_feet", randomWalk(Kind::ground, feet, random)};
+}
+
+void WalkingGait::matchesTheTutorialsCode()
+{
+    QFETCH(Walk, walk);
+    QVERIFY(largestDifference(step(walk.step), walk.tutorial, 300) <= 1e-9);
+}
+
+void WalkingGait::footZeroBelongsOnTheLeft()
+{
+    const sim::State rest = stateAfter(step("bones").script(), 1000);
+    QVERIFY(sim::length(rest.at(0) - sim::Vec2{220, 200}) < 1e-9);
+    QVERIFY(sim::length(rest.at(1) - sim::Vec2{320, 200}) < 1e-9);
+    const sim::State below = stateAfter(step("feet_below").script(), 1000);
+    QVERIFY(sim::length(below.at(0) - sim::Vec2{220, 350}) < 1e-9);
+    QVERIFY(std::abs(sim::length(below.at(0) - below.at(2)) - 70.7) < 0.05);
+}
+
+void WalkingGait::aFootFollowsItsPlaceAsTheExactSolutionDoes()
+{
+    const double damping = -std::log(0.9);
+    const Slope slope = slopeOf(
+        [&](double h) {
+            const sim::State state = stateAfter(scriptOfRow("swing", h, {{"speed", 0.3}}), 40);
+            const Complex place = driven(0.2, damping, {270, 350}, 50.0, pi, 0.3, Complex(220, 350), 40.0);
+            return std::abs(complex(state.at(0)) - place);
+        },
+        4, 9);
+    QVERIFY2(slope.least > 0.9 && slope.greatest < 1.1,
+             qPrintable(u"%1 to %2"_qs.arg(slope.least).arg(slope.greatest)));
+}
+
+/// What both feet do alike (their sum) is pulled with k (1 + 2), what they do against each other with k; the body
+/// makes up for the sum.
+void WalkingGait::aPulledCreatureConvergesToItsExactSolution()
+{
+    const double damping = -std::log(0.9);
+    const auto exact = [&](double t) {
+        const Complex sum = driven(3.0 * 0.2, damping, {0, 100}, 0.0, 0.0, 0.1, Complex(30, 80), t);
+        const Complex against = driven(0.2, damping, {0, 0}, 50.0, pi, 0.1, Complex(-65, 10), t);
+        const Complex body = Complex(290, 300) - (sum - Complex(30, 80)) / 3.0;
+        return body + 0.5 * sum + against;
+    };
+    const Slope slope = slopeOf(
+        [&](double h) {
+            sim::Script script = scriptOfRow("body_pulled", h, {{"speed", 0.1}});
+            // As seen from the body: (-50, 50) and (80, 30).
+            script.bodies = {
+                {"body", {{290, 300}, {}}}, {"foot0", {{240, 350}, {}}}, {"foot1", {{370, 330}, {}}}};
+            return std::abs(complex(stateAfter(script, 40).at(0)) - exact(40.0));
+        },
+        4, 9);
+    QVERIFY2(slope.least > 0.9 && slope.greatest < 1.1,
+             qPrintable(u"%1 to %2"_qs.arg(slope.least).arg(slope.greatest)));
+}
+
+/// The narration's 50.6 px, and that a foot goes much farther near the speed at which it swings by itself.
+void WalkingGait::theSwingIsAsWideAsTheStepSays()
+{
+    const auto width = [&](double speed) {
+        const sim::State state =
+            stateAfter(scriptOf(step("swing"), "published", 1.0, {{"speed", speed}}), 500);
+        return sim::length(state.at(0) - sim::Vec2{270, 350});
+    };
+    QVERIFY(std::abs(width(0.05) - 50.6) < 0.05);
+    QVERIFY(width(0.45) > 150.0);
+    QVERIFY(width(1.5) < 10.0);
+}
+
+void WalkingGait::noLegChangesTheMomentum_data()
+{
+    QTest::addColumn<QString>("method");
+    QTest::addColumn<double>("h");
+    for (const sim::MethodPtr &method : sim::allMethods()) {
+        for (double h : {1.0, 0.5, 0.125})
+            QTest::addRow("%s, h %g", method->id().c_str(), h) << QString::fromStdString(method->id()) << h;
+    }
+}
+
+void WalkingGait::noLegChangesTheMomentum()
+{
+    QFETCH(double, h);
+    sim::Script script = scriptOfRow("body_pulled", h, {{"damp", 1.0}});
+    script.bodies = {{"foot0", {{200, 300}, sim::Vec2{5, -2}}},
+                     {"foot1", {{350, 390}, sim::Vec2{1, 4}}},
+                     {"body", {{270, 300}, sim::Vec2{-2, 3}}}};
+    for (int frames : {1, 10, 100, 1000}) {
+        const sim::State state = stateAfter(script, frames);
+        QVERIFY(sim::length(momentumOf(state) - sim::Vec2{4, 5}) < 1e-10);
+    }
+    const double moved = sim::length(stateAfter(script, 10).speed(2) - sim::Vec2{-2, 3});
+    QVERIFY2(moved > 1.0, "the legs must have something to give");
+}
+
+void WalkingGait::aHeldEndFeelsNothingTheOtherFeelsItsLeg()
+{
+    sim::Script script = scriptOf(step("body_pulled"), "published", 1.0, {{"damp", 1.0}, {"speed", 0.0}});
+    script.bodies = {{"foot0", {{200, 350}, {}}}}; // 20 px left of its place
+    script.input = {{1, sim::Grab{"foot0"}}};
+    const sim::State footHeld = stateAfter(script, 1);
+    QCOMPARE(footHeld.at(0), (sim::Vec2{200, 350}));
+    QVERIFY(sim::length(footHeld.speed(2) - sim::Vec2{-4, 0}) < 1e-12); // k 0.2 times 20 px
+    script.input = {{1, sim::Grab{"body"}}};
+    const sim::State bodyHeld = stateAfter(script, 1);
+    QCOMPARE(bodyHeld.at(2), (sim::Vec2{270, 300}));
+    QVERIFY(sim::length(bodyHeld.speed(0) - sim::Vec2{4, 0}) < 1e-12);
+}
+
+void WalkingGait::theCurveChangesOnlyThePicture()
+{
+    const lessons::Step &curved = step("curved_legs");
+    const auto run = [&](double curve) {
+        sim::Script script = scriptOf(curved, "published", 1.0, {{"curve", curve}});
+        script.bodies = {{"body", {{200, 250}, {}}}};
+        return stateAfter(script, 50);
+    };
+    QVERIFY(sim::sameBits(run(50.0), run(-20.0)));
+    sim::Values values = curved.presets();
+    values.set("curve", 33.0);
+    const lessons::Look look = curved.look(curved.scene(values), values);
+    QCOMPARE(look.legs.size(), std::size_t{2});
+    for (const lessons::LegLook &leg : look.legs) {
+        QCOMPARE(leg.curve, 33.0);
+        QVERIFY(leg.from == 2 && leg.to < 2);
+    }
+}
+
+QTEST_GUILESS_MAIN(WalkingGait)
+#include "tst_walking_gait.moc"
