@@ -82,6 +82,7 @@ State carryOver(const State &state, const Scene &from, const Scene &to)
     carrySpeeds(state, from.start, next);
     next.gale = state.gale;
     next.frame = state.frame;
+    next.evaluations = state.evaluations;
     const bool targetMoved = from.start.outside.target != to.start.outside.target;
     next.outside = state.outside;
     if (targetMoved)

@@ -58,6 +58,39 @@ public:
     virtual int count(const State &state, Points points) const = 0;
 };
 
+/// How accelerations change with places: the entries of that matrix of derivatives, in 1/frame^2. Entries for the
+/// same row and column add up.
+class Slopes
+{
+public:
+    struct Entry
+    {
+        int row = 0;    ///< whose acceleration: x of each point, then y of each point, then each angle
+        int column = 0; ///< by whose place, in the same order
+        double value = 0.0;
+    };
+
+    explicit Slopes(int points) : m_points(points) {}
+    /// The acceleration of `mover` by the place of `by`: along x by x, x by y, y by x, y by y.
+    void add(int mover, int by, double xx, double xy, double yx, double yy)
+    {
+        m_entries.insert(m_entries.end(), {{mover, by, xx},
+                                           {mover, m_points + by, xy},
+                                           {m_points + mover, by, yx},
+                                           {m_points + mover, m_points + by, yy}});
+    }
+    /// The angular acceleration of `mover` by the angle of `by`.
+    void addTurn(int mover, int by, double value)
+    {
+        m_entries.push_back({2 * m_points + mover, 2 * m_points + by, value});
+    }
+    const std::vector<Entry> &entries() const { return m_entries; }
+
+private:
+    int m_points;
+    std::vector<Entry> m_entries;
+};
+
 /// Pushes points, and moves none.
 class Force : public Effect
 {
@@ -67,6 +100,9 @@ public:
     /// moment adds that to the other end's row at once, whether or not it is among `movers`.
     virtual void add(const State &state, Points movers, double scale, Directions directions,
                      Eigen::ArrayX2d &into) const = 0;
+    /// Adds `scale` times the derivatives of what add() adds. Returns false, and adds nothing, for a force that has
+    /// none.
+    virtual bool addSlopes(const State &, Points, double, Directions, Slopes &) const { return false; }
     /// The numbers behind what `mover` feels in `state`; the last one, "pull", is all of it.
     virtual std::vector<Live> explain(const State &state, int mover, Directions directions) const = 0;
 };
@@ -77,6 +113,8 @@ class Torque : public Effect
 public:
     /// Adds `scale` times the angular acceleration (degrees/frame^2) of each point of `movers` to its row of `into`.
     virtual void add(const State &state, Points movers, double scale, Eigen::ArrayXd &into) const = 0;
+    /// As for a Force.
+    virtual bool addSlopes(const State &, Points, double, Slopes &) const { return false; }
     virtual std::vector<Live> explain(const State &state, int mover) const = 0;
 };
 
@@ -86,8 +124,18 @@ class Drag : public Effect
 {
 public:
     virtual void slow(State &state, Points points, double h) const = 0;
+    /// The c of `point` (1/frame) for a drag that is v' = -c v: 0 for what it leaves alone, infinite for what it
+    /// stops at once. Empty for any other kind of drag.
+    virtual std::optional<double> rate(int) const { return {}; }
     /// The numbers behind what it did to `point`; the last is the velocity with what it was before.
     virtual std::vector<Live> explain(const State &before, const State &after, int point, double h) const = 0;
+};
+
+/// How what a driver does goes with time.
+enum class Pace {
+    once,    ///< once a step, by a jump: there is no rate behind it
+    flows,   ///< steadily: in two parts it comes to the same, and a negative time undoes it
+    follows, ///< it has no time: it puts in place what the rest of the state decides
 };
 
 /// Sets in motion or places what follows a rule of its own: a gait clock, a motor's impulse, a pointer that carries
@@ -97,6 +145,7 @@ class Driver : public Effect
 {
 public:
     virtual void drive(State &state, double h) const = 0;
+    virtual Pace pace() const { return Pace::once; }
     virtual std::vector<Live> explain(const State &before, const State &after, int point) const = 0;
 };
 
@@ -110,11 +159,28 @@ public:
     virtual std::vector<Live> explain(const State &before, const State &after, int point) const = 0;
 };
 
+/// What a surface does to the speed along it of a point that touches it.
+enum class Grip {
+    none, ///< nothing
+    full, ///< takes all of it
+};
+
+/// A straight edge that a point may not pass: it is free where normal . x >= offset.
+struct Surface
+{
+    Vec2 normal;         ///< of length 1, to where the point is free
+    double offset = 0.0; ///< px
+    double bounce = 0.0; ///< share of the speed into it that is kept, turned round
+    Grip grip = Grip::none;
+};
+
 /// Corrects points after they moved.
 class Contact : public Effect
 {
 public:
     virtual void resolve(State &state, Points points) const = 0;
+    /// The surfaces that `point` meets: what resolve() comes to when steps get small.
+    virtual std::vector<Surface> surfaces(int point) const = 0;
 };
 
 using EffectPtr = std::shared_ptr<const Effect>;

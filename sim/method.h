@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/scene.h"
+#include "sim/step_size.h"
 
 #include <functional>
 #include <memory>
@@ -15,15 +16,23 @@ struct Phase
     std::string id;    ///< the effect's id, or the method's own: "kick", "move"
     std::string title; ///< in English; see SIM_TEXT
     Kind kind = Kind::motion;
-    EffectPtr effect;            ///< whose work it is; null for the method's own
-    Points points;               ///< what it works on
-    int group = -1;              ///< which of the scene's groups; -1: all at once
-    std::vector<Region> regions; ///< its source, in the order in which it runs
-    bool moves = false;          ///< whether the gathered accelerations are spent after it
+    EffectPtr effect;              ///< whose work it is; null for the method's own
+    std::vector<EffectPtr> within; ///< the effects that a phase of the method's own computes on its way
+    Points points;                 ///< what it works on
+    int group = -1;                ///< which of the scene's groups; -1: all at once
+    std::vector<Region> regions;   ///< its source, in the order in which it runs
+    bool moves = false;            ///< whether the gathered accelerations are spent after it
     std::function<void(State &)> run;
     /// The numbers behind what the phase did to `point`, given the states around it.
     std::function<std::vector<Live>(const State &before, const State &after, int point)> explain;
 };
+
+/// Whether a method's steps have a length or a tolerance.
+enum class Stepping {
+    fixed,    ///< all have length h
+    adaptive, ///< it chooses each so that its error stays within a tolerance
+};
+enum class Symplectic { no, yes };
 
 /// A time-stepping method: how a State gets from one step to the next. Knows no effect by name.
 class Method
@@ -34,9 +43,16 @@ public:
     virtual std::string id() const = 0;
     /// In English; see SIM_TEXT.
     virtual std::string title() const = 0;
-    /// How the error shrinks with the step: as h^order.
+    /// How the error shrinks with the step: as h^order; for an adaptive method, with its own steps.
     virtual int order() const = 0;
-    /// What a scene must offer, as ids: "groups" (an update order). Empty: nothing beyond forces.
+    /// Whether it keeps phase-space volume where nothing damps, so that energy stays bounded for ever.
+    virtual Symplectic symplectic() const { return Symplectic::no; }
+    /// Whether steps have a length, or a tolerance.
+    virtual Stepping stepping() const { return Stepping::fixed; }
+    /// How often a step computes all forces; 0: as often as it takes, counted in State::evaluations.
+    virtual int evaluations() const { return 1; }
+    /// What a scene must offer, as ids: "groups" (an update order), "smooth" (a continuous limit: no constraints, no
+    /// jumps), "slopes" (forces that know their derivatives). Empty: nothing beyond forces.
     virtual std::vector<std::string> needs() const = 0;
     /// How this method's effects find directions.
     virtual Directions directions() const = 0;
@@ -44,9 +60,9 @@ public:
     virtual Region region() const = 0;
     /// Gives `state` the scratch that the phases use.
     virtual void prepare(State &state) const = 0;
-    /// The phases of one step of `h` frames. What the scene does not list makes no phase.
+    /// The phases of one step. What the scene does not list makes no phase.
     /// @throws Error "method-does-not-fit" (method, effect) for an effect that the method cannot handle
-    virtual std::vector<Phase> phases(const Scene &scene, double h) const = 0;
+    virtual std::vector<Phase> phases(const Scene &scene, StepSize step) const = 0;
 };
 
 using MethodPtr = std::shared_ptr<const Method>;

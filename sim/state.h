@@ -47,6 +47,15 @@ struct Outside
     Keys keys;
 };
 
+/// The stretch of time that a method with steps of its own has computed, seen from the frame that is done. Whole
+/// frames inside it are read off; State::stages holds what for.
+struct Ahead
+{
+    double from = 0.0; ///< frames, where its last step began; 0 or less
+    double to = 0.0;   ///< frames, where that ended; nothing is ahead if it is not above 0
+    double next = 0.0; ///< frames, the length that its next step should have; 0: not known yet
+};
+
 /// All that a step reads and writes, as plain values. Copying it is the snapshot; two equal States run on alike.
 /// Arrays have one row per point: structure of arrays, x and y each in one run of memory.
 struct State
@@ -60,6 +69,13 @@ struct State
     Eigen::ArrayXd angle;   ///< degrees, clockwise from the x axis; empty for scenes whose points do not turn
     Eigen::ArrayXd spin;    ///< degrees/frame; empty for scenes whose points have no angular inertia
     Eigen::ArrayXd turning; ///< degrees/frame^2, gathered so far; empty for methods that gather none
+
+    Eigen::ArrayXXd stages; ///< scratch of methods with several stages, one column each; empty for others
+    Eigen::ArrayXi
+        resting; ///< for each point 1 + the number of the surface that it rests on, 0 for none; empty
+                 ///< for methods that do not locate contacts
+    Ahead ahead;
+    std::int64_t evaluations = 0; ///< how often methods that choose this themselves have computed all forces
 
     Eigen::ArrayXd gait;      ///< rad, one a gait clock
     Eigen::ArrayXd gaitSpeed; ///< rad/frame, one a gait clock
@@ -91,7 +107,7 @@ void visitMemory(const State &state, Visit &&visit)
     };
     const auto array = [&](const auto &values) {
         one(static_cast<std::int64_t>(values.rows()));
-        visit(values.data(), static_cast<std::size_t>(values.size()) * sizeof(double));
+        visit(values.data(), static_cast<std::size_t>(values.size()) * sizeof *values.data());
     };
     array(state.position);
     array(state.velocity);
@@ -101,6 +117,12 @@ void visitMemory(const State &state, Visit &&visit)
     array(state.angle);
     array(state.spin);
     array(state.turning);
+    array(state.stages);
+    array(state.resting);
+    one(state.ahead.from);
+    one(state.ahead.to);
+    one(state.ahead.next);
+    one(state.evaluations);
     array(state.gait);
     array(state.gaitSpeed);
     one(state.gale.front);

@@ -16,6 +16,13 @@ std::size_t costOf(const State &state)
     return memoryOf(state) + bookkeeping;
 }
 
+/// What a method has computed ahead holds as long as nothing comes in from outside.
+void forgetAhead(State &state)
+{
+    state.ahead.from = state.ahead.to = 0.0;
+    state.resting.setZero();
+}
+
 }
 
 Track::Track(Script script, std::size_t budget) : m_script(std::move(script)), m_budget(budget)
@@ -98,6 +105,8 @@ void Track::begin(State &state, std::int64_t rowEnd) const
     const std::shared_ptr<const Segment> segment = segmentFor(rowEnd);
     if (before != segment)
         state = carryOver(state, before->scene, segment->scene);
+    if (state.hold.point >= 0)
+        forgetAhead(state);
     const std::int64_t rowStart = rowEnd - rowFrames();
     state.frame = rowEnd;
     state.outside.gust.reset();
@@ -105,8 +114,10 @@ void Track::begin(State &state, std::int64_t rowEnd) const
     const bool first = rowStart == 0;
     auto event = std::upper_bound(m_script.input.begin(), m_script.input.end(), first ? -1 : rowStart,
                                   [](std::int64_t frame, const Event &e) { return frame < e.frame; });
-    for (; event != m_script.input.end() && event->frame <= rowEnd; ++event)
+    for (; event != m_script.input.end() && event->frame <= rowEnd; ++event) {
         apply(state, segment->scene, *event);
+        forgetAhead(state);
+    }
     const int held = state.hold.point;
     if (held < 0)
         return;

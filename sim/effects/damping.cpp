@@ -54,6 +54,13 @@ void Damping::slow(State &state, Points points, double h) const
     }
 }
 
+std::optional<double> Damping::rate(int point) const
+{
+    if (!m_only.contains(point) || m_damp == 1.0)
+        return 0.0;
+    return -std::log(m_damp);
+}
+
 std::vector<Live> Damping::explain(const State &before, const State &after, int point, double h) const
 {
     if (!m_only.contains(point))

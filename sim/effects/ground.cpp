@@ -32,6 +32,14 @@ int Ground::count(const State &state, Points points) const
     return total;
 }
 
+std::vector<Surface> Ground::surfaces(int point) const
+{
+    if (!std::binary_search(m_feet.begin(), m_feet.end(), point))
+        return {};
+    const Grip grip = m_soil.traction == Traction::full ? Grip::full : Grip::none;
+    return {{{0.0, -1.0}, -m_soil.ground, m_soil.bounce, grip}};
+}
+
 void Ground::resolve(State &state, Points points) const
 {
     forEach(state, points, [&](int foot) {

@@ -64,6 +64,7 @@ public:
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
     void drive(State &state, double h) const override;
+    Pace pace() const override { return Pace::flows; }
     std::vector<Live> explain(const State &before, const State &after, int point) const override;
 
 private:

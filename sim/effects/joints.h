@@ -19,6 +19,7 @@ public:
     int count(const State &state, Points points) const override;
     /// A branch that feels nothing does not turn on either: it loses its spin.
     void drive(State &state, double h) const override;
+    Pace pace() const override { return Pace::follows; }
     std::vector<Live> explain(const State &before, const State &after, int point) const override;
 
     const Tree &tree() const { return *m_tree; }

@@ -12,6 +12,14 @@ int Walls::count(const State &state, Points points) const
     return static_cast<int>((state.inverseMass.segment(points.first, points.count) != 0.0).count());
 }
 
+std::vector<Surface> Walls::surfaces(int point) const
+{
+    const double half = m_half[point];
+    return {{{-1.0, 0.0}, half - m_room.right, m_room.bounce, Grip::none},
+            {{1.0, 0.0}, m_room.left + half, m_room.bounce, Grip::none},
+            {{0.0, -1.0}, half - m_room.floor, m_room.bounce, Grip::none}};
+}
+
 void Walls::resolve(State &state, Points points) const
 {
     for (int i = points.first; i < points.end(); ++i) {

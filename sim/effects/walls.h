@@ -60,6 +60,7 @@ public:
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
     void resolve(State &state, Points points) const override;
+    std::vector<Surface> surfaces(int point) const override;
 
     const Room &room() const { return m_room; }
 

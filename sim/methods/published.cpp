@@ -46,9 +46,9 @@ void Published::prepare(State &state) const
     state.turning.resize(0);
 }
 
-std::vector<Phase> Published::phases(const Scene &scene, double h) const
+std::vector<Phase> Published::phases(const Scene &scene, StepSize size) const
 {
-    PhaseList step(scene, directions(), h);
+    PhaseList step(scene, directions(), size.h);
     const Adding pull = {pullAtOnce,
                          turnAtOnce,
                          {"sim/methods/published.cpp", "published_forces"},

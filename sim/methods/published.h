@@ -16,7 +16,7 @@ public:
     Directions directions() const override { return Directions::published; }
     Region region() const override { return {"sim/methods/published.cpp", "published_order"}; }
     void prepare(State &state) const override;
-    std::vector<Phase> phases(const Scene &scene, double h) const override;
+    std::vector<Phase> phases(const Scene &scene, StepSize size) const override;
 };
 
 }

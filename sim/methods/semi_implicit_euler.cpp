@@ -43,9 +43,9 @@ void SemiImplicitEuler::prepare(State &state) const
     state.turning.setZero(state.spin.rows());
 }
 
-std::vector<Phase> SemiImplicitEuler::phases(const Scene &scene, double h) const
+std::vector<Phase> SemiImplicitEuler::phases(const Scene &scene, StepSize size) const
 {
-    PhaseList step(scene, directions(), h);
+    PhaseList step(scene, directions(), size.h);
     const Adding sum = {gather,
                         gatherTorque,
                         {"sim/methods/semi_implicit_euler.cpp", "gather"},

@@ -13,11 +13,12 @@ public:
     std::string id() const override { return "semi_implicit_euler"; }
     std::string title() const override { return SIM_TEXT("Semi-implicit Euler"); }
     int order() const override { return 1; }
+    Symplectic symplectic() const override { return Symplectic::yes; }
     std::vector<std::string> needs() const override { return {}; }
     Directions directions() const override { return Directions::apart; }
     Region region() const override { return {"sim/methods/semi_implicit_euler.cpp", "semi_implicit_order"}; }
     void prepare(State &state) const override;
-    std::vector<Phase> phases(const Scene &scene, double h) const override;
+    std::vector<Phase> phases(const Scene &scene, StepSize size) const override;
 };
 
 }

@@ -1,0 +1,76 @@
+#pragma once
+
+#include "sim/effect.h"
+#include "sim/scene.h"
+
+#include <memory>
+#include <vector>
+
+namespace sim {
+
+/// A scene as a system of ordinary differential equations, q'' = a(q, t) - c q'. q is one row of numbers: x of each
+/// point, then y of each, then the angle of each that has a spin; velocities and accelerations go in the same
+/// order. What the scene does by jumps (contacts, constraints, drivers that act once a step) is not in it.
+class Flow
+{
+public:
+    Flow(const Scene &scene, Directions directions);
+
+    /// Numbers in q: 2 a point, and 1 for each that has a spin.
+    int size() const { return m_size; }
+
+    /// Rows of q with the same c, in 1/frame.
+    struct Stretch
+    {
+        int first = 0;
+        int count = 0;
+        double rate = 0.0;
+        int end() const { return first + count; }
+    };
+    /// Together they are all rows, in order.
+    const std::vector<Stretch> &stretches() const { return m_stretches; }
+
+    /// Reads places and velocities. What does not go on by itself (a handle, what a hand holds) has velocity 0 here.
+    void read(const State &state, double *q, double *v) const;
+    /// Puts places back.
+    void place(const double *q, State &state) const;
+    /// Puts velocities back, of what goes on by itself.
+    void push(const double *v, State &state) const;
+    /// a(q, t), without damping, where `state` is. Uses its scratch.
+    void accelerations(State &state, double *a) const;
+    /// The derivatives of a by q. False if a force of the scene has none.
+    bool slopes(const State &state, Slopes &into) const;
+    /// Takes time on by `h` frames, without moving anything: the drivers that flow.
+    void tick(State &state, double h) const;
+    /// Gives `state` the scratch that accelerations() uses.
+    void prepare(State &state) const;
+
+    /// The effects that are in the equations, in the scene's order.
+    const std::vector<EffectPtr> &effects() const { return m_effects; }
+    /// The first effect that is not, or nothing: a contact, a constraint, a driver that acts once a step, or a drag
+    /// that has no rate. `contacts` says whether contacts count.
+    enum class Contacts { fit, doNotFit };
+    static EffectPtr firstJump(const Scene &scene, Contacts contacts);
+
+private:
+    bool goesOn(const State &state, int point) const
+    {
+        return state.feels(point) && m_inert[static_cast<std::size_t>(point)];
+    }
+    void follow(State &state) const;
+
+    Directions m_directions;
+    int m_points = 0;
+    int m_spins = 0;
+    int m_size = 0;
+    std::vector<char> m_inert; ///< a point each
+    std::vector<int> m_idle;   ///< the others' numbers
+    std::vector<Stretch> m_stretches;
+    std::vector<EffectPtr> m_effects;
+    std::vector<std::shared_ptr<const Force>> m_forces;
+    std::vector<std::shared_ptr<const Torque>> m_torques;
+    std::vector<std::shared_ptr<const Driver>> m_flowing;
+    std::vector<std::shared_ptr<const Driver>> m_following;
+};
+
+}
