@@ -65,6 +65,7 @@ void Session::setMethod(const QString &id)
     edit(tr("before: %1").arg(phrase(was->title())), [&](sim::Timeline &timeline) {
         sim::Script script = timeline.script();
         script.method = method;
+        script.step = sim::stepFor(*method, script.step);
         return timeline.replace(std::move(script));
     });
 }
