@@ -40,7 +40,7 @@ sim::StudyPlan planFor(const AccuracyRequest &request, const Experiment &experim
     if (request.frames)
         plan.frames = *request.frames;
     else if (QFileInfo::exists(request.what))
-        plan.frames = std::min(experiment.frames, mostOwnFrames);
+        plan.frames = std::clamp<std::int64_t>(experiment.frames, 1, mostOwnFrames);
     plan.inUse = sim::Way{experiment.script.method, experiment.script.step};
     return plan;
 }

@@ -107,7 +107,7 @@ QString horizonSentence(const sim::Accuracy &found)
     case sim::ReferenceRun::End::span:
         break;
     case sim::ReferenceRun::End::parted:
-        return start + Text::tr(": after it the two part, so that nothing can be said.");
+        return start + Text::tr(": after it they are too far apart to be believed.");
     case sim::ReferenceRun::End::notFinite:
         return start + Text::tr(": after it the reference stops being finite.");
     case sim::ReferenceRun::End::tooLong:
@@ -153,7 +153,14 @@ QString accuracyTable(const AccuracyReport &report)
     if (found.noisy())
         lines.push_back(Text::tr("This machine is busy with other things: times vary by %1 %.")
                             .arg(std::lround(100.0 * found.noise)));
-    if (found.horizon > 0)
+    const auto isExact = [](const sim::AccuracyRow &row) {
+        return row.outcome != sim::Outcome::measured || row.error == 0.0;
+    };
+    if (found.horizon > 0 && std::all_of(found.rows.begin(), found.rows.end(), isExact))
+        lines.push_back(
+            Text::tr("Nothing moves here unless you do something: save a run in which you do, and "
+                     "measure that file."));
+    else if (found.horizon > 0)
         lines += {cheapestSentence(found, report.tolerance.value_or(0.1)), inUseSentence(report)};
     return lines.join('\n') + '\n';
 }
