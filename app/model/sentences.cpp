@@ -47,14 +47,16 @@ QString sentenceFor(const sim::Error &error)
                    "0.000001 to 100 frames.")
             .arg(value(error, "h"));
     if (error.id() == "tolerance")
-        return Text::tr("The tolerance %1 does not fit: it can be 1e-13 to 100 px.")
+        return Text::tr("The tolerance %1 does not fit: it can be from 1e-13 to 100 px.")
             .arg(value(error, "tolerance"));
     if (error.id() == "needs-tolerance")
-        return Text::tr("The method %1 chooses its own steps: give it a tolerance, not a step.")
+        return Text::tr(
+                   "The method %1 chooses its steps itself: give it a tolerance in px in place of a step.")
             .arg(value(error, "method"));
     if (error.id() == "needs-step")
-        return Text::tr("The method %1 takes steps of one length: give it a step, not a tolerance.")
-            .arg(value(error, "method"));
+        return Text::
+            tr("The method %1 takes steps of one length: give it a step in frames in place of a tolerance.")
+                .arg(value(error, "method"));
     if (error.id() == "no-limit")
         return Text::tr(
                    "%1 acts once a step, so that smaller steps make another motion from the first frame on.")
