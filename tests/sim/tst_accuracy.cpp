@@ -126,10 +126,13 @@ Script restless()
     return script;
 }
 
+/// A chain that is thrown: every stick has its length at the start.
 Scene threeSticks()
 {
     Scene scene = support::pointsOf(3);
-    support::scatter(scene.start, 5, 120.0);
+    for (int i = 0; i < 4; ++i)
+        scene.start.place(i, {200.0 + 36.0 * i, i % 2 == 0 ? 200.0 : 248.0});
+    scene.start.push(0, {3.0, -4.0});
     scene.effects = {
         std::make_shared<Gravity>(0.5), std::make_shared<Damping>(0.99),
         std::make_shared<Sticks>(std::vector<Stick>{{0, 1, 60.0}, {1, 2, 60.0}, {2, 3, 60.0}}, 4)};
