@@ -1,15 +1,19 @@
 #include "sim/methods/methods.h"
 
+#include "sim/methods/backward_euler.h"
+#include "sim/methods/implicit_midpoint.h"
 #include "sim/methods/published.h"
 #include "sim/methods/semi_implicit_euler.h"
+#include "sim/methods/tr_bdf2.h"
 
 namespace sim {
 
 std::vector<MethodPtr> allMethods()
 {
     return {
-        std::make_shared<Published>(),
-        std::make_shared<SemiImplicitEuler>(),
+        std::make_shared<Published>(),     std::make_shared<SemiImplicitEuler>(),
+        std::make_shared<BackwardEuler>(), std::make_shared<ImplicitMidpoint>(),
+        std::make_shared<TrBdf2>(),
     };
 }
 
