@@ -12,45 +12,57 @@ namespace {
 
 /// Up to here a matrix with all its zeros is solved faster than one without.
 constexpr int mostDense = 24;
-constexpr int mostHalvings = 10;
+constexpr int mostHalvings = 6;
 
-Numbers solveDense(const std::vector<Slopes::Entry> &entries, const Eigen::VectorXd &right)
+using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, mostDense, mostDense>;
+using Sparse = Eigen::SparseMatrix<double>;
+
+/// 1 on the diagonal, and entries that add up.
+Small denseOf(const std::vector<Slopes::Entry> &entries, int size)
 {
-    using Small =
-        Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, mostDense, mostDense>;
-    Small matrix = Small::Identity(right.size(), right.size());
+    Small matrix = Small::Identity(size, size);
     for (const Slopes::Entry &entry : entries)
         matrix(entry.row, entry.column) += entry.value;
-    return matrix.partialPivLu().solve(right).array();
+    return matrix;
 }
 
-/// Zeros where there is no solution.
-Numbers solveSparse(const std::vector<Slopes::Entry> &entries, const Eigen::VectorXd &right)
+Sparse sparseOf(const std::vector<Slopes::Entry> &entries, int size)
 {
-    const Eigen::Index size = right.size();
     std::vector<Eigen::Triplet<double>> all;
     all.reserve(entries.size() + static_cast<std::size_t>(size));
-    for (int i = 0; i < static_cast<int>(size); ++i)
+    for (int i = 0; i < size; ++i)
         all.emplace_back(i, i, 1.0);
     for (const Slopes::Entry &entry : entries)
         all.emplace_back(entry.row, entry.column, entry.value);
-    Eigen::SparseMatrix<double> matrix(size, size);
+    Sparse matrix(size, size);
     matrix.setFromTriplets(all.begin(), all.end());
-    Eigen::SparseLU<Eigen::SparseMatrix<double>> factors(matrix);
-    if (factors.info() != Eigen::Success)
-        return Numbers::Zero(size);
-    return Eigen::VectorXd(factors.solve(right)).array();
+    return matrix;
 }
 
-double largest(const Numbers &numbers)
+/// The solution of matrix * x = right, not a number where there is none. Few unknowns are solved with all their zeros.
+Eigen::VectorXd solved(const std::vector<Slopes::Entry> &entries, const Eigen::VectorXd &right)
 {
-    return numbers.size() == 0 ? 0.0 : numbers.abs().maxCoeff<Eigen::PropagateNaN>();
+    const auto size = static_cast<int>(right.size());
+    if (size <= mostDense)
+        return denseOf(entries, size).partialPivLu().solve(right);
+    const Eigen::SparseLU<Sparse> factors(sparseOf(entries, size));
+    if (factors.info() != Eigen::Success)
+        return Eigen::VectorXd::Constant(size, std::nan(""));
+    return factors.solve(right);
 }
 
 /// Whether a correction of velocities is lost in the digits of the places that they lead to.
 bool isTiny(const Numbers &step, double reach, const Numbers &place)
 {
     return (reach * step.abs() <= 1e-12 * (1.0 + place.abs())).all();
+}
+
+/// Whether corrections are so small that pulls are straight lines along them, and shrink no more: then they correct
+/// how a stiff spring's pull is rounded.
+bool isNoise(const Numbers &next, const Numbers &step, double reach, const Numbers &place)
+{
+    return next.abs().maxCoeff() >= step.abs().maxCoeff() &&
+           (reach * next.abs() <= 1e-6 * (1.0 + place.abs())).all();
 }
 
 }
@@ -121,15 +133,30 @@ Numbers ImplicitStep::pulls(const Numbers &place)
     return a;
 }
 
+/// The velocity that leads to where the state is.
+Numbers ImplicitStep::standing(const Wanted &wanted) const
+{
+    Motion now = motion;
+    m_equations.flow().read(m_state, now.x.data(), now.v.data());
+    Numbers u = Numbers::Zero(now.x.size());
+    for (std::size_t row = 0; row < m_unknowns.size(); ++row) {
+        const auto i = static_cast<Eigen::Index>(row);
+        if (m_unknowns[row] >= 0)
+            u[i] = (now.x[i] - wanted.from[i]) / wanted.reach;
+    }
+    return u;
+}
+
 /// By how much `u` misses what is wanted.
 Numbers ImplicitStep::misses(const Wanted &wanted, const Numbers &u)
 {
     return u - wanted.drift - wanted.share * pulls(wanted.from + wanted.reach * u);
 }
 
-/// The change of u that makes good what is wrong, if pulls change with places by their slopes where the state is.
-Numbers ImplicitStep::correction(const Wanted &wanted, const Numbers &wrong) const
+/// What to take off u to make good what it misses, if pulls change with places by their slopes at u.
+Numbers ImplicitStep::correction(const Wanted &wanted, const Numbers &u)
 {
+    const Numbers wrong = misses(wanted, u);
     Slopes slopes(m_state.points());
     m_equations.flow().slopes(m_state, slopes);
     std::vector<Slopes::Entry> entries;
@@ -145,7 +172,7 @@ Numbers ImplicitStep::correction(const Wanted &wanted, const Numbers &wrong) con
         if (m_unknowns[row] >= 0)
             right[m_unknowns[row]] = wrong[static_cast<Eigen::Index>(row)];
     }
-    const Numbers found = m_count <= mostDense ? solveDense(entries, right) : solveSparse(entries, right);
+    const Eigen::VectorXd found = solved(entries, right);
     Numbers step = Numbers::Zero(wrong.size());
     for (std::size_t row = 0; row < m_unknowns.size(); ++row) {
         if (m_unknowns[row] >= 0)
@@ -154,22 +181,22 @@ Numbers ImplicitStep::correction(const Wanted &wanted, const Numbers &wrong) con
     return step;
 }
 
-/// Takes `step` from u, or a half, a quarter... of it, so that less is wrong than before. Returns what part of it;
-/// 0 if none would do.
-double ImplicitStep::halvedUntilBetter(const Wanted &wanted, Numbers &u, Numbers &wrong, const Numbers &step)
+/// Takes `step` off u; or a half, a quarter... of it, if the whole leads to where nothing is finite. Returns the next
+/// correction; 0 if there is no way from here. That the next one is smaller is not asked for: to turn with a stiff
+/// spring, Newton's method first leaves it by a hair's breadth, which looks far worse than it is, and then comes back;
+/// steps that never may get worse creep along it instead.
+Numbers ImplicitStep::advance(const Wanted &wanted, Numbers &u, const Numbers &step)
 {
-    const double before = largest(wrong);
     double part = 1.0;
     for (int halvings = 0; halvings <= mostHalvings; ++halvings, part *= 0.5) {
-        const Numbers shorter = u - part * step;
-        const Numbers now = misses(wanted, shorter);
-        if (largest(now) < before) {
-            u = shorter;
-            wrong = now;
-            return part;
+        const Numbers to = u - part * step;
+        Numbers next = correction(wanted, to);
+        if (next.isFinite().all()) {
+            u = to;
+            return next;
         }
     }
-    return 0.0;
+    return Numbers::Zero(u.size());
 }
 
 Numbers ImplicitStep::solve(const Numbers &from, const Numbers &drift, double reach, const Numbers &share)
@@ -179,18 +206,18 @@ Numbers ImplicitStep::solve(const Numbers &from, const Numbers &drift, double re
     // clang-format off
     //! [newton]
     // wanted: u = drift + share a(...)
-    Numbers u = drift;
-    Numbers wrong = misses(wanted, u);
+    // at first, as if nothing moved
+    Numbers u = standing(wanted);
+    // as if pulls grew evenly from here
+    Numbers step = correction(wanted, u);
     for (int i = 0; i < 20; ++i) {
-        // as if pulls grew evenly
-        Numbers step =
-            correction(wanted, wrong);
         if (isTiny(step, reach, from))
             return u - step;
-        // too far? half of it, ...
-        if (halvedUntilBetter(
-                wanted, u, wrong, step) == 0)
+        Numbers next =
+            advance(wanted, u, step);
+        if (isNoise(next, step, reach, from))
             break;
+        step = next;
     }
     return u;
     //! [newton]

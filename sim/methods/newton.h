@@ -49,8 +49,9 @@ public:
     /// All pulls where things are at `place`: px/frame^2, degrees/frame^2.
     Numbers pulls(const Numbers &place);
     /// The velocity u that agrees with the pulls where it leads to, by Newton's method:
-    /// u = drift + share a(from + reach u). Reach and share in frames. Stops when a correction is below 1e-12 of the
-    /// places, or after 20.
+    /// u = drift + share a(from + reach u). Reach and share in frames. Starts from where the state is, as the nearest
+    /// solution is the right one: beyond it are those in which springs swing through between two places. Stops when
+    /// corrections are below 1e-12 of the places or lost in rounding, or after 20.
     /// Source: Hairer and Wanner, "Solving ordinary differential equations II", section IV.8.
     Numbers solve(const Numbers &from, const Numbers &drift, double reach, const Numbers &share);
     Numbers solve(const Numbers &from, const Numbers &drift, double reach)
@@ -62,9 +63,10 @@ public:
 
 private:
     struct Wanted;
+    Numbers standing(const Wanted &wanted) const;
     Numbers misses(const Wanted &wanted, const Numbers &u);
-    Numbers correction(const Wanted &wanted, const Numbers &wrong) const;
-    double halvedUntilBetter(const Wanted &wanted, Numbers &u, Numbers &wrong, const Numbers &step);
+    Numbers correction(const Wanted &wanted, const Numbers &u);
+    Numbers advance(const Wanted &wanted, Numbers &u, const Numbers &step);
 
     const Equations &m_equations;
     State &m_state;
