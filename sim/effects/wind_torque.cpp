@@ -55,7 +55,7 @@ WindTorque::Change WindTorque::changeOf(const State &state, int branch) const
 {
     const auto [distance, out, share, push] = pushOn(state, branch);
     const Vec2 along = branchReach(state.angle[branch], 1.0, degreesPerRadian);
-    const double side = m_tree->scale[static_cast<std::size_t>(branch)];
+    const double scale = m_tree->scale[static_cast<std::size_t>(branch)], side = scale * scale;
     const double times = m_wind * degreesPerRadian * side * side / m_inertia[branch];
     const double far = std::max(distance, 100.0);
     const double strength = times * share / far;
