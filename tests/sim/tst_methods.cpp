@@ -114,7 +114,8 @@ private slots:
             errors.push_back(std::abs(end.at(0).x - exact));
         }
         QVERIFY2(errors.back() < 0.1, qPrintable(QString::number(errors.back())));
-        QVERIFY2(std::abs(slope(errors) - 1.0) < 0.1, qPrintable(QString::number(slope(errors))));
+        const int order = findMethod(method.toStdString())->order();
+        QVERIFY2(std::abs(slope(errors) - order) < 0.1, qPrintable(QString::number(slope(errors))));
     }
 
     void dampingWithoutForceIsExactAtAnyStep_data() { addMethodRows(); }
@@ -210,10 +211,10 @@ private slots:
 
     void whatMethodsClaimIsInOrder()
     {
-        QCOMPARE(allMethods().size(), std::size_t(2));
+        QCOMPARE(allMethods().size(), std::size_t(5));
         for (const MethodPtr &method : allMethods()) {
             QCOMPARE(findMethod(method->id())->title(), method->title());
-            QCOMPARE(method->order(), 1);
+            QVERIFY(method->order() >= 1);
             QVERIFY(!method->region().file.empty());
         }
         QVERIFY(!findMethod("no such method"));

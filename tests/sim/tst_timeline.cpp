@@ -27,6 +27,7 @@ public:
     {
         into.middleRows(movers.first, movers.count) += scale * 1e-9 * ++m_asked;
     }
+    bool addSlopes(const State &, Points, double, Directions, Slopes &) const override { return true; }
     std::vector<Live> explain(const State &, int, Directions) const override { return {}; }
 
 private:
