@@ -11,7 +11,7 @@ namespace sim {
 namespace {
 
 /// Up to here a matrix with all its zeros is solved faster than one without.
-constexpr int mostDense = 24;
+constexpr int mostDense = 64;
 constexpr int mostHalvings = 6;
 
 using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, mostDense, mostDense>;
@@ -51,18 +51,23 @@ Eigen::VectorXd solved(const std::vector<Slopes::Entry> &entries, const Eigen::V
     return factors.solve(right);
 }
 
-/// Whether a correction of velocities is lost in the digits of the places that they lead to.
+/// Whether a change of velocities changes the places that they lead to by no more than this share of them.
+bool isWithin(double share, const Numbers &change, double reach, const Numbers &place)
+{
+    return (reach * change.abs() <= share * (1.0 + place.abs())).all();
+}
+
+/// Whether a correction is so small that the next one is lost in rounding.
 bool isTiny(const Numbers &step, double reach, const Numbers &place)
 {
-    return (reach * step.abs() <= 1e-12 * (1.0 + place.abs())).all();
+    return isWithin(1e-12, step, reach, place);
 }
 
 /// Whether corrections are so small that pulls are straight lines along them, and shrink no more: then they correct
 /// how a stiff spring's pull is rounded.
 bool isNoise(const Numbers &next, const Numbers &step, double reach, const Numbers &place)
 {
-    return next.abs().maxCoeff() >= step.abs().maxCoeff() &&
-           (reach * next.abs() <= 1e-6 * (1.0 + place.abs())).all();
+    return next.abs().maxCoeff() >= step.abs().maxCoeff() && isWithin(1e-6, next, reach, place);
 }
 
 }
@@ -157,6 +162,8 @@ Numbers ImplicitStep::misses(const Wanted &wanted, const Numbers &u)
 Numbers ImplicitStep::correction(const Wanted &wanted, const Numbers &u)
 {
     const Numbers wrong = misses(wanted, u);
+    if (isWithin(1e-15, wrong, wanted.reach, wanted.from))
+        return Numbers::Zero(u.size()); // rounding: not worth a matrix
     Slopes slopes(m_state.points());
     m_equations.flow().slopes(m_state, slopes);
     std::vector<Slopes::Entry> entries;

@@ -23,7 +23,8 @@ void trBdf2(ImplicitStep &step, double h)
         x + half * v, v + half * a, half);
     Numbers x1 = x + half * (v + v1);
     // from both places to h
-    double past = 1 / (gamma * (2 - gamma));
+    double past =
+        1 / (gamma * (2 - gamma));
     step.tick((1 - gamma) * h);
     Numbers from = x + past * (x1 - x);
     v = step.solve(

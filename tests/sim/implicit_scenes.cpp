@@ -187,7 +187,7 @@ const std::vector<SmoothScene> &smoothScenes()
         spring("an undamped spring", 0.2, 1.0),
         smooth("a creature in the air", creature(5, 0.9), 0.9, onCreature),
         smooth("an undamped creature", creature(5, 1.0), 1.0, onCreature),
-        smooth("twenty feet", creature(20, 0.9), 0.9, onCreature),
+        smooth("forty feet", creature(40, 0.9), 0.9, onCreature),
         smooth("legs that swing", walker(0.9), 0.9, walkerPulls),
         smooth("undamped legs that swing", walker(1.0), 1.0, walkerPulls),
         smooth("a tree", bentTree(0.95), 0.95, onTree),
@@ -212,7 +212,7 @@ sim::Scene creature(int feet, double damp)
 {
     sim::Scene scene = support::pointsOf(feet);
     for (int i = 0; i < feet; ++i) { // so spread that none comes near the body soon
-        const double angle = 0.4 + 2.0 * i, far = 70.0 + 5.0 * i;
+        const double angle = 0.4 + 2.0 * i, far = 70.0 + 5.0 * (i % 8);
         scene.start.place(i, {270.0 + far * std::cos(angle), 200.0 + far * std::sin(angle)});
         scene.start.push(i, {2.0 - i % 4, 1.0 - i % 3});
     }

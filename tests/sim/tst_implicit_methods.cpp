@@ -255,7 +255,7 @@ private slots:
     void twoRunsAreTheSameBitForBit()
     {
         QFETCH(QString, method);
-        for (const int feet : {5, 20}) { // few unknowns and many are solved in two ways
+        for (const int feet : {5, 40}) { // few unknowns and many are solved in two ways
             const Scene scene = creature(feet, 0.9);
             const State one = support::plainRun(scene, method.toStdString(), 1.0, 100);
             const State two = support::plainRun(scene, method.toStdString(), 1.0, 100);
