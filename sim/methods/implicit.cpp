@@ -69,17 +69,14 @@ Phase touching(const std::shared_ptr<const Contact> &contact, const Scene &scene
     return phase;
 }
 
-/// Where a point went, by the names of the shown code, and how many times all forces were computed for that.
+/// Where a point (or a branch) went, by the names of the shown code.
 std::vector<Live> explainSolved(const State &before, const State &after, int point)
 {
     if (!after.feels(point))
         return {};
-    std::vector<Live> live;
     if (after.spin.rows() > 0)
-        live = {{"x", after.angle[point], before.angle[point]}, {"v", after.spin[point], before.spin[point]}};
-    else
-        live = {{"x", after.at(point), before.at(point)}, {"v", after.speed(point), before.speed(point)}};
-    return live;
+        return {{"x", after.angle[point], before.angle[point]}, {"v", after.spin[point], before.spin[point]}};
+    return {{"x", after.at(point), before.at(point)}, {"v", after.speed(point), before.speed(point)}};
 }
 
 }
