@@ -243,8 +243,8 @@ double Advance::error(double h) const
     if (broken)
         return std::numeric_limits<double>::infinity();
     // Two estimates are put together so that the lower one counts only where the higher is unsure.
-    if (mostLower > 0.0)
-        most = most * most / std::sqrt(most * most + 0.01 * mostLower * mostLower);
+    if (most > 0.0 && mostLower > 0.0)
+        most *= most / std::hypot(most, 0.1 * mostLower);
     // Nothing is more exact than the digits of a place allow.
     const double digits = 8.0 * std::numeric_limits<double>::epsilon() * largest(m_place, m_size);
     return h * most / std::max(m_course.tolerance, digits);

@@ -147,7 +147,7 @@ private slots:
             }
         }
         QVERIFY(order > 0);
-        QCOMPARE(all["methods"].toArray().size(), 2);
+        QCOMPARE(all["methods"].toArray().size(), 5);
         QCOMPARE(all["methods"][0].toObject().keys(), QStringList({"id", "needs", "order"}));
         QCOMPARE(all["methods"][0]["id"].toString(), "published");
         QCOMPARE(all["methods"][0]["needs"].toArray(), QJsonArray{"groups"});

@@ -1,3 +1,4 @@
+#include "sim/methods/methods.h"
 #include "tests/app/refusals.h"
 
 using namespace refusals;
@@ -139,8 +140,11 @@ private slots:
         const auto row = [](const char *name, const QByteArray &fields, const QString &sentence) {
             QTest::newRow(name) << with(fields) << sentence;
         };
-        row("an unknown method", "\"method\": \"rk4\"",
-            "line 5: there is no method \"rk4\"; there is \"published\", \"semi_implicit_euler\".");
+        QStringList methods;
+        for (const sim::MethodPtr &method : sim::allMethods())
+            methods << u'"' + QString::fromStdString(method->id()) + u'"';
+        row("an unknown method", "\"method\": \"guess\"",
+            u"line 5: there is no method \"guess\"; there is %1."_qs.arg(methods.join(u", "_qs)));
         row("a method that is true", "\"method\": true",
             "line 5: \"method\" is true; it takes a text in double quotes.");
         row("h of 0", "\"h\": 0",

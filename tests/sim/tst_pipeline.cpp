@@ -49,12 +49,15 @@ public:
     int count(const State &, Points points) const override { return points.count; }
 };
 
+/// The phases, and in brackets the effects that a phase computes on its way.
 std::string ids(const Scene &scene, const std::string &method)
 {
     std::string all;
     for (const Phase &phase : compose(scene, *findMethod(method), StepSize::of(1.0)).phases) {
         all += all.empty() ? "" : " ";
         all += phase.id + (phase.group < 0 ? "" : ":" + scene.groups[std::size_t(phase.group)].title);
+        for (const EffectPtr &effect : phase.within)
+            all += " (" + effect->id() + ")";
     }
     return all;
 }
