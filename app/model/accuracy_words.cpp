@@ -80,12 +80,22 @@ QString nothingWithin(const sim::Accuracy &accuracy, const QString &goal)
 
 QString horizonRemark(const sim::Accuracy &accuracy)
 {
-    if (accuracy.horizon >= accuracy.span || accuracy.horizon <= 0)
+    using End = sim::ReferenceRun::End;
+    const QString upTo =
+        Text::tr("Errors count up to frame %1 of %2.").arg(accuracy.horizon).arg(accuracy.span);
+    switch (accuracy.reference.end) {
+    case End::span:
         return {};
-    return Text::tr("Errors count up to frame %1 of %2. After that, two very exact solutions part: here "
-                    "the smallest difference grows until nobody can say where the bodies really are.")
-        .arg(accuracy.horizon)
-        .arg(accuracy.span);
+    case End::parted:
+        return upTo + ' ' +
+               Text::tr("After it, two very exact solutions part: here the smallest difference grows until "
+                        "nobody can say where the bodies really are.");
+    case End::notFinite:
+        return upTo + ' ' + Text::tr("After it, the exact motion itself grows without bound.");
+    case End::tooLong:
+        return upTo + ' ' + Text::tr("To know the exact motion any longer would take too long.");
+    }
+    return {};
 }
 
 QString limitRemark(const sim::Accuracy &accuracy)
@@ -218,11 +228,6 @@ QString unstableWords(const sim::Accuracy &accuracy)
     if (!text.isEmpty())
         text[0] = text[0].toUpper();
     return text;
-}
-
-QString referenceWords(const sim::ReferenceRun &reference)
-{
-    return Text::tr("reference, ±%1").arg(pixels(reference.disagreement));
 }
 
 std::vector<Slope> slopesOf(const sim::Accuracy &accuracy, const sim::Method &method)
