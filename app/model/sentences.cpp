@@ -57,6 +57,12 @@ QString sentenceFor(const sim::Error &error)
         return Text::
             tr("The method %1 takes steps of one length: give it a step in frames in place of a tolerance.")
                 .arg(value(error, "method"));
+    if (error.id() == "no-limit")
+        return Text::tr(
+                   "%1 acts once a step, so that smaller steps make another motion from the first frame on.")
+            .arg(value(error, "effect"));
+    if (error.id() == "short-horizon")
+        return Text::tr("There is nothing to compare with after frame %1.").arg(value(error, "frames"));
     if (error.id() == "method-does-not-fit")
         return Text::tr("The method %1 cannot compute %2: choose another method, or switch that effect off.")
             .arg(value(error, "method"), value(error, "effect"));

@@ -13,12 +13,6 @@
 
 namespace app {
 
-namespace {
-
-constexpr double usualTolerance = 1e-3; ///< px
-
-}
-
 double Session::parameter(const QString &id) const
 {
     return m_timeline->values()[id.toStdString()];
@@ -69,13 +63,8 @@ void Session::setMethod(const QString &id)
     const sim::Script &script = m_timeline->script();
     if (!method || method->id() == script.method->id())
         return;
-    const bool adaptive = method->stepping() == sim::Stepping::adaptive;
-    if (adaptive == script.step.adaptive()) {
-        use(method, script.step);
-        return;
-    }
-    const sim::StepSize usual = adaptive ? sim::StepSize::within(usualTolerance) : sim::StepSize::of(1.0);
-    use(method, m_otherStep.value_or(usual));
+    const sim::StepSize usual = sim::stepFor(*method, script.step);
+    use(method, usual == script.step ? usual : m_otherStep.value_or(usual));
 }
 
 void Session::use(const sim::MethodPtr &method, sim::StepSize step)

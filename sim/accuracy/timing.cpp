@@ -12,6 +12,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double shortestSample = 100e-6; ///< s: far above what reading the clock takes
+constexpr double longestSample = 1e-3;    ///< s: mostly too short for another program to come in between
 constexpr int mostRuns = 25;
 constexpr int fewestRuns = 3;
 
@@ -154,7 +155,8 @@ private:
         one.frames = one.run.frames();
         one.run.seconds(one.frames); // the first run finds nothing in the caches
         const double whole = std::max(1e-9, one.run.seconds(one.frames));
-        const double most = m_plan.secondsOfTiming / (m_plan.leastRuns * static_cast<double>(m_all.size()));
+        const double most = std::min(
+            longestSample, m_plan.secondsOfTiming / (m_plan.leastRuns * static_cast<double>(m_all.size())));
         double expected = whole;
         if (whole > most && !one.row->way.step.adaptive()) {
             const int rowFrames = one.row->way.step.rowFrames;
