@@ -178,8 +178,9 @@ void AccuracyPanel::refresh()
         std::set<std::string> methods;
         for (const sim::AccuracyRow &row : accuracy->rows)
             methods.insert(row.way.method->id());
-        caption = tr("%1 frames, %n method(s)", nullptr, static_cast<int>(methods.size()))
-                      .arg(accuracy->horizon > 0 ? accuracy->horizon : accuracy->span);
+        caption = tr("%1 frames, %2 methods")
+                      .arg(accuracy->horizon > 0 ? accuracy->horizon : accuracy->span)
+                      .arg(methods.size());
     }
     m_title->setCaption(caption);
     const QString unstable = accuracy ? unstableWords(*accuracy) : QString();

@@ -111,8 +111,7 @@ QString SpotPlot::tipOf(const Spot &spot) const
 QString SpotPlot::sentence() const
 {
     if (!chosen())
-        return tr("%n point(s). Arrow keys walk through them, Enter uses one.", nullptr,
-                  static_cast<int>(m_spots.size()));
+        return tr("Points: %1. Arrow keys walk through them, Enter uses one.").arg(m_spots.size());
     return tipOf(*m_chosen).replace('\n', QStringLiteral(". "));
 }
 
