@@ -140,14 +140,19 @@ void Flow::accelerations(State &state, double *a) const
     state.acceleration.setZero();
     for (const auto &force : m_forces)
         force->add(state, everything, 1.0, m_directions, state.acceleration);
+    state.turning.setZero();
+    for (const auto &torque : m_torques)
+        torque->add(state, everything, 1.0, state.turning);
+    gathered(state, a);
+}
+
+void Flow::gathered(State &state, double *a) const
+{
     for (const int idle : m_idle)
         state.acceleration.row(idle).setZero();
     std::memcpy(a, state.acceleration.data(), bytes(2 * m_points));
     if (m_spins == 0)
         return;
-    state.turning.setZero();
-    for (const auto &torque : m_torques)
-        torque->add(state, everything, 1.0, state.turning);
     for (const int idle : m_idle)
         state.turning[idle] = 0.0;
     std::memcpy(a + 2 * m_points, state.turning.data(), bytes(m_spins));

@@ -38,6 +38,8 @@ public:
     void push(const double *v, State &state) const;
     /// a(q, t), without damping, where `state` is. Uses its scratch.
     void accelerations(State &state, double *a) const;
+    /// What a method has gathered in State::acceleration and State::turning, as one row like a(q, t).
+    void gathered(State &state, double *a) const;
     /// The derivatives of a by q. False if a force of the scene has none.
     bool slopes(const State &state, Slopes &into) const;
     /// Takes time on by `h` frames, without moving anything: the drivers that flow.

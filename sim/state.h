@@ -53,6 +53,7 @@ struct Ahead
 {
     double from = 0.0; ///< frames, where its last step began; 0 or less
     double to = 0.0;   ///< frames, where that ended; nothing is ahead if it is not above 0
+    double length = 0.0; ///< frames, of that step before a contact cut it short
     double next = 0.0; ///< frames, the length that its next step should have; 0: not known yet
 };
 
@@ -71,9 +72,9 @@ struct State
     Eigen::ArrayXd turning; ///< degrees/frame^2, gathered so far; empty for methods that gather none
 
     Eigen::ArrayXXd stages; ///< scratch of methods with several stages, one column each; empty for others
-    Eigen::ArrayXi
-        resting; ///< for each point 1 + the number of the surface that it rests on, 0 for none; empty
-                 ///< for methods that do not locate contacts
+    /// For each point the surfaces that it rests on, a bit each (the first is 1); empty for methods that do not locate
+    /// contacts.
+    Eigen::ArrayXi resting;
     Ahead ahead;
     std::int64_t evaluations = 0; ///< how often methods that choose this themselves have computed all forces
 
@@ -121,6 +122,7 @@ void visitMemory(const State &state, Visit &&visit)
     array(state.resting);
     one(state.ahead.from);
     one(state.ahead.to);
+    one(state.ahead.length);
     one(state.ahead.next);
     one(state.evaluations);
     array(state.gait);

@@ -13,18 +13,6 @@ bool runsInOrder(const EffectPtr &effect)
     return !dynamic_cast<const Driver *>(effect.get());
 }
 
-/// Calls `visit(point)` for each point of `runs` that feels forces in `state`.
-template <class Visit>
-void forEachFree(const State &state, const std::vector<Points> &runs, Visit &&visit)
-{
-    for (const Points &run : runs) {
-        for (int i = run.first; i < run.end(); ++i) {
-            if (state.feels(i))
-                visit(i);
-        }
-    }
-}
-
 }
 
 PhaseList::PhaseList(const Scene &scene, Directions directions, double h)
@@ -43,16 +31,6 @@ std::vector<Share> PhaseList::groups() const
     for (const Group &group : m_scene.groups)
         shares.push_back({group.points, static_cast<int>(shares.size())});
     return shares;
-}
-
-template <class Type, class Visit>
-void PhaseList::forEach(const Share &share, Visit &&visit) const
-{
-    for (const EffectPtr &effect : m_scene.effects) {
-        const auto typed = std::dynamic_pointer_cast<const Type>(effect);
-        if (typed && typed->count(m_scene.start, share.points) > 0)
-            visit(typed);
-    }
 }
 
 Phase PhaseList::phaseOf(const EffectPtr &effect, const Share &share) const
@@ -101,32 +79,58 @@ bool PhaseList::hasConstraint(const Share &share) const
     return any;
 }
 
-void PhaseList::driver(const std::shared_ptr<const Driver> &driver)
+void PhaseList::driver(const std::shared_ptr<const Driver> &driver, double h)
 {
     if (driver->count(m_scene.start, everything().points) == 0)
         return;
     Phase phase = phaseOf(driver, everything());
-    phase.run = [driver, h = m_h](State &state) { driver->drive(state, h); };
+    phase.run = [driver, h](State &state) { driver->drive(state, h); };
     phase.explain = [driver](const State &before, const State &after, int point) {
         return driver->explain(before, after, point);
     };
     m_phases.push_back(std::move(phase));
 }
 
-void PhaseList::driversFirst()
+std::size_t PhaseList::leading() const
 {
     const auto end = std::find_if(m_scene.effects.begin(), m_scene.effects.end(), runsInOrder);
-    for (auto effect = m_scene.effects.begin(); effect != end; ++effect)
-        driver(std::static_pointer_cast<const Driver>(*effect));
+    return static_cast<std::size_t>(end - m_scene.effects.begin());
+}
+
+template <class Accept>
+void PhaseList::drivers(std::size_t first, std::size_t end, double h, Accept &&accept)
+{
+    for (std::size_t i = first; i < end; ++i) {
+        const auto one = std::dynamic_pointer_cast<const Driver>(m_scene.effects[i]);
+        if (one && accept(one->pace()))
+            driver(one, h);
+    }
+}
+
+void PhaseList::driversFirst()
+{
+    drivers(0, leading(), m_h, [](Pace) { return true; });
 }
 
 void PhaseList::driversLast()
 {
-    const auto start = std::find_if(m_scene.effects.begin(), m_scene.effects.end(), runsInOrder);
-    for (auto effect = start; effect != m_scene.effects.end(); ++effect) {
-        if (const auto one = std::dynamic_pointer_cast<const Driver>(*effect))
-            driver(one);
-    }
+    drivers(leading(), m_scene.effects.size(), m_h, [](Pace) { return true; });
+}
+
+void PhaseList::jumpsFirst()
+{
+    drivers(0, leading(), m_h, [](Pace pace) { return pace == Pace::once; });
+}
+
+void PhaseList::jumpsLast()
+{
+    drivers(leading(), m_scene.effects.size(), m_h, [](Pace pace) { return pace == Pace::once; });
+}
+
+void PhaseList::flow(double part)
+{
+    drivers(0, m_scene.effects.size(), part * m_h, [](Pace pace) { return pace == Pace::flows; });
+    drivers(0, m_scene.effects.size(), part * m_h, [](Pace pace) { return pace == Pace::follows; });
 }
 
 void PhaseList::force(const std::shared_ptr<const Force> &force, const Share &share, const Adding &adding)
@@ -161,11 +165,12 @@ void PhaseList::torque(const std::shared_ptr<const Torque> &torque, const Share 
     m_phases.push_back(std::move(phase));
 }
 
-void PhaseList::drag(const std::shared_ptr<const Drag> &drag, const Share &share)
+void PhaseList::drag(const std::shared_ptr<const Drag> &drag, const Share &share, double part)
 {
     Phase phase = phaseOf(drag, share);
-    phase.run = [drag, points = share.points, h = m_h](State &state) { drag->slow(state, points, h); };
-    phase.explain = [drag, h = m_h](const State &before, const State &after, int point) {
+    const double h = part * m_h;
+    phase.run = [drag, points = share.points, h](State &state) { drag->slow(state, points, h); };
+    phase.explain = [drag, h](const State &before, const State &after, int point) {
         return drag->explain(before, after, point, h);
     };
     m_phases.push_back(std::move(phase));
@@ -177,9 +182,30 @@ void PhaseList::forces(const Share &share, const Adding &adding)
     forEach<Torque>(share, [&](const auto &one) { torque(one, share, adding); });
 }
 
-void PhaseList::damping(const Share &share)
+void PhaseList::gather(const Share &share)
 {
-    forEach<Drag>(share, [&](const auto &one) { drag(one, share); });
+    const std::size_t first = m_phases.size();
+    forces(share, gathering());
+    if (m_phases.size() == first)
+        return;
+    m_phases[first].run = [run = m_phases[first].run](State &state) {
+        state.acceleration.setZero();
+        state.turning.setZero();
+        run(state);
+    };
+}
+
+void PhaseList::damping(const Share &share, double part)
+{
+    forEach<Drag>(share, [&](const auto &one) { drag(one, share, part); });
+}
+
+void PhaseList::dampingWithoutRate(const Share &share)
+{
+    forEach<Drag>(share, [&](const auto &one) {
+        if (!one->rate(share.points.first))
+            drag(one, share, 1.0);
+    });
 }
 
 void PhaseList::asListed(const Share &share, const Adding &adding)
@@ -190,129 +216,38 @@ void PhaseList::asListed(const Share &share, const Adding &adding)
         else if (const auto asTorque = std::dynamic_pointer_cast<const Torque>(effect))
             torque(asTorque, share, adding);
         else if (const auto asDrag = std::dynamic_pointer_cast<const Drag>(effect))
-            drag(asDrag, share);
+            drag(asDrag, share, 1.0);
     });
 }
 
-void PhaseList::kick(const Share &share)
+std::function<void(State &)> PhaseList::remembering(const Share &share) const
 {
-    bool anyForce = false, anyTorque = false;
-    forEach<Force>(share, [&](const auto &) { anyForce = true; });
-    forEach<Torque>(share, [&](const auto &) { anyTorque = true; });
-    const std::vector<Points> runs = inert(share.points);
-    if (anyTorque)
-        kickSpins(share);
-    if (!anyForce || runs.empty())
-        return;
-    Phase phase = ownPhase("kick", SIM_TEXT("kick"), share);
-    phase.run = [runs, h = m_h](State &state) {
-        forEachFree(state, runs, [&](int i) {
-            const Vec2 a = {state.acceleration(i, 0), state.acceleration(i, 1)};
-            state.push(i, sim::kick(state.speed(i), a, h));
-        });
-    };
-    phase.explain = [](const State &before, const State &after, int point) {
-        return std::vector<Live>{{"v", after.speed(point), before.speed(point)}};
-    };
-    m_phases.push_back(std::move(phase));
-}
-
-void PhaseList::kickSpins(const Share &share)
-{
-    Phase phase = ownPhase("kick_spin", SIM_TEXT("kick"), share);
-    phase.run = [runs = inert(share.points), h = m_h](State &state) {
-        forEachFree(state, runs,
-                    [&](int i) { state.spin[i] = kickSpin(state.spin[i], state.turning[i], h); });
-    };
-    phase.explain = [](const State &before, const State &after, int point) {
-        return std::vector<Live>{{"spin", after.spin[point], before.spin[point]}};
-    };
-    m_phases.push_back(std::move(phase));
-}
-
-void PhaseList::move(const Share &share)
-{
-    const std::vector<Points> runs = inert(share.points);
-    if (runs.empty())
-        return;
-    if (spins()) {
-        turnAngles(share);
-        return;
-    }
-    Phase phase = ownPhase("move", SIM_TEXT("move"), share);
-    phase.moves = true;
-    const bool remembers = hasConstraint(share);
-    phase.run = [runs, points = share.points, h = m_h, remembers](State &state) {
-        if (remembers && state.previous.rows() != state.points())
+    if (!hasConstraint(share))
+        return nullptr;
+    return [points = share.points](State &state) {
+        if (state.previous.rows() != state.points())
             state.previous = state.position;
-        if (remembers)
-            state.previous.middleRows(points.first, points.count) =
-                state.position.middleRows(points.first, points.count);
-        forEachFree(state, runs, [&](int i) { state.place(i, sim::move(state.at(i), state.speed(i), h)); });
+        state.previous.middleRows(points.first, points.count) =
+            state.position.middleRows(points.first, points.count);
     };
-    phase.explain = [](const State &before, const State &after, int point) {
-        return std::vector<Live>{{"x", after.at(point), before.at(point)}};
-    };
-    m_phases.push_back(std::move(phase));
 }
 
-void PhaseList::turnAngles(const Share &share)
+void PhaseList::remember(const Share &share)
 {
-    Phase phase = ownPhase("turn", SIM_TEXT("turn"), share);
-    phase.moves = true;
-    phase.run = [runs = inert(share.points), h = m_h](State &state) {
-        forEachFree(state, runs, [&](int i) { state.angle[i] = turn(state.angle[i], state.spin[i], h); });
-    };
-    phase.explain = [](const State &before, const State &after, int point) {
-        return std::vector<Live>{{"angle", after.angle[point], before.angle[point]}};
-    };
-    m_phases.push_back(std::move(phase));
+    m_keep = remembering(share);
+    m_keepBefore = m_phases.size();
 }
 
-void PhaseList::constraints(const Share &share)
+std::vector<Phase> PhaseList::take()
 {
-    forEach<Constraint>(share, [&](const std::shared_ptr<const Constraint> &constraint) {
-        Phase phase = phaseOf(constraint, share);
-        phase.run = [constraint, points = share.points, way = m_directions, h = m_h](State &state) {
-            constraint->enforce(state, points, way, h);
+    if (m_keep && m_keepBefore < m_phases.size()) {
+        Phase &first = m_phases[m_keepBefore];
+        first.run = [keep = m_keep, run = first.run](State &state) {
+            keep(state);
+            run(state);
         };
-        phase.explain = [constraint](const State &before, const State &after, int point) {
-            return constraint->explain(before, after, point);
-        };
-        m_phases.push_back(std::move(phase));
-    });
-    if (hasConstraint(share))
-        velocities(share);
-}
-
-void PhaseList::velocities(const Share &share)
-{
-    const std::vector<Points> runs = inert(share.points);
-    if (runs.empty() || spins())
-        return;
-    Phase phase = ownPhase("came", SIM_TEXT("new velocity"), share);
-    phase.run = [runs, h = m_h](State &state) {
-        forEachFree(state, runs, [&](int i) {
-            const Vec2 before = {state.previous(i, 0), state.previous(i, 1)};
-            state.push(i, came(state.at(i), before, h));
-        });
-    };
-    phase.explain = [](const State &before, const State &after, int point) {
-        return std::vector<Live>{{"v", after.speed(point), before.speed(point)}};
-    };
-    m_phases.push_back(std::move(phase));
-}
-
-void PhaseList::contacts(const Share &share)
-{
-    forEach<Contact>(share, [&](const std::shared_ptr<const Contact> &contact) {
-        Phase phase = phaseOf(contact, share);
-        phase.run = [contact, points = share.points](State &state) { contact->resolve(state, points); };
-        phase.explain = [](const State &before, const State &after, int point) {
-            return changeOf(before, after, point);
-        };
-        m_phases.push_back(std::move(phase));
-    });
+    }
+    return std::move(m_phases);
 }
 
 }

@@ -91,6 +91,9 @@ struct Adding
     Region torqueShown;
 };
 
+/// Adds every force to State::acceleration and every torque to State::turning.
+Adding gathering();
+
 /// The phases of one step in the making, from the parts that methods are made of. Each function adds the phases of
 /// a share of the points; an effect that has nothing to do there adds none.
 class PhaseList
@@ -108,45 +111,76 @@ public:
     void driversFirst();
     /// Each of the other drivers.
     void driversLast();
+    /// The same for those only that act once a step.
+    void jumpsFirst();
+    void jumpsLast();
+    /// Each driver that flows, for `part` of the step; and each that follows from the rest of the state.
+    void flow(double part);
     /// Each force and torque of the scene as `adding` adds it up.
     void forces(const Share &share, const Adding &adding);
-    /// v = v + h a, from the gathered accelerations; likewise the spin.
-    void kick(const Share &share);
-    /// Each drag of the scene.
-    void damping(const Share &share);
+    /// The sum of all forces, and of all torques, at the places where points are.
+    void gather(const Share &share);
+    /// v = v + h a, from the gathered accelerations, for `part` of the step; likewise the spin.
+    void kick(const Share &share, double part = 1.0);
+    /// Each drag of the scene, for `part` of the step.
+    void damping(const Share &share, double part = 1.0);
+    /// Each drag of the scene that has no rate.
+    void dampingWithoutRate(const Share &share);
     /// Forces, torques and drags in the very order in which the scene lists them.
     void asListed(const Share &share, const Adding &adding);
-    /// x = x + h v, of the points that go on by themselves; likewise the angle.
-    void move(const Share &share);
+    /// x = x + h v, of the points that go on by themselves, for `part` of the step; likewise the angle.
+    void move(const Share &share, double part = 1.0);
+    /// A phase of the method's own, which runs on all points.
+    void own(Phase phase) { m_phases.push_back(std::move(phase)); }
+    /// Before anything moves: keeps the places for constraints, which give what they move its velocity by them.
+    void remember(const Share &share);
     /// Each constraint of the scene, then the velocities of what they moved.
     void constraints(const Share &share);
     /// Each contact of the scene.
     void contacts(const Share &share);
 
-    std::vector<Phase> take() { return std::move(m_phases); }
+    std::vector<Phase> take();
 
 private:
     template <class Type, class Visit>
     void forEach(const Share &share, Visit &&visit) const;
     Phase phaseOf(const EffectPtr &effect, const Share &share) const;
     Phase ownPhase(const char *id, const char *title, const Share &share) const;
+    template <class Accept>
+    void drivers(std::size_t first, std::size_t end, double h, Accept &&accept);
+    /// How many effects the scene lists before the first that is not a driver.
+    std::size_t leading() const;
     /// The stretches of points that can move and go on by themselves.
     std::vector<Points> inert(Points points) const;
     bool spins() const { return m_scene.start.spin.rows() > 0; }
     bool hasConstraint(const Share &share) const;
+    /// Keeps the places of a share's points in State::previous; null where no constraint asks for them.
+    std::function<void(State &)> remembering(const Share &share) const;
 
     void force(const std::shared_ptr<const Force> &force, const Share &share, const Adding &adding);
     void torque(const std::shared_ptr<const Torque> &torque, const Share &share, const Adding &adding);
-    void drag(const std::shared_ptr<const Drag> &drag, const Share &share);
-    void driver(const std::shared_ptr<const Driver> &driver);
-    void kickSpins(const Share &share);
-    void turnAngles(const Share &share);
+    void drag(const std::shared_ptr<const Drag> &drag, const Share &share, double part);
+    void driver(const std::shared_ptr<const Driver> &driver, double h);
+    void kickSpins(const Share &share, double part);
+    void turnAngles(const Share &share, double part);
     void velocities(const Share &share);
 
     const Scene &m_scene;
     Directions m_directions;
     double m_h;
     std::vector<Phase> m_phases;
+    std::size_t m_keepBefore = 0; ///< the phase before which m_keep runs
+    std::function<void(State &)> m_keep;
 };
+
+template <class Type, class Visit>
+void PhaseList::forEach(const Share &share, Visit &&visit) const
+{
+    for (const EffectPtr &effect : m_scene.effects) {
+        const auto typed = std::dynamic_pointer_cast<const Type>(effect);
+        if (typed && typed->count(m_scene.start, share.points) > 0)
+            visit(typed);
+    }
+}
 
 }

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "sim/method.h"
+
+namespace sim {
+
+class Pair;
+
+/// A method that chooses its steps so that each makes at most a given error. Its steps end where they like, also
+/// past a frame: whole frames are read off the polynomial between a step's ends. A step ends early where a point
+/// touches a surface or leaves one, so the jumps of a motion do not cost it its order.
+class Adaptive : public Method
+{
+public:
+    int order() const override;
+    Stepping stepping() const override { return Stepping::adaptive; }
+    int evaluations() const override { return 0; }
+    std::vector<std::string> needs() const override { return {"smooth"}; }
+    Directions directions() const override { return Directions::apart; }
+    Region region() const override { return {"sim/methods/advance.cpp", "adaptive_order"}; }
+    void prepare(State &state) const override;
+    std::vector<Phase> phases(const Scene &scene, StepSize size) const override;
+
+protected:
+    /// `shown`: the source of the pair's numbers.
+    Adaptive(const Pair &pair, Region shown) : m_pair(pair), m_shown(std::move(shown)) {}
+
+private:
+    const Pair &m_pair;
+    Region m_shown;
+};
+
+}

@@ -1,0 +1,328 @@
+#include "sim/methods/advance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace sim {
+
+namespace {
+
+constexpr int mostTries = 50'000; ///< steps a frame, the rejected ones included
+constexpr double longest = 10.0;  ///< frames
+
+/// Numbers that live for one frame only. Kept by the thread, so that a frame allocates nothing; nothing is read
+/// from them that the same frame has not written.
+struct Scratch
+{
+    std::vector<double> numbers;
+    std::vector<StageWeights> weights;
+};
+
+Scratch &scratch(std::size_t numbers, std::size_t stretches)
+{
+    thread_local Scratch kept;
+    if (kept.numbers.size() < numbers)
+        kept.numbers.resize(numbers);
+    if (kept.weights.size() < stretches)
+        kept.weights.resize(stretches);
+    return kept;
+}
+
+/// How long the next step should be: the error of a method of order p grows with the power p + 1 of a step, and
+/// one power is left as a margin. `error`: of this step, as a share of the tolerance.
+/// Source: Hairer, Norsett and Wanner, "Solving ordinary differential equations I", section II.4.
+// Shown lines are short.
+// clang-format off
+//! [next_step]
+double nextStep(
+    double h, double error, int order)
+{
+    double fit = 0.9
+        * std::pow(error, -1.0 / order);
+    h = h * std::clamp(fit, 0.2, 6.0);
+    return std::min(h, longest);
+}
+//! [next_step]
+// clang-format on
+
+/// What damping leaves of a velocity after `time` frames.
+double kept(const Flow::Stretch &rows, double time)
+{
+    return rows.rate == 0.0 || std::isinf(rows.rate) ? 1.0 : std::exp(-rows.rate * time);
+}
+
+double largest(const double *numbers, int size)
+{
+    double most = 0.0;
+    for (int i = 0; i < size; ++i)
+        most = std::max(most, std::abs(numbers[i]));
+    return most;
+}
+
+}
+
+Course::Course(const Scene &scene, const Pair &how, Directions directions, double within)
+    : flow(scene, directions), pair(how), tolerance(within), touching(scene)
+{
+    for (const EffectPtr &effect : scene.effects) {
+        if (dynamic_cast<const Contact *>(effect.get()))
+            contacts.push_back(effect);
+    }
+}
+
+std::vector<EffectPtr> Course::effects() const
+{
+    std::vector<EffectPtr> all = flow.effects();
+    all.insert(all.end(), contacts.begin(), contacts.end());
+    return all;
+}
+
+Advance::Advance(const Course &course, State &state)
+    : m_course(course), m_state(state), m_size(course.flow.size()), m_points(state.points()),
+      m_stages(course.pair.tableau().stages + course.pair.extraStages()),
+      m_weights(scratch(static_cast<std::size_t>(m_size * (4 + 2 * m_stages)), course.flow.stretches().size())
+                    .weights)
+{
+    m_place = scratch(0, 0).numbers.data();
+    m_speed = m_place + m_size;
+    m_trial = m_speed + m_size;
+    m_speeds = m_trial + m_size;
+    m_slopes = m_speeds + m_size * m_stages;
+    m_lift = m_slopes + m_size * m_stages;
+}
+
+double *Advance::speedOf(int number) const
+{
+    return m_speeds + number * m_size;
+}
+
+double *Advance::slopeOf(int number) const
+{
+    return m_slopes + number * m_size;
+}
+
+void Advance::toNextFrame()
+{
+    Ahead &ahead = m_state.ahead;
+    //! [adaptive_order]
+    if (ahead.to <= 0)
+        begin();
+    // until a step ends past the frame
+    for (int i = 0; ahead.to < 1; ++i) {
+        if (i == mostTries)
+            return giveUp();
+        tryStep();
+    }
+    // then the frame is read off it
+    readOff();
+    //! [adaptive_order]
+    ahead.from -= 1.0;
+    ahead.to -= 1.0;
+}
+
+void Advance::clockTo(double time)
+{
+    if (time == m_clock)
+        return;
+    m_course.flow.tick(m_state, time - m_clock);
+    m_clock = time;
+}
+
+void Advance::begin()
+{
+    m_course.flow.read(m_state, endPlace(), endSpeed());
+    for (const Flow::Stretch &rows : m_course.flow.stretches()) {
+        if (std::isinf(rows.rate)) // damping stops it at once
+            std::fill(endSpeed() + rows.first, endSpeed() + rows.end(), 0.0);
+    }
+    m_state.ahead.from = m_state.ahead.to = 0.0;
+    m_state.resting.setZero();
+    bounce();
+    settle();
+    if (m_state.ahead.next > 0.0)
+        return;
+    // A guess; the first error estimate puts it right.
+    const double pull = largest(endSlope(), m_size) + 1e-10;
+    const double share =
+        std::pow(m_course.tolerance / (pull + m_course.tolerance), 1.0 / m_course.pair.order());
+    m_state.ahead.next = std::clamp(0.5 * share, 1e-6, 1.0);
+}
+
+void Advance::setWeights(double h)
+{
+    const std::vector<Flow::Stretch> &stretches = m_course.flow.stretches();
+    for (std::size_t i = 0; i < stretches.size(); ++i)
+        m_weights[i].set(m_course.pair.tableau(), stretches[i].rate, h, m_stages);
+}
+
+/// The place of a stage, the pull there, and the velocity that belongs to it.
+void Advance::stage(int number, double start, double h)
+{
+    const std::vector<Flow::Stretch> &stretches = m_course.flow.stretches();
+    const auto row = static_cast<std::size_t>(number);
+    for (std::size_t i = 0; i < stretches.size(); ++i) {
+        blend(m_trial, m_place, 1.0, m_speeds, m_weights[i].place[row].data(), number, stretches[i].first,
+              stretches[i].end(), m_size);
+        blend(speedOf(number), m_speed, m_weights[i].keep[row], m_slopes, m_weights[i].speed[row].data(),
+              number, stretches[i].first, stretches[i].end(), m_size);
+    }
+    clockTo(start + m_course.pair.tableau().c[row] * h);
+    m_course.flow.place(m_trial, m_state);
+    m_course.flow.accelerations(m_state, slopeOf(number));
+    ++m_state.evaluations;
+    hold(slopeOf(number));
+}
+
+//! [try_step]
+void Advance::tryStep()
+{
+    double start = m_state.ahead.to;
+    double h = m_state.ahead.next;
+    std::copy_n(endPlace(), m_size, m_place);
+    std::copy_n(endSpeed(), m_size, m_speed);
+    std::copy_n(endSpeed(), m_size, speedOf(0));
+    std::copy_n(endSlope(), m_size, slopeOf(0));
+    setWeights(h);
+    int last = m_course.pair.tableau().stages;
+    for (int i = 1; i < last; ++i)
+        stage(i, start, h);
+    double share = error(h);
+    if (share <= 1) // exact enough
+        accept(start, h);
+    else // again, with a shorter step
+        share = std::min(share, 1e9);
+    int order = m_course.pair.order();
+    m_state.ahead.next = nextStep(h, share + 1e-12, order);
+    if (m_state.ahead.to == start)
+        shorten(h); // it led nowhere
+}
+//! [try_step]
+
+void Advance::shorten(double h)
+{
+    // Besides rejected steps: a contact at the very start that left all as it was. The polynomial is too rough there.
+    m_state.ahead.next = std::min(m_state.ahead.next, 0.5 * h);
+}
+
+double Advance::error(double h) const
+{
+    const Tableau::Row &weights = m_course.pair.error(), &lower = m_course.pair.lowerError();
+    const std::vector<Flow::Stretch> &stretches = m_course.flow.stretches();
+    const int last = m_course.pair.tableau().stages - 1;
+    double most = 0.0, mostLower = 0.0;
+    bool broken = false;
+    for (std::size_t n = 0; n < stretches.size(); ++n) {
+        Tableau::Row since{}; // what damping leaves at the end of what each stage's slope has made
+        for (std::size_t j = 0; j <= static_cast<std::size_t>(last); ++j)
+            since[j] = kept(stretches[n], h * (1.0 - m_course.pair.tableau().c[j]));
+        for (int i = stretches[n].first; i < stretches[n].end(); ++i) {
+            double place = 0.0, speed = 0.0, lowPlace = 0.0, lowSpeed = 0.0;
+            for (int j = 0; j <= last; ++j) {
+                const auto from = static_cast<std::size_t>(j);
+                const double v = m_speeds[j * m_size + i];
+                const double a = since[from] * m_slopes[j * m_size + i];
+                place += weights[from] * v;
+                speed += weights[from] * a;
+                lowPlace += lower[from] * v;
+                lowSpeed += lower[from] * a;
+            }
+            most = std::max({most, std::abs(place), std::abs(speed)});
+            mostLower = std::max({mostLower, std::abs(lowPlace), std::abs(lowSpeed)});
+            broken = broken || !std::isfinite(place + speed);
+        }
+    }
+    if (broken)
+        return std::numeric_limits<double>::infinity();
+    // Two estimates are put together so that the lower one counts only where the higher is unsure.
+    if (mostLower > 0.0)
+        most = most * most / std::sqrt(most * most + 0.01 * mostLower * mostLower);
+    // Nothing is more exact than the digits of a place allow.
+    const double digits = 8.0 * std::numeric_limits<double>::epsilon() * largest(m_place, m_size);
+    return h * most / std::max(m_course.tolerance, digits);
+}
+
+void Advance::accept(double start, double h)
+{
+    const int last = m_course.pair.tableau().stages - 1;
+    Ahead &ahead = m_state.ahead;
+    ahead.from = start;
+    ahead.length = h;
+    ahead.to = start + h;
+    std::copy_n(m_trial, m_size, endPlace());
+    std::copy_n(speedOf(last), m_size, endSpeed());
+    std::copy_n(slopeOf(last), m_size, endSlope());
+    const bool readsFrame = start < 1.0 && ahead.to > 1.0;
+    const bool meets = mayMeet();
+    if (readsFrame || meets)
+        makeDense(h);
+    if (meets)
+        end(start, h);
+}
+
+void Advance::makeDense(double h)
+{
+    const double start = m_state.ahead.from;
+    for (int i = m_course.pair.tableau().stages; i < m_stages; ++i)
+        stage(i, start, h);
+    StepData step{m_place, m_speed, m_speeds, m_slopes, m_size, 0, 0, 0.0, h};
+    for (const Flow::Stretch &rows : m_course.flow.stretches()) {
+        step.first = rows.first;
+        step.end = rows.end();
+        step.rate = std::isinf(rows.rate) ? 0.0 : rows.rate; // it stands still
+        m_course.pair.makeDense(step, endPlace(), endSpeed(), denseColumns());
+    }
+}
+
+Advance::Moving Advance::dense(int point, double h, double theta) const
+{
+    const auto row = [&](int i) {
+        for (const Flow::Stretch &rows : m_course.flow.stretches()) {
+            if (i < rows.end())
+                return m_course.pair.dense(denseColumns(), m_size, i, kept(rows, h * theta), h, theta);
+        }
+        return Pair::At{};
+    };
+    const Pair::At x = row(point), y = row(m_points + point);
+    return {{x.place, y.place}, {x.speed, y.speed}};
+}
+
+void Advance::denseAll(double h, double theta, double *x, double *v) const
+{
+    for (const Flow::Stretch &rows : m_course.flow.stretches()) {
+        const double left = kept(rows, h * theta);
+        for (int i = rows.first; i < rows.end(); ++i) {
+            const Pair::At at = m_course.pair.dense(denseColumns(), m_size, i, left, h, theta);
+            x[i] = at.place;
+            v[i] = at.speed;
+        }
+    }
+}
+
+void Advance::readOff()
+{
+    const Ahead &ahead = m_state.ahead;
+    clockTo(1.0);
+    if (ahead.to == 1.0) {
+        m_course.flow.place(endPlace(), m_state);
+        m_course.flow.push(endSpeed(), m_state);
+        return;
+    }
+    denseAll(ahead.length, (1.0 - ahead.from) / ahead.length, m_place, m_speed);
+    m_course.flow.place(m_place, m_state);
+    m_course.flow.push(m_speed, m_state);
+}
+
+void Advance::giveUp()
+{
+    // A run stops where numbers stop being finite: at the point that is pulled hardest.
+    int worst = 0;
+    for (int i = 0; i < m_points; ++i) {
+        if (!(length(at(endSlope(), i)) <= length(at(endSlope(), worst))))
+            worst = i;
+    }
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    m_state.place(worst, {nan, nan});
+}
+
+}

@@ -1,0 +1,162 @@
+#include "sim/methods/advance.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sim {
+
+namespace {
+
+constexpr double touching = 1e-10; ///< px, closer counts as in touch
+constexpr double none = 2.0;       ///< past the end of the step
+
+}
+
+void Advance::end(double start, double h)
+{
+    const double touchAt = firstTouch(h);
+    const double liftAt = firstLift(start, h);
+    const double first = std::min(touchAt, liftAt);
+    if (first > 1.0)
+        return;
+    denseAll(h, first, endPlace(), endSpeed());
+    m_state.ahead.to = start + first * h;
+    if (liftAt == first) {
+        for (const Touching::Place &place : m_course.touching.places()) {
+            if (rests(place) && m_lifted == place.point)
+                m_state.resting[place.point] &= ~place.bit;
+        }
+    }
+    bounce();
+    settle();
+}
+
+bool Advance::mayMeet() const
+{
+    for (const Touching::Place &place : m_course.touching.places()) {
+        const Surface &surface = place.surface;
+        if (rests(place))
+            return true;
+        if (gap(surface, at(endPlace(), place.point)) < 0.0)
+            return true;
+        if (away(surface, at(m_speed, place.point)) < 0.0 && away(surface, at(endSpeed(), place.point)) > 0.0)
+            return true;
+    }
+    return false;
+}
+
+double Advance::firstTouch(double h) const
+{
+    double first = none;
+    for (const Touching::Place &place : m_course.touching.places()) {
+        if (free(place))
+            first = std::min(first, touch(place, h));
+    }
+    return first;
+}
+
+double Advance::touch(const Touching::Place &place, double h) const
+{
+    const Surface &surface = place.surface;
+    const auto gapAt = [&](double theta) { return gap(surface, dense(place.point, h, theta).x); };
+    const auto speedAt = [&](double theta) { return away(surface, dense(place.point, h, theta).v); };
+    const bool leaves = away(surface, at(m_speed, place.point)) > 0.0;
+    const bool returns = away(surface, at(endSpeed(), place.point)) > 0.0;
+    if (gap(surface, at(endPlace(), place.point)) < 0.0) {
+        // What has just bounced stands on the surface: it can only come back after its highest point.
+        const double highest = leaves && !returns ? firstRoot(speedAt, 0.0, 1.0) : 0.0;
+        if (gapAt(highest) <= 0.0)
+            return highest;
+        return firstRoot(gapAt, highest, 1.0);
+    }
+    if (leaves || !returns)
+        return none;
+    // It may have been past the surface in between.
+    const double lowest = firstRoot([&](double theta) { return -speedAt(theta); }, 0.0, 1.0);
+    if (gapAt(lowest) >= 0.0 || gapAt(0.0) < 0.0)
+        return none;
+    return firstRoot(gapAt, 0.0, lowest);
+}
+
+double Advance::firstLift(double start, double h)
+{
+    m_lifted = -1;
+    if ((m_state.resting == 0).all())
+        return none;
+    // The pull of a place's surface less what it takes up, at a share of the step: below 0 it lifts.
+    const auto press = [&](const Touching::Place &place, double theta) {
+        denseAll(h, theta, m_trial, m_lift);
+        clockTo(start + theta * h);
+        m_course.flow.place(m_trial, m_state);
+        m_course.flow.accelerations(m_state, m_lift);
+        ++m_state.evaluations;
+        return -away(place.surface, at(m_lift, place.point));
+    };
+    double first = none;
+    for (const Touching::Place &place : m_course.touching.places()) {
+        if (!rests(place) || press(place, 1.0) >= 0.0)
+            continue;
+        const double lift = firstRoot([&](double theta) { return press(place, theta); }, 0.0, 1.0);
+        if (lift < first) {
+            first = lift;
+            m_lifted = place.point;
+        }
+    }
+    return first;
+}
+
+void Advance::bounce()
+{
+    for (const Touching::Place &place : m_course.touching.places()) {
+        if (!free(place))
+            continue;
+        const Surface &surface = place.surface;
+        const Vec2 x = at(endPlace(), place.point), v = at(endSpeed(), place.point);
+        const double distance = gap(surface, x);
+        if (distance < 0.0)
+            put(endPlace(), place.point, x - distance * surface.normal);
+        if (distance <= touching && away(surface, v) < 0.0)
+            put(endSpeed(), place.point, bounced(surface, v));
+    }
+}
+
+void Advance::settle()
+{
+    clockTo(m_state.ahead.to);
+    m_course.flow.place(endPlace(), m_state);
+    m_course.flow.accelerations(m_state, endSlope());
+    ++m_state.evaluations;
+    for (const Touching::Place &place : m_course.touching.places()) {
+        if (!m_state.feels(place.point))
+            continue;
+        const Surface &surface = place.surface;
+        const double pull = away(surface, at(endSlope(), place.point));
+        const Vec2 x = at(endPlace(), place.point), v = at(endSpeed(), place.point);
+        const double into = std::max(0.0, -pull);
+        const bool slow = std::abs(away(surface, v)) <= restingSpeed(into, m_course.tolerance) &&
+                          gap(surface, x) <= touching;
+        if (rests(place) && pull > 0.0)
+            m_state.resting[place.point] &= ~place.bit;
+        else if (!rests(place) && slow && pull <= 0.0)
+            m_state.resting[place.point] |= place.bit;
+        if (rests(place))
+            put(endSpeed(), place.point, held(surface, v));
+    }
+    hold(endSlope());
+}
+
+void Advance::hold(double *numbers) const
+{
+    for (const Flow::Stretch &rows : m_course.flow.stretches()) {
+        if (std::isinf(rows.rate))
+            std::fill(numbers + rows.first, numbers + rows.end(), 0.0);
+    }
+    if (!m_course.touching.any())
+        return;
+    for (const Touching::Place &place : m_course.touching.places()) {
+        if (rests(place))
+            put(numbers, place.point, held(place.surface, at(numbers, place.point)));
+    }
+}
+
+}

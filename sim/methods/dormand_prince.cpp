@@ -1,0 +1,91 @@
+#include "sim/methods/dormand_prince.h"
+
+#include "sim/methods/pair.h"
+
+#include <cmath>
+
+namespace sim {
+
+namespace {
+
+Tableau fifthOrder()
+{
+    Tableau t;
+    //! [dormand_prince_tableau]
+    t.stages = 7;
+    t.c = {0, 1. / 5, 3. / 10, 4. / 5, 8. / 9, 1, 1};
+    t.a[1] = {1. / 5};
+    t.a[2] = {3. / 40, 9. / 40};
+    t.a[3] = {44. / 45, -56. / 15, 32. / 9};
+    t.a[4] = {19372. / 6561, -25360. / 2187, 64448. / 6561, -212. / 729};
+    t.a[5] = {9017. / 3168, -355. / 33, 46732. / 5247, 49. / 176, -5103. / 18656};
+    t.a[6] = {35. / 384, 0, 500. / 1113, 125. / 192, -2187. / 6784, 11. / 84};
+    t.b = t.a[6];
+    //! [dormand_prince_tableau]
+    return t;
+}
+
+/// The weights of order 5 less those of order 4.
+constexpr Tableau::Row fifthLessFourth = {71. / 57600,      0,         -71. / 16695, 71. / 1920,
+                                          -17253. / 339200, 22. / 525, -1. / 40};
+constexpr Tableau::Row none{};
+
+/// The polynomial of degree 5 through places, velocities and accelerations at 0 and 1, in Newton's form: 0, 0, 0, 1,
+/// 1, 1 are its nodes.
+class DormandPrincePair : public Pair
+{
+public:
+    const Tableau &tableau() const override { return m_tableau; }
+    int order() const override { return 5; }
+    const Tableau::Row &error() const override { return fifthLessFourth; }
+    const Tableau::Row &lowerError() const override { return none; }
+    int extraStages() const override { return 0; }
+    int denseColumns() const override { return 6; }
+
+    void makeDense(const StepData &step, const double *endPlace, const double *endSpeed,
+                   double *columns) const override
+    {
+        const double h = step.h;
+        const double *slopeAtEnd = step.slopes + 6 * step.size;
+        for (int i = step.first; i < step.end; ++i) {
+            const double x0 = step.place[i], x1 = endPlace[i];
+            const double v0 = h * step.speed[i], v1 = h * endSpeed[i];
+            const double a0 = h * h * (step.slopes[i] - step.rate * step.speed[i]);
+            const double a1 = h * h * (slopeAtEnd[i] - step.rate * endSpeed[i]);
+            const double rise = x1 - x0;
+            const double third = rise - v0 - a0 / 2; // [0, 0, 0, 1]
+            const double fourth = v1 - rise - (rise - v0) - third;
+            const double fifth = (a1 / 2 - (v1 - rise)) - (v1 - rise - (rise - v0)) - fourth;
+            const double all[] = {x0, v0, a0 / 2, third, fourth, fifth};
+            for (int j = 0; j < 6; ++j)
+                columns[j * step.size + i] = all[j];
+        }
+    }
+
+    At dense(const double *columns, int size, int row, double, double h, double theta) const override
+    {
+        const double *k = columns + row;
+        const double back = theta - 1;
+        const double nodes[] = {theta, theta, theta, back, back};
+        double place = k[5 * size];
+        double slope = 0.0;
+        for (int j = 4; j >= 0; --j) {
+            slope = slope * nodes[j] + place;
+            place = place * nodes[j] + k[j * size];
+        }
+        return {place, slope / h};
+    }
+
+private:
+    Tableau m_tableau = fifthOrder();
+};
+
+}
+
+const Pair &dormandPrincePair()
+{
+    static const DormandPrincePair pair;
+    return pair;
+}
+
+}

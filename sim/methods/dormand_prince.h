@@ -1,0 +1,21 @@
+#pragma once
+
+#include "sim/methods/adaptive.h"
+#include "sim/methods/pair.h"
+
+namespace sim {
+
+/// Dormand and Prince's method: order 5, with steps that a method of order 4 on the same stages measures. Damping is
+/// exact; contacts are located in time; between steps a polynomial gives every frame. See dormandPrincePair().
+class DormandPrince : public Adaptive
+{
+public:
+    DormandPrince()
+        : Adaptive(dormandPrincePair(), {"sim/methods/dormand_prince.cpp", "dormand_prince_tableau"})
+    {
+    }
+    std::string id() const override { return "dormand_prince"; }
+    std::string title() const override { return SIM_TEXT("Dormand–Prince 5(4)"); }
+};
+
+}
