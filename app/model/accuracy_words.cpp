@@ -51,10 +51,16 @@ QString inUseWords(const sim::AccuracyRow *inUse)
     return {};
 }
 
-bool anyTimed(const sim::Accuracy &accuracy)
+/// Whether no time is known yet, and some will be.
+bool timesCome(const sim::Accuracy &accuracy)
 {
-    return std::any_of(accuracy.rows.begin(), accuracy.rows.end(),
-                       [](const sim::AccuracyRow &row) { return row.nsPerFrame > 0.0; });
+    bool come = accuracy.rows.empty();
+    for (const sim::AccuracyRow &row : accuracy.rows) {
+        if (row.nsPerFrame > 0.0)
+            return false;
+        come |= row.outcome == Outcome::waiting || row.outcome == Outcome::measured;
+    }
+    return come;
 }
 
 const sim::AccuracyRow *mostExact(const sim::Accuracy &accuracy)
@@ -69,7 +75,7 @@ const sim::AccuracyRow *mostExact(const sim::Accuracy &accuracy)
 
 QString nothingWithin(const sim::Accuracy &accuracy, const QString &goal)
 {
-    if (!anyTimed(accuracy))
+    if (timesCome(accuracy))
         return Text::tr("Errors first, then times: what it costs to be within %1 will stand here.").arg(goal);
     const sim::AccuracyRow *closest = mostExact(accuracy);
     if (!closest)
