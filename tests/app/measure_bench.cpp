@@ -20,7 +20,7 @@ sim::AccuracyRow rowOf(const sim::MethodPtr &method, int rung, std::size_t numbe
     sim::AccuracyRow row;
     row.way.method = method;
     row.way.step =
-        adaptive ? sim::StepSize::within(std::pow(10.0, -2 * rung)) : sim::StepSize::of(1.0 / (1 << rung));
+        adaptive ? sim::StepSize::within(std::pow(10.0, -rung)) : sim::StepSize::of(1.0 / (1 << rung));
     row.outcome = sim::Outcome::measured;
     row.error = 4.0 * std::pow(0.5, method->order() * rung);
     row.evaluations = std::pow(2.0, rung);

@@ -9,6 +9,9 @@
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTextStream>
+#include <QThread>
+
+#include <algorithm>
 
 using namespace app;
 
@@ -23,6 +26,13 @@ struct Stall
     double done = 0.0;        ///< ms
     std::size_t rows = 0;
 };
+
+bool hasPoints(const sim::Accuracy *accuracy)
+{
+    return accuracy &&
+           std::any_of(accuracy->rows.begin(), accuracy->rows.end(),
+                       [](const sim::AccuracyRow &row) { return row.outcome == sim::Outcome::measured; });
+}
 
 Stall measure(Session &session, Theme &theme)
 {
@@ -41,11 +51,8 @@ Stall measure(Session &session, Theme &theme)
         QApplication::processEvents();
         stall.longest = std::max(stall.longest, ms() - last);
         last = ms();
-        const sim::Accuracy *accuracy = window.study().accuracy();
-        for (const sim::AccuracyRow &row : accuracy ? accuracy->rows : std::vector<sim::AccuracyRow>{}) {
-            if (stall.firstPoints == 0.0 && row.outcome == sim::Outcome::measured)
-                stall.firstPoints = ms();
-        }
+        if (stall.firstPoints == 0.0 && hasPoints(window.study().accuracy()))
+            stall.firstPoints = ms();
         QThread::usleep(500);
     }
     stall.done = ms();

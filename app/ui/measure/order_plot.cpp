@@ -118,7 +118,7 @@ void OrderPlot::draw(QPainter &painter)
         labels.push_back({onScreen(*line.back()), orderWords(*m_study.accuracy(), method), ink.color});
     }
     painter.restore();
-    drawEndLabels(painter, std::move(labels), m_theme.ui(12, QFont::Medium), area);
+    drawEndLabels(painter, std::move(labels), m_theme.ui(12, QFont::Medium), area, m_theme.tokens().panel);
     const AccuracyRow *used = m_study.inUse();
     for (const Spot &spot : spots()) {
         if (&rowOf(spot) == used)

@@ -63,7 +63,8 @@ void drawRing(QPainter &painter, QPointF at, const QPen &pen, double radius)
     painter.drawEllipse(at, radius, radius);
 }
 
-void drawEndLabels(QPainter &painter, std::vector<EndLabel> labels, const QFont &font, const QRectF &area)
+void drawEndLabels(QPainter &painter, std::vector<EndLabel> labels, const QFont &font, const QRectF &area,
+                   QColor ground)
 {
     const QFontMetricsF metrics(font);
     std::sort(labels.begin(), labels.end(),
@@ -89,7 +90,9 @@ void drawEndLabels(QPainter &painter, std::vector<EndLabel> labels, const QFont 
         floor = boxes[i].top();
     }
     painter.setFont(font);
+    ground.setAlphaF(0.75F);
     for (std::size_t i = 0; i < boxes.size(); ++i) {
+        painter.fillRect(boxes[i].adjusted(-2.0, 1.0, 2.0, -1.0), ground);
         painter.setPen(labels[i].color);
         painter.drawText(boxes[i], Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip, labels[i].text);
     }

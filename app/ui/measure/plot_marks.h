@@ -39,7 +39,9 @@ struct EndLabel
     QColor color;
 };
 /// Writes names right of their anchors, and moves them down or up where they would cover each other.
-void drawEndLabels(QPainter &painter, std::vector<EndLabel> labels, const QFont &font, const QRectF &area);
+/// `ground` keeps lines behind them from running through the letters.
+void drawEndLabels(QPainter &painter, std::vector<EndLabel> labels, const QFont &font, const QRectF &area,
+                   QColor ground);
 
 /// The caption of an axis: below its right end, or beside its upper one.
 void drawAxisNames(QPainter &painter, const QRectF &area, const QString &across, const QString &up,

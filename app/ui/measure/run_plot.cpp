@@ -111,7 +111,7 @@ void RunPlot::draw(QPainter &painter)
     painter.setPen(QPen(m_theme.tokens().now, 2.0));
     painter.drawLine(QPointF(now, area.top()), QPointF(now, area.bottom()));
     painter.restore();
-    drawEndLabels(painter, std::move(labels), m_theme.ui(12, QFont::Medium), area);
+    drawEndLabels(painter, std::move(labels), m_theme.ui(12, QFont::Medium), area, m_theme.tokens().panel);
     if (chosen())
         drawRing(painter, onScreen(*chosen()), QPen(m_theme.tokens().ink, 2.0), markerSize);
 }

@@ -194,7 +194,8 @@ void WorkPrecisionPlot::drawNames(QPainter &painter) const
         const sim::Method &method = *rowOf(*spot).way.method;
         labels.push_back({onScreen(*spot), methodTitle(method), inkOf(method, m_theme).color});
     }
-    drawEndLabels(painter, std::move(labels), m_theme.ui(12, QFont::Medium), axisRect()->rect());
+    drawEndLabels(painter, std::move(labels), m_theme.ui(12, QFont::Medium), axisRect()->rect(),
+                  m_theme.tokens().panel);
 }
 
 void WorkPrecisionPlot::drawUnstable(QPainter &painter) const

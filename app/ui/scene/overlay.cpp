@@ -91,8 +91,10 @@ void Overlay::draw(QPainter &painter, const Camera &camera, QRectF view) const
                      takenBoxes(camera, view, outside));
     else
         drawName(painter, nameBox(m_shown, camera, view));
+    std::vector<QRectF> taken = takenBoxes(camera, view, outside);
+    taken.push_back(nameBox(m_shown, camera, view));
     drawReferenceLabel(painter, m_shown, m_theme, camera, freeArea(m_shown, view).adjusted(8, 28, -8, -44),
-                       takenBoxes(camera, view, outside));
+                       std::move(taken));
     drawCaption(painter, camera);
     const double end = drawScale(painter, camera, view);
     drawLegend(painter, view, end);
