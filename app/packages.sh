@@ -1,4 +1,5 @@
-# What Springstep needs, as Debian 12 packages, each with what it is for; read by app/run, tests/run and .ci/run.
+# What Springstep needs, as Debian 12 packages, each with what it is for; read by app/run, tests/run,
+# tests/bench/run and .ci/run.
 
 app_packages=(
     "g++                     the C++20 compiler"
@@ -14,6 +15,11 @@ app_packages=(
 )
 test_packages=(
     "libbenchmark-dev        tests/bench"
+)
+# Others' solvers, to compare ours with; the benchmarks run without them, too.
+bench_packages=(
+    "libboost-dev            tests/bench: Boost's odeint"
+    "libsundials-dev         tests/bench: SUNDIALS' CVODE"
 )
 format_packages=(
     "clang-format-14         checks the layout of the code"

@@ -1,13 +1,17 @@
 #include "app/cli/command_line.h"
 
+#include "app/cli/accuracy.h"
 #include "app/cli/lessons_list.h"
 #include "app/cli/terminal.h"
 #include "app/cli/trace.h"
+#include "app/model/refusal.h"
 #include "app/model/words.h"
 
 #include <QCommandLineParser>
 #include <QCoreApplication>
 #include <QFileInfo>
+
+#include <cmath>
 
 namespace app {
 
@@ -40,6 +44,49 @@ int runTrace(const QStringList &arguments)
     return trace(parser.positionalArguments().constFirst());
 }
 
+/// What `option` says, if it is set. @throws Refusal unless it is from `least` to `most`
+std::optional<double> numberOption(const QCommandLineParser &parser, const QString &option, double least,
+                                   double most)
+{
+    if (!parser.isSet(option))
+        return {};
+    bool isNumber = false;
+    const double number = parser.value(option).toDouble(&isNumber);
+    if (isNumber && number >= least && number <= most)
+        return number;
+    throw Refusal(Text::tr("--%1 is %2; it can be %3 to %4.")
+                      .arg(option, quoted(parser.value(option)), exactNumber(least), exactNumber(most)));
+}
+
+AccuracyRequest accuracyRequest(const QCommandLineParser &parser)
+{
+    AccuracyRequest request{
+        parser.positionalArguments().constFirst(), parser.isSet("json"), parser.value("svg"), {}, {}};
+    request.tolerance = numberOption(parser, "tolerance", 1e-12, 1e6);
+    if (const auto frames = numberOption(parser, "frames", 1, static_cast<double>(mostStudied)))
+        request.frames = std::llround(*frames);
+    return request;
+}
+
+int runAccuracy(const QStringList &arguments)
+{
+    QCommandLineParser parser;
+    parser.setApplicationDescription(
+        Text::tr("Measures what error each method makes on a scene, and what it costs."));
+    parser.addPositionalArgument("FILE|LESSON/STEP", Text::tr("The experiment, or the step."));
+    parser.addOptions({{"json", Text::tr("The same as JSON.")},
+                       {"svg", Text::tr("Draws error against time."), "OUT"},
+                       {"tolerance", Text::tr("Names the cheapest way within E px."), "E"},
+                       {"frames", Text::tr("Frames to compute (default 200, or the file's)."), "N"}});
+    if (const auto settled = readArguments(parser, "accuracy", arguments, {"FILE|LESSON/STEP"}))
+        return *settled;
+    try {
+        return accuracy(accuracyRequest(parser));
+    } catch (const Refusal &refusal) {
+        return refuseUse(refusal.sentence());
+    }
+}
+
 void describeProgram(QCommandLineParser &parser)
 {
     parser.setApplicationDescription(
@@ -48,6 +95,8 @@ void describeProgram(QCommandLineParser &parser)
                  "Verbs; each has its own --help, and none needs a display:\n"
                  "  lessons [--json]                            lists lessons, steps, parameters, methods\n"
                  "  trace FILE                                  writes the run of an experiment as CSV\n"
+                 "  accuracy FILE|LESSON/STEP [--json] [--svg OUT] [--tolerance E]\n"
+                 "                                              measures errors and costs of the methods\n"
                  "  screenshot LESSON/STEP --frame N OUT.png    draws the window"));
     parser.addPositionalArgument("FILE", Text::tr("An experiment to open."), "[FILE | VERB ...]");
     parser.addOption({{"v", "version"}, Text::tr("Prints the version.")});
@@ -71,7 +120,7 @@ bool refusesName(const QStringList &names)
 
 QStringList verbs()
 {
-    return {"lessons", "trace", "screenshot"};
+    return {"lessons", "trace", "accuracy", "screenshot"};
 }
 
 int refuseUse(const QString &sentence)
@@ -123,6 +172,8 @@ std::optional<int> runPlainVerb(const QStringList &arguments)
         return runLessons(arguments.mid(1));
     if (verb == "trace")
         return runTrace(arguments.mid(1));
+    if (verb == "accuracy")
+        return runAccuracy(arguments.mid(1));
     return {};
 }
 

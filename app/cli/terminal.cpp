@@ -72,26 +72,33 @@ QString Output::failure() const
     return m_error == 0 || m_error == EPIPE ? QString() : QString::fromLocal8Bit(std::strerror(m_error));
 }
 
-Progress::Progress(std::int64_t frames)
-    : m_isShown(isatty(STDERR_FILENO) && !isatty(STDOUT_FILENO)), m_frames(frames),
+StatusLine::StatusLine()
+    : m_isShown(isatty(STDERR_FILENO)),
       m_next(std::chrono::steady_clock::now() + std::chrono::milliseconds(500))
 {
 }
 
-Progress::~Progress()
+StatusLine::~StatusLine()
 {
     if (m_isShown)
         std::fputs("\r\x1b[K", stderr);
 }
 
+void StatusLine::show(const QString &text)
+{
+    m_next = std::chrono::steady_clock::now() + std::chrono::milliseconds(200);
+    std::fprintf(stderr, "\r\x1b[K%s", text.toUtf8().constData());
+}
+
+Progress::Progress(std::int64_t frames) : m_frames(frames)
+{
+    if (isatty(STDOUT_FILENO))
+        m_line.hide();
+}
+
 void Progress::show(std::int64_t frame)
 {
-    const auto now = std::chrono::steady_clock::now();
-    if (now < m_next)
-        return;
-    m_next = now + std::chrono::milliseconds(200);
-    const QString text = Text::tr("Frame %1 of %2").arg(frame).arg(m_frames);
-    std::fprintf(stderr, "\r\x1b[K%s", text.toUtf8().constData());
+    m_line.show(Text::tr("Frame %1 of %2").arg(frame).arg(m_frames));
 }
 
 }

@@ -40,24 +40,41 @@ private:
     int m_error = 0;
 };
 
-/// How far long work is: on stderr while that is a terminal (and stdout another place), and wiped away after.
+/// One line about long work: on stderr while that is a terminal, shown from half a second on, and wiped away after.
+class StatusLine
+{
+public:
+    StatusLine();
+    ~StatusLine();
+    StatusLine(const StatusLine &) = delete;
+    StatusLine &operator=(const StatusLine &) = delete;
+    /// Whether it is time to show another text.
+    bool isDue() const { return m_isShown && std::chrono::steady_clock::now() >= m_next; }
+    void show(const QString &text);
+    /// Shows nothing from now on.
+    void hide() { m_isShown = false; }
+
+private:
+    bool m_isShown;
+    std::chrono::steady_clock::time_point m_next;
+};
+
+/// How far a run is, on a status line while stdout is another place than the terminal.
 class Progress
 {
 public:
     explicit Progress(std::int64_t frames);
-    ~Progress();
     void at(std::int64_t frame)
     {
-        if (m_isShown)
+        if (m_line.isDue())
             show(frame);
     }
 
 private:
     void show(std::int64_t frame);
 
-    bool m_isShown;
+    StatusLine m_line;
     std::int64_t m_frames;
-    std::chrono::steady_clock::time_point m_next;
 };
 
 }

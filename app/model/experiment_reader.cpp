@@ -1,13 +1,13 @@
 #include "app/model/experiment.h"
 
 #include "app/model/experiment_input.h"
+#include "app/model/experiment_method.h"
 #include "app/model/experiment_points.h"
 #include "app/model/input_walk.h"
 #include "app/model/json_fields.h"
 #include "app/model/parameter_value.h"
 #include "app/model/sentences.h"
 #include "app/model/words.h"
-#include "sim/methods/methods.h"
 
 #include <QCoreApplication>
 
@@ -36,7 +36,7 @@ public:
         readFormat();
         readStep();
         refuseWhatNoStepHas();
-        readMethod();
+        readMethod(m_file, m_fields, script());
         readParameters();
         readPoints();
         if (const JsonValue *frames = m_fields.find("frames"))
@@ -87,11 +87,6 @@ private:
 
     void refuseWhatNoStepHas() const
     {
-        if (const JsonValue *tolerance = m_fields.find("tolerance"))
-            refuse(
-                m_file, tolerance->line,
-                tr("\"tolerance\" is for methods that choose their own step, and none here does; give \"h\" "
-                   "instead."));
         if (const JsonValue *scene = m_fields.find("scene"))
             refuse(m_file, scene->line,
                    tr("\"scene\" does not go with a lesson's step, which has its own; remove it, and change "
@@ -101,32 +96,6 @@ private:
         if (links && m_step->points != lessons::Points::files && !listOf(m_file, *links, "links").empty())
             refuse(m_file, links->line,
                    tr("the step %1 has no sticks; remove \"links\".").arg(quoted(m_step->id)));
-    }
-
-    void readMethod()
-    {
-        if (const JsonValue *method = m_fields.find("method")) {
-            const QString id = textOf(m_file, *method, "method");
-            script().method = sim::findMethod(id.toStdString());
-            if (!script().method)
-                refuse(m_file, method->line, noMethod(id));
-        }
-        if (const JsonValue *h = m_fields.find("h"))
-            readH(*h);
-    }
-
-    void readH(const JsonValue &value)
-    {
-        const double h = numberOf(m_file, value, "h");
-        try {
-            script().step = sim::StepSize::of(h);
-        } catch (const sim::Error &) {
-            refuse(
-                m_file, value.line,
-                tr("\"h\" is %1; it can be 0.000001 to 100 frames, a whole number or 1 divided by one: 2, 1, "
-                   "0.5, 0.25...")
-                    .arg(exactNumber(h)));
-        }
     }
 
     void readParameters()
@@ -263,14 +232,6 @@ private:
         for (const std::string &text : texts)
             list.push_back(QString::fromStdString(text));
         return quotedList(list);
-    }
-
-    static QString noMethod(const QString &id)
-    {
-        std::vector<std::string> ids;
-        for (const sim::MethodPtr &method : sim::allMethods())
-            ids.push_back(method->id());
-        return tr("there is no method %1; there is %2.").arg(quoted(id), listed(ids));
     }
 
     QString m_file;

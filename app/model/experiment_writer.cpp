@@ -4,6 +4,7 @@
 #include "app/model/input_walk.h"
 #include "app/model/parameter_value.h"
 #include "app/model/words.h"
+#include "sim/methods/methods.h"
 
 #include <QCoreApplication>
 #include <QJsonArray>
@@ -173,6 +174,14 @@ QStringList inputEntries(const sim::Script &script, const lessons::Step &step)
     return entries;
 }
 
+void writeStep(sim::StepSize step, Writer &writer)
+{
+    if (step.adaptive())
+        writer.field("tolerance", jsonNumber(step.tolerance));
+    else
+        writer.field("h", jsonNumber(step.h));
+}
+
 }
 
 QByteArray experimentText(const Experiment &experiment, const LessonLibrary &library)
@@ -190,8 +199,8 @@ QByteArray experimentText(const Experiment &experiment, const LessonLibrary &lib
     const sim::Script untouched = step->script();
     if (script.method->id() != untouched.method->id())
         writer.field("method", jsonText(script.method->id()));
-    if (script.step != untouched.step)
-        writer.field("h", jsonNumber(script.step.h));
+    if (script.step != sim::stepFor(*script.method, untouched.step))
+        writeStep(script.step, writer);
     writer.field("frames", QString::number(experiment.frames));
     if (script.values.seed != untouched.values.seed)
         writer.field("seed", QString::number(script.values.seed));

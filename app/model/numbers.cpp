@@ -43,4 +43,33 @@ QString writtenNumber(double value, int decimals)
     return signedText(text);
 }
 
+QString powerOfTen(int exponent)
+{
+    static constexpr char16_t raised[] = {0x2070, 0x00B9, 0x00B2, 0x00B3, 0x2074,
+                                          0x2075, 0x2076, 0x2077, 0x2078, 0x2079};
+    QString text = QStringLiteral("10");
+    for (const QChar c : QString::number(exponent))
+        text += c == '-' ? QChar(0x207B) : QChar(raised[c.digitValue()]);
+    return text;
+}
+
+QString roughNumber(double value)
+{
+    const double size = std::abs(value);
+    if (value == 0.0 || !std::isfinite(value))
+        return signedText(QString::number(value));
+    if (size >= 99.5 && size < 1e5)
+        return signedText(QString::number(value, 'f', 0));
+    // Rounded first, so that 0.000996 counts as the 0.0010 that it is shown as.
+    const QString rounded = QString::number(value, 'e', 1);
+    const int exponent = rounded.section('e', 1).toInt();
+    if (exponent >= -3 && exponent < 5)
+        return signedText(QString::number(rounded.toDouble(), 'g', 2));
+    QString digits = rounded.section('e', 0, 0);
+    if (digits.endsWith(".0"))
+        digits.chop(2);
+    const QString power = powerOfTen(exponent);
+    return signedText(digits == "1" ? power : digits + QChar(0x00B7) + power);
+}
+
 }

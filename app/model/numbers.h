@@ -12,4 +12,9 @@ QString fixedNumber(double value, int decimals);
 /// With `decimals` digits after the point, or as many as the number really has: for what somebody set.
 QString writtenNumber(double value, int decimals);
 
+/// With two digits, for what was measured: "3.7", "0.084", "2.1·10⁻¹¹".
+QString roughNumber(double value);
+/// A power of ten: "10⁻⁸".
+QString powerOfTen(int exponent);
+
 }

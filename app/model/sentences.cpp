@@ -46,6 +46,23 @@ QString sentenceFor(const sim::Error &error)
                    "The step %1 does not fit: it can be 1 divided by a whole number, or a whole number, from "
                    "0.000001 to 100 frames.")
             .arg(value(error, "h"));
+    if (error.id() == "tolerance")
+        return Text::tr("The tolerance %1 does not fit: it can be from 1e-13 to 100 px.")
+            .arg(value(error, "tolerance"));
+    if (error.id() == "needs-tolerance")
+        return Text::tr(
+                   "The method %1 chooses its steps itself: give it a tolerance in px in place of a step.")
+            .arg(value(error, "method"));
+    if (error.id() == "needs-step")
+        return Text::
+            tr("The method %1 takes steps of one length: give it a step in frames in place of a tolerance.")
+                .arg(value(error, "method"));
+    if (error.id() == "no-limit")
+        return Text::tr(
+                   "%1 acts once a step, so that smaller steps make another motion from the first frame on.")
+            .arg(value(error, "effect"));
+    if (error.id() == "short-horizon")
+        return Text::tr("There is nothing to compare with after frame %1.").arg(value(error, "frames"));
     if (error.id() == "method-does-not-fit")
         return Text::tr("The method %1 cannot compute %2: choose another method, or switch that effect off.")
             .arg(value(error, "method"), value(error, "effect"));

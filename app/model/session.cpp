@@ -108,6 +108,7 @@ void Session::start(sim::Script script, sim::Cursor at)
     m_keys = {};
     m_pointerDown.reset();
     m_ghostName.clear();
+    m_otherStep.reset();
     m_timeline = std::make_unique<sim::Timeline>(std::move(script));
     m_selected = QString::fromStdString(m_timeline->track().shown().scene.names.front());
     emit stepOpened();

@@ -83,8 +83,14 @@ public:
     /// Values outside the parameter's range are brought into it.
     void setParameter(const QString &id, double value);
     void resetParameters();
+    /// A method that takes another kind of step (a length, a tolerance) gets the one of that kind that was last in use.
     void setMethod(const QString &id);
+    /// Steps of `h` frames.
     void setStepSize(double h);
+    /// The error, in px, that an adaptive method may make in each of its own steps.
+    void setTolerance(double tolerance);
+    /// Method and step in one change.
+    void use(const sim::MethodPtr &method, sim::StepSize step);
     void grab(const QString &body);
     void moveHand(sim::Vec2 to);
     void letGo();
@@ -140,6 +146,7 @@ private:
 
     Picture pictureOf(std::shared_ptr<const sim::Segment> segment, sim::State state) const;
     std::shared_ptr<const lessons::Look> lookOf(const std::shared_ptr<const sim::Segment> &segment) const;
+    void setStep(sim::StepSize step);
     void leave();
     void start(sim::Script script, sim::Cursor at);
     void advance(int frames);
@@ -159,6 +166,8 @@ private:
     Progress m_progress;
     QString m_selected;
     QString m_ghostName;
+    std::optional<sim::StepSize>
+        m_otherStep; ///< of the kind that the method in use does not take, as last in use
     bool m_holding = false;
     sim::Keys m_keys;                       ///< those that the learner has down
     std::optional<sim::Vec2> m_pointerDown; ///< where the learner has the pointer's button down

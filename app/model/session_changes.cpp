@@ -2,6 +2,7 @@
 
 #include "app/model/sentences.h"
 #include "app/model/session.h"
+#include "app/model/step_words.h"
 #include "sim/error.h"
 #include "sim/methods/methods.h"
 
@@ -59,24 +60,53 @@ void Session::resetParameters()
 void Session::setMethod(const QString &id)
 {
     const sim::MethodPtr method = sim::findMethod(id.toStdString());
-    const sim::MethodPtr was = m_timeline->script().method;
-    if (!method || method->id() == was->id())
+    const sim::Script &script = m_timeline->script();
+    if (!method || method->id() == script.method->id())
         return;
-    edit(tr("before: %1").arg(phrase(was->title())), [&](sim::Timeline &timeline) {
+    const sim::StepSize usual = sim::stepFor(*method, script.step);
+    use(method, usual == script.step ? usual : m_otherStep.value_or(usual));
+}
+
+void Session::use(const sim::MethodPtr &method, sim::StepSize step)
+{
+    const sim::Script &now = m_timeline->script();
+    const sim::MethodPtr wasMethod = now.method;
+    const sim::StepSize was = now.step;
+    if (method->id() == wasMethod->id() && step == was)
+        return;
+    const QString before = method->id() == wasMethod->id() ? stepTitle(was) : phrase(wasMethod->title());
+    edit(tr("before: %1").arg(before), [&](sim::Timeline &timeline) {
         sim::Script script = timeline.script();
         script.method = method;
-        return timeline.replace(std::move(script));
+        script.step = step;
+        const bool forked = timeline.replace(std::move(script));
+        if (was.adaptive() != step.adaptive())
+            m_otherStep = was;
+        return forked;
     });
+}
+
+void Session::setStep(sim::StepSize step)
+{
+    use(m_timeline->script().method, step);
 }
 
 void Session::setStepSize(double h)
 {
-    const double was = m_timeline->script().step.h;
-    edit(tr("before: step %1").arg(QLocale::c().toString(was, 'g', 4)), [&](sim::Timeline &timeline) {
-        sim::Script script = timeline.script();
-        script.step = sim::StepSize::of(h);
-        return script.step != timeline.script().step && timeline.replace(std::move(script));
-    });
+    try {
+        setStep(sim::StepSize::of(h));
+    } catch (const sim::Error &error) {
+        emit said(sentenceFor(error));
+    }
+}
+
+void Session::setTolerance(double tolerance)
+{
+    try {
+        setStep(sim::StepSize::within(tolerance));
+    } catch (const sim::Error &error) {
+        emit said(sentenceFor(error));
+    }
 }
 
 void Session::grab(const QString &body)

@@ -39,7 +39,7 @@ sim::Script Step::script() const
     script.build = scene;
     script.values = presets();
     script.method = sim::findMethod(method.toStdString());
-    script.step = sim::StepSize::of(h);
+    script.step = sim::stepFor(*script.method, sim::StepSize::of(h));
     return script;
 }
 

@@ -54,6 +54,14 @@ struct ReferenceRun
     std::string check; ///< id of the second, unlike method; for ownRefinement: "own_refinement"
     StepSize checkStep;
     double disagreement = 0.0; ///< px, the largest distance between the two up to the horizon
+    /// Why the horizon is where it is.
+    enum class End {
+        span,      ///< it is the end of the span
+        parted,    ///< the two are too far apart after it
+        notFinite, ///< one of them stops being finite after it
+        tooLong,   ///< going on would take too long
+    };
+    End end = End::span;
     /// Where each point is at each whole frame from 0 on. Empty for ownRefinement.
     std::vector<std::vector<Vec2>> places;
 };

@@ -31,4 +31,12 @@ MethodPtr findMethod(const std::string &id)
     return nullptr;
 }
 
+StepSize stepFor(const Method &method, StepSize own)
+{
+    const bool adaptive = method.stepping() == Stepping::adaptive;
+    if (own.adaptive() == adaptive)
+        return own;
+    return adaptive ? StepSize::within(presetTolerance) : StepSize::of(1.0);
+}
+
 }

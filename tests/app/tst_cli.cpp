@@ -26,11 +26,11 @@ private slots:
         };
         row("the window without a display", {},
             "there is no display for the window; set DISPLAY, or use a verb that needs none: lessons, trace, "
-            "screenshot.");
+            "accuracy, screenshot.");
         row("a verb with a slip", {"tracee", "x"},
-            "there is no verb \"tracee\"; the verbs are lessons, trace, screenshot.");
+            "there is no verb \"tracee\"; the verbs are lessons, trace, accuracy, screenshot.");
         row("neither verb nor file", {"lesons"},
-            "there is no verb and no file \"lesons\"; the verbs are lessons, trace, screenshot.");
+            "there is no verb and no file \"lesons\"; the verbs are lessons, trace, accuracy, screenshot.");
         row("an unknown option", {"--fast"}, "Unknown option 'fast'; springstep --help tells what there is.");
         row("an unknown option of a verb", {"lessons", "--xml"},
             "Unknown option 'xml'; springstep lessons --help tells what there is.");
@@ -101,8 +101,11 @@ private slots:
 
     void helpAndVersionAreAnswers()
     {
-        for (const QStringList &arguments :
-             {QStringList{"--help"}, {"lessons", "--help"}, {"trace", "-h"}, {"screenshot", "--help"}}) {
+        for (const QStringList &arguments : {QStringList{"--help"},
+                                             {"lessons", "--help"},
+                                             {"trace", "-h"},
+                                             {"accuracy", "--help"},
+                                             {"screenshot", "--help"}}) {
             const Answer answer = springstep(arguments);
             QCOMPARE(answer.code, 0);
             QVERIFY2(answer.out.startsWith("Usage: springstep "), qPrintable(answer.out));
@@ -147,7 +150,7 @@ private slots:
             }
         }
         QVERIFY(order > 0);
-        QCOMPARE(all["methods"].toArray().size(), 2);
+        QVERIFY(all["methods"].toArray().size() >= 2);
         QCOMPARE(all["methods"][0].toObject().keys(), QStringList({"id", "needs", "order"}));
         QCOMPARE(all["methods"][0]["id"].toString(), "published");
         QCOMPARE(all["methods"][0]["needs"].toArray(), QJsonArray{"groups"});

@@ -163,8 +163,8 @@ private slots:
             "2, 1, 0.5, 0.25...");
         row("h as text", "\"h\": \"1\"", "line 5: \"h\" is the text \"1\"; it takes a number.");
         row("tolerance", "\"tolerance\": 0.001",
-            "line 5: \"tolerance\" is for methods that choose their own step, and none here does; give \"h\" "
-            "instead.");
+            "line 5: the method \"published\" takes steps of one length; give \"h\" in place of "
+            "\"tolerance\".");
         row("an unknown effect", "\"effects\": [\n\"gravity\"]",
             "line 6: the step \"any_number\" has no effect \"gravity\"; it has \"damping\", "
             "\"radial_spring\".");

@@ -1,5 +1,6 @@
 // The bar above the scene.
 
+#include "app/model/step_words.h"
 #include "app/ui/scene/scene_bar.h"
 #include "scene_bench.h"
 

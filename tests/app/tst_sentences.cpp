@@ -17,6 +17,15 @@ private slots:
             << "step-size" << QStringList{"h", "0.3"}
             << "The step 0.3 does not fit: it can be 1 divided by a whole number, or a whole number, from "
                "0.000001 to 100 frames.";
+        QTest::newRow("a tolerance") << "tolerance" << QStringList{"tolerance", "0"}
+                                     << "The tolerance 0 does not fit: it can be from 1e-13 to 100 px.";
+        QTest::newRow("a step where a tolerance is needed")
+            << "needs-tolerance" << QStringList{"method", "dormand_prince"}
+            << "The method dormand_prince chooses its steps itself: give it a tolerance in px in place of a "
+               "step.";
+        QTest::newRow("a tolerance where a step is needed")
+            << "needs-step" << QStringList{"method", "rk4"}
+            << "The method rk4 takes steps of one length: give it a step in frames in place of a tolerance.";
         QTest::newRow("a method and an effect")
             << "method-does-not-fit" << QStringList{"method", "rk4", "effect", "sticks"}
             << "The method rk4 cannot compute sticks: choose another method, or switch that effect off.";

@@ -1,6 +1,7 @@
 #include "app/ui/scene/scene_bar.h"
 
 #include "app/model/sentences.h"
+#include "app/model/step_words.h"
 #include "app/ui/scene/flat_button.h"
 #include "app/ui/scene/scene_view.h"
 #include "sim/error.h"
@@ -26,6 +27,9 @@ constexpr int barHeight = 36;
 constexpr int sideMargin = 8;
 
 const std::array offeredSteps{1.0 / 64, 1.0 / 32, 1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0, 2.0};
+const std::array offeredTolerances{1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8};
+
+constexpr const char *tolerance = "tolerance"; ///< property of menu entries: whether they are tolerances
 
 /// Keeps Return to itself: in a menu it would trigger an entry besides the field that it was typed in.
 class FieldRow : public QWidget
@@ -48,30 +52,6 @@ QAction *choice(QMenu &menu, QActionGroup &group, const QString &text, const QVa
     return action;
 }
 
-}
-
-QString stepTitle(double h)
-{
-    const double parts = std::round(1.0 / h);
-    if (h < 1.0 && std::abs(parts * h - 1.0) < 1e-9)
-        return SceneBar::tr("1/%1 frame").arg(parts, 0, 'f', 0);
-    if (h == 1.0)
-        return SceneBar::tr("1 frame");
-    return SceneBar::tr("%1 frames").arg(QString::number(h, 'g', 6));
-}
-
-double stepFromText(const QString &text)
-{
-    QString number = text.section(' ', 0, 0).trimmed();
-    number.replace(',', '.');
-    bool isNumber = false;
-    const double above = number.section('/', 0, 0).toDouble(&isNumber);
-    if (!isNumber)
-        return 0.0;
-    if (!number.contains('/'))
-        return above;
-    const double below = number.section('/', 1).toDouble(&isNumber);
-    return isNumber && below != 0.0 ? above / below : 0.0;
 }
 
 SceneBar::SceneBar(Session &session, const Theme &theme, QWidget *parent)
@@ -133,9 +113,12 @@ void SceneBar::fillSteps()
     auto *group = new QActionGroup(m_steps);
     group->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
     for (const double h : offeredSteps)
-        choice(*m_steps, *group, stepTitle(h), h);
+        choice(*m_steps, *group, stepTitle(h), h)->setProperty(tolerance, false);
+    for (const double px : offeredTolerances)
+        choice(*m_steps, *group, toleranceTitle(px), px)->setProperty(tolerance, true);
     connect(group, &QActionGroup::triggered, this, [this](QAction *action) {
-        m_session.setStepSize(action->data().toDouble());
+        const double chosen = action->data().toDouble();
+        isAdaptive() ? m_session.setTolerance(chosen) : m_session.setStepSize(chosen);
         showValues();
     });
     m_steps->addSeparator();
@@ -153,9 +136,7 @@ void SceneBar::addOtherStep()
     auto *label = new QLabel(tr("Other:"), content);
     m_other = new QLineEdit(content);
     m_other->setFixedWidth(72);
-    m_other->setPlaceholderText(QStringLiteral("1/6"));
-    m_other->setToolTip(tr("1 divided by a whole number, or a whole number, in frames; Enter takes it"));
-    m_other->setAccessibleName(tr("Other step, in frames"));
+    m_unit = new QLabel(content);
     label->setBuddy(m_other);
     content->setFocusPolicy(Qt::StrongFocus); // the menu gives it the focus when its keys come there
     content->setFocusProxy(m_other);
@@ -168,7 +149,7 @@ void SceneBar::addOtherStep()
     grid->setContentsMargins(10, 4, 10, 4);
     grid->addWidget(label, 0, 0);
     grid->addWidget(m_other, 0, 1);
-    grid->addWidget(new QLabel(tr("frames"), content), 0, 2);
+    grid->addWidget(m_unit, 0, 2);
     grid->addWidget(m_why, 1, 0, 1, 3);
     auto *action = new QWidgetAction(m_steps);
     action->setDefaultWidget(content);
@@ -176,11 +157,34 @@ void SceneBar::addOtherStep()
     connect(m_other, &QLineEdit::returnPressed, this, &SceneBar::takeOtherStep);
 }
 
+bool SceneBar::isAdaptive() const
+{
+    return m_session.timeline().script().step.adaptive();
+}
+
+void SceneBar::offerSteps()
+{
+    const bool adaptive = isAdaptive();
+    for (QAction *action : m_steps->actions()) {
+        if (action->isCheckable())
+            action->setVisible(action->property(tolerance).toBool() == adaptive);
+    }
+    m_unit->setText(adaptive ? tr("px") : tr("frames"));
+    m_other->setPlaceholderText(adaptive ? QStringLiteral("5e-3") : QStringLiteral("1/6"));
+    m_other->setToolTip(
+        adaptive ? tr("From 1e-13 to 100 px; Enter takes it")
+                 : tr("1 divided by a whole number, or a whole number, in frames; Enter takes it"));
+    m_other->setAccessibleName(adaptive ? tr("Other tolerance, in px") : tr("Other step, in frames"));
+    m_step->setToolTip(adaptive ? tr("The error that each of the method's own steps may make")
+                                : tr("How much time one step of the method covers"));
+}
+
 void SceneBar::takeOtherStep()
 {
-    const double h = stepFromText(m_other->text());
+    const double typed = stepFromText(m_other->text());
+    const bool adaptive = isAdaptive();
     try {
-        sim::StepSize::of(h);
+        adaptive ? sim::StepSize::within(typed) : sim::StepSize::of(typed);
     } catch (const sim::Error &error) {
         m_why->setText(sentenceFor(error));
         m_why->show();
@@ -188,7 +192,7 @@ void SceneBar::takeOtherStep()
         return;
     }
     m_steps->close();
-    m_session.setStepSize(h);
+    adaptive ? m_session.setTolerance(typed) : m_session.setStepSize(typed);
 }
 
 void SceneBar::attach(SceneView &view)
@@ -234,12 +238,16 @@ void SceneBar::showValues()
 {
     const sim::Script &script = m_session.timeline().script();
     m_method->setTexts(tr("Method"), phrase(script.method->title()));
-    m_step->setTexts(tr("Step"), stepTitle(script.step.h));
+    const bool adaptive = script.step.adaptive();
+    const double value = adaptive ? script.step.tolerance : script.step.h;
+    m_step->setTexts(adaptive ? tr("Tolerance") : tr("Step"), stepTitle(script.step));
     for (QAction *action : m_method->menu()->actions())
         action->setChecked(action->data().toString().toStdString() == script.method->id());
+    offerSteps();
     for (QAction *action : m_steps->actions()) {
         if (action->isCheckable())
-            action->setChecked(std::abs(action->data().toDouble() - script.step.h) < 1e-12);
+            action->setChecked(action->property(tolerance).toBool() == adaptive &&
+                               std::abs(action->data().toDouble() / value - 1.0) < 1e-9);
     }
     arrange();
 }

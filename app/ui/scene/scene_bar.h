@@ -35,8 +35,11 @@ private:
     FlatButton *button(const QString &tip);
     void fillMethods();
     void fillSteps();
+    /// Offers what the method in use takes: steps, or tolerances.
+    void offerSteps();
     void addOtherStep();
     void takeOtherStep();
+    bool isAdaptive() const;
     void fillShow();
     void showValues();
     void showZoom(double percent);
@@ -54,12 +57,8 @@ private:
     FlatButton *m_fit;
     QMenu *m_steps = nullptr;
     QLineEdit *m_other = nullptr;
-    QLabel *m_why = nullptr; ///< why a typed step was refused
+    QLabel *m_unit = nullptr; ///< of what is typed there
+    QLabel *m_why = nullptr;  ///< why a typed step was refused
 };
-
-/// A step as people read it: "1/4 frame", "2 frames".
-QString stepTitle(double h);
-/// The step that a text means: "1/4", "0.25" or "2", with or without a unit; 0 if none.
-double stepFromText(const QString &text);
 
 }

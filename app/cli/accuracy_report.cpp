@@ -1,0 +1,168 @@
+#include "app/cli/accuracy_report.h"
+
+#include "app/model/sentences.h"
+#include "app/model/words.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace app {
+
+namespace {
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(Accuracy)
+};
+
+QString id(const sim::Way &way)
+{
+    return QString::fromStdString(way.method->id());
+}
+
+QString wayText(const sim::Way &way)
+{
+    return id(way) + ", " + stepText(way.step);
+}
+
+QString shortNumber(double value)
+{
+    return QString::number(value, 'g', 3);
+}
+
+QString microseconds(double ns)
+{
+    return shortNumber(ns / 1000.0);
+}
+
+const sim::AccuracyRow *rowOf(const sim::Accuracy &found, const sim::Way &way)
+{
+    for (const sim::AccuracyRow &row : found.rows) {
+        if (row.way.method->id() == way.method->id() && row.way.step == way.step)
+            return &row;
+    }
+    return nullptr;
+}
+
+QString titleLine(const QString &method)
+{
+    return method.leftJustified(22) + Text::tr("step").leftJustified(16) +
+           Text::tr("error, px").rightJustified(11) + Text::tr("forces/frame").rightJustified(14) +
+           Text::tr("ns/frame").rightJustified(12) + Text::tr("+-").rightJustified(9) + '\n';
+}
+
+QString rowLine(const sim::AccuracyRow &row, const sim::Way &inUse)
+{
+    QString line = id(row.way).leftJustified(22) + stepText(row.way.step).leftJustified(16);
+    if (row.outcome == sim::Outcome::unstable)
+        return line + Text::tr("unstable").rightJustified(11) + '\n';
+    if (row.outcome == sim::Outcome::tooLong)
+        return line + Text::tr("takes too long").rightJustified(16) + '\n';
+    if (row.outcome != sim::Outcome::measured)
+        return {};
+    line += shortNumber(row.error).rightJustified(11) +
+            QString::number(row.evaluations, 'f', 2).rightJustified(14) +
+            QString::number(row.nsPerFrame, 'f', 0).rightJustified(12) +
+            QString::number(row.spread, 'f', 0).rightJustified(9);
+    line += row.front ? QStringLiteral("  *") : QString();
+    const bool isInUse = row.way.method->id() == inUse.method->id() && row.way.step == inUse.step;
+    return line + (isInUse ? "  " + Text::tr("in use") : QString()) + '\n';
+}
+
+/// The rows, by method; of a method that does not fit, why.
+QString rowLines(const AccuracyReport &report)
+{
+    QString text;
+    const sim::Method *refused = nullptr;
+    for (const sim::AccuracyRow &row : report.found.rows) {
+        text += rowLine(row, report.inUse);
+        if (row.outcome != sim::Outcome::doesNotFit || refused == row.way.method.get())
+            continue;
+        refused = row.way.method.get();
+        text += id(row.way).leftJustified(22) + sentenceFor(*row.why) + '\n';
+    }
+    return text;
+}
+
+QString referenceSentence(const sim::ReferenceRun &reference)
+{
+    const QString apart = shortNumber(reference.disagreement);
+    if (reference.jump)
+        return Text::
+            tr("There is no continuous motion behind this scene: what %1 does depends on the step. So each "
+               "method is compared with itself at a finer step (%2), which is up to %3 px from the next "
+               "coarser one.")
+                .arg(quoted(QString::fromStdString(reference.jump->id())), stepText(reference.step), apart);
+    return Text::tr("Errors are distances from %1 (%2). Its check, %3 (%4), is up to %5 px from it.")
+        .arg(QString::fromStdString(reference.method), stepText(reference.step),
+             QString::fromStdString(reference.check), stepText(reference.checkStep), apart);
+}
+
+QString horizonSentence(const sim::Accuracy &found)
+{
+    const QString start =
+        Text::tr("Errors are given up to frame %1 of %2").arg(found.horizon).arg(found.span);
+    switch (found.reference.end) {
+    case sim::ReferenceRun::End::span:
+        break;
+    case sim::ReferenceRun::End::parted:
+        return start + Text::tr(": after it they are too far apart to be believed.");
+    case sim::ReferenceRun::End::notFinite:
+        return start + Text::tr(": after it the reference stops being finite.");
+    case sim::ReferenceRun::End::tooLong:
+        return start + Text::tr(": computing a reference further takes too long.");
+    }
+    return start + '.';
+}
+
+QString cheapestSentence(const sim::Accuracy &found, double error)
+{
+    const QString within = shortNumber(error);
+    const sim::AccuracyRow *row = found.cheapest(error);
+    if (!row)
+        return Text::tr("Nothing that was measured is within %1 px.").arg(within);
+    return Text::tr("To be within %1 px this scene costs %2 \u00b5s a frame: %3, which is %4 px off.")
+        .arg(within, microseconds(row->nsPerFrame), wayText(row->way), shortNumber(row->error));
+}
+
+QString inUseSentence(const AccuracyReport &report)
+{
+    const sim::AccuracyRow *row = rowOf(report.found, report.inUse);
+    if (!row || row->outcome != sim::Outcome::measured)
+        return Text::tr("The method in use, %1, has no error to show: see the table.")
+            .arg(wayText(report.inUse));
+    return Text::tr("The method in use, %1, costs %2 \u00b5s a frame and is %3 px off.")
+        .arg(wayText(report.inUse), microseconds(row->nsPerFrame), shortNumber(row->error));
+}
+
+}
+
+QString stepText(sim::StepSize step)
+{
+    return step.adaptive() ? Text::tr("tolerance %1").arg(exactNumber(step.tolerance))
+                           : Text::tr("h %1").arg(exactNumber(step.h));
+}
+
+QString accuracyTable(const AccuracyReport &report)
+{
+    const sim::Accuracy &found = report.found;
+    QStringList lines = {report.experiment, referenceSentence(found.reference), horizonSentence(found), {}};
+    lines.push_back(titleLine(Text::tr("method")) + rowLines(report));
+    lines.push_back(Text::tr("* on the front: nothing measured is at least as exact and cheaper."));
+    if (found.noisy())
+        lines.push_back(Text::tr("This machine is busy with other things: times vary by %1 %.")
+                            .arg(std::lround(100.0 * found.noise)));
+    const auto isExact = [](const sim::AccuracyRow &row) {
+        return row.outcome != sim::Outcome::measured || row.error == 0.0;
+    };
+    if (found.horizon > 0 && std::all_of(found.rows.begin(), found.rows.end(), isExact))
+        lines.push_back(
+            Text::tr("Nothing moves here unless you do something: save a run in which you do, and "
+                     "measure that file."));
+    else if (found.horizon > 0)
+        lines += {cheapestSentence(found, report.tolerance.value_or(0.1)), inUseSentence(report)};
+    return lines.join('\n') + '\n';
+}
+
+}

@@ -1,0 +1,246 @@
+#include "app/model/accuracy_words.h"
+
+#include "app/model/numbers.h"
+#include "app/model/sentences.h"
+#include "app/model/step_words.h"
+#include "sim/methods/methods.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+
+namespace app {
+
+namespace {
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(AccuracyWords)
+};
+
+using sim::Outcome;
+
+constexpr double worthNaming = 10.0; ///< times the reference's own error, above which a slope means something
+
+QString bold(const QString &text)
+{
+    return QStringLiteral("<b>%1</b>").arg(text.toHtmlEscaped());
+}
+
+/// How the way in use compares with the cheapest one.
+QString inUseWords(const sim::AccuracyRow *inUse)
+{
+    if (!inUse)
+        return {};
+    switch (inUse->outcome) {
+    case Outcome::measured:
+        if (inUse->nsPerFrame > 0.0)
+            return Text::tr("Yours costs %1 and is %2 off.")
+                .arg(duration(inUse->nsPerFrame), pixels(inUse->error));
+        return Text::tr("Yours is %1 off.").arg(pixels(inUse->error));
+    case Outcome::unstable:
+        return Text::tr("Yours is unstable here: its numbers grow without bound.");
+    case Outcome::doesNotFit:
+        return Text::tr("Yours cannot compute this scene.");
+    case Outcome::tooLong:
+        return Text::tr("Yours would take too long to measure.");
+    case Outcome::waiting:
+        break;
+    }
+    return {};
+}
+
+bool anyTimed(const sim::Accuracy &accuracy)
+{
+    return std::any_of(accuracy.rows.begin(), accuracy.rows.end(),
+                       [](const sim::AccuracyRow &row) { return row.nsPerFrame > 0.0; });
+}
+
+const sim::AccuracyRow *mostExact(const sim::Accuracy &accuracy)
+{
+    const sim::AccuracyRow *best = nullptr;
+    for (const sim::AccuracyRow &row : accuracy.rows) {
+        if (row.outcome == Outcome::measured && (!best || row.error < best->error))
+            best = &row;
+    }
+    return best;
+}
+
+QString nothingWithin(const sim::Accuracy &accuracy, const QString &goal)
+{
+    if (!anyTimed(accuracy))
+        return Text::tr("Errors first, then times: what it costs to be within %1 will stand here.").arg(goal);
+    const sim::AccuracyRow *closest = mostExact(accuracy);
+    if (!closest)
+        return Text::tr("Nothing here comes within %1.").arg(goal);
+    return Text::tr("Nothing here comes within %1. The closest is %2: %3 off.")
+        .arg(goal, bold(wayWords(closest->way)), pixels(closest->error));
+}
+
+QString horizonRemark(const sim::Accuracy &accuracy)
+{
+    if (accuracy.horizon >= accuracy.span || accuracy.horizon <= 0)
+        return {};
+    return Text::tr("Errors count up to frame %1 of %2. After that, two very exact solutions part: here "
+                    "the smallest difference grows until nobody can say where the bodies really are.")
+        .arg(accuracy.horizon)
+        .arg(accuracy.span);
+}
+
+QString limitRemark(const sim::Accuracy &accuracy)
+{
+    const sim::ReferenceRun &reference = accuracy.reference;
+    if (reference.kind != sim::ReferenceRun::Kind::ownRefinement || reference.method.empty())
+        return {};
+    const QString jump = reference.jump ? phrase(reference.jump->title()) : Text::tr("one of its effects");
+    return Text::tr("This scene has no exact motion to compare with: %1 acts once a step, however "
+                    "short the step is. So each method is compared with its own finest steps.")
+        .arg(jump);
+}
+
+QString fitRemark(const sim::Accuracy &accuracy)
+{
+    QStringList names;
+    for (const sim::AccuracyRow &row : accuracy.rows) {
+        const QString name = methodTitle(*row.way.method);
+        if (row.outcome == Outcome::doesNotFit && !names.contains(name))
+            names << name;
+    }
+    if (names.isEmpty())
+        return {};
+    return Text::tr("Not able to compute this scene: %1.").arg(names.join(", "));
+}
+
+}
+
+QString pixels(double px)
+{
+    return Text::tr("%1\u2009px").arg(roughNumber(px));
+}
+
+QString duration(double ns)
+{
+    if (ns >= 1e6)
+        return Text::tr("%1\u2009ms").arg(roughNumber(ns / 1e6));
+    return Text::tr("%1\u2009µs").arg(roughNumber(ns / 1e3));
+}
+
+QString methodTitle(const sim::Method &method)
+{
+    return phrase(method.title());
+}
+
+QString wayWords(const sim::Way &way)
+{
+    const QString size = stepTitle(way.step);
+    return way.step.adaptive() ? Text::tr("%1, tolerance %2").arg(methodTitle(*way.method), size)
+                               : Text::tr("%1, step %2").arg(methodTitle(*way.method), size);
+}
+
+QString rowWords(const sim::AccuracyRow &row)
+{
+    QStringList lines{wayWords(row.way)};
+    switch (row.outcome) {
+    case Outcome::measured:
+        lines << Text::tr("At most %1 off").arg(pixels(row.error));
+        break;
+    case Outcome::unstable:
+        lines << Text::tr("Unstable: its numbers grow without bound");
+        break;
+    case Outcome::doesNotFit:
+        lines << (row.why ? sentenceFor(*row.why) : Text::tr("Cannot compute this scene"));
+        break;
+    case Outcome::tooLong:
+        lines << Text::tr("Left out: it would take too long");
+        break;
+    case Outcome::waiting:
+        lines << Text::tr("Not tried yet");
+        break;
+    }
+    if (row.nsPerFrame > 0.0)
+        lines << Text::tr("%1 ± %2 a frame").arg(duration(row.nsPerFrame), duration(row.spread));
+    if (row.evaluations > 0.0)
+        lines << Text::tr("Computes all forces %1 times a frame").arg(roughNumber(row.evaluations));
+    if (row.front)
+        lines << Text::tr("On the front: nothing is as exact for less");
+    return lines.join('\n');
+}
+
+QString verdictOn(const sim::Accuracy &accuracy, double target, const sim::AccuracyRow *inUse)
+{
+    const QString goal = bold(pixels(target));
+    const sim::AccuracyRow *best = accuracy.cheapest(target);
+    if (best && best == inUse)
+        return Text::tr(
+                   "To be within %1, nothing is cheaper than what you use: %2, at %3 a frame and %4 off.")
+            .arg(goal, bold(wayWords(inUse->way)), bold(duration(inUse->nsPerFrame)), pixels(inUse->error));
+    const QString first = best ? Text::tr("To be within %1, this scene costs %2 a frame: %3.")
+                                     .arg(goal, bold(duration(best->nsPerFrame)), bold(wayWords(best->way)))
+                               : nothingWithin(accuracy, goal);
+    return (first + ' ' + inUseWords(inUse).toHtmlEscaped()).trimmed();
+}
+
+QStringList remarksOn(const sim::Accuracy &accuracy)
+{
+    QStringList all{limitRemark(accuracy), horizonRemark(accuracy), fitRemark(accuracy)};
+    if (accuracy.noisy())
+        all.prepend(
+            Text::tr("The machine is busy with other things: the times differ by %1\u2009% from run to "
+                     "run. Errors are not touched by that.")
+                .arg(qRound(100.0 * accuracy.noise)));
+    all.removeAll(QString());
+    return all;
+}
+
+QString unstableWords(const sim::Accuracy &accuracy)
+{
+    QStringList always;
+    QStringList atBigSteps;
+    for (const sim::MethodPtr &method : sim::allMethods()) {
+        bool fails = false;
+        bool holds = false;
+        for (const sim::AccuracyRow &row : accuracy.rows) {
+            if (row.way.method->id() != method->id())
+                continue;
+            fails |= row.outcome == Outcome::unstable;
+            holds |= row.outcome == Outcome::measured;
+        }
+        if (fails)
+            (holds ? atBigSteps : always) << methodTitle(*method);
+    }
+    QStringList parts;
+    if (!always.isEmpty())
+        parts << Text::tr("Unstable: %1").arg(always.join(", "));
+    if (!atBigSteps.isEmpty())
+        parts << Text::tr("unstable at big steps: %1").arg(atBigSteps.join(", "));
+    QString text = parts.join(QStringLiteral("; "));
+    if (!text.isEmpty())
+        text[0] = text[0].toUpper();
+    return text;
+}
+
+QString referenceWords(const sim::ReferenceRun &reference)
+{
+    return Text::tr("reference, ±%1").arg(pixels(reference.disagreement));
+}
+
+std::vector<Slope> slopesOf(const sim::Accuracy &accuracy, const sim::Method &method)
+{
+    std::vector<Slope> slopes;
+    const sim::AccuracyRow *before = nullptr;
+    for (const sim::AccuracyRow &row : accuracy.rows) {
+        if (row.way.method->id() != method.id() || row.way.step.adaptive())
+            continue;
+        const bool counts = row.outcome == Outcome::measured && row.error > 0.0 &&
+                            row.error > worthNaming * accuracy.reference.disagreement;
+        if (counts && before && row.way.step.h < before->way.step.h)
+            slopes.push_back(
+                {before, &row,
+                 std::log(before->error / row.error) / std::log(before->way.step.h / row.way.step.h)});
+        before = counts ? &row : nullptr;
+    }
+    return slopes;
+}
+
+}

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "sim/accuracy/study.h"
+
+#include <QString>
+#include <QStringList>
+
+namespace app {
+
+// What a study of accuracy says, in words.
+
+/// "3.7\u2009px", "2.1·10⁻¹¹\u2009px".
+QString pixels(double px);
+/// Nanoseconds as "0.15\u2009µs" or "1.3\u2009ms".
+QString duration(double ns);
+/// "RK4, step 1/4 frame"; "Dormand–Prince 5(4), tolerance 0.05\u2009px".
+QString wayWords(const sim::Way &way);
+QString methodTitle(const sim::Method &method);
+
+/// All that is known about a row, one thing a line.
+QString rowWords(const sim::AccuracyRow &row);
+
+/// What it costs to be within `target` px, and what the way in use (null where it was not measured) does; with
+/// <b> round what matters.
+QString verdictOn(const sim::Accuracy &accuracy, double target, const sim::AccuracyRow *inUse);
+
+/// What else a learner must know to read the plot: a horizon, no continuous limit, a noisy machine, methods that
+/// do not fit.
+QStringList remarksOn(const sim::Accuracy &accuracy);
+
+/// Which methods are unstable, at all steps or at big ones; empty where none is.
+QString unstableWords(const sim::Accuracy &accuracy);
+
+/// "reference, ±2·10⁻¹¹\u2009px".
+QString referenceWords(const sim::ReferenceRun &reference);
+
+/// The slope of log error against log step between each two rungs of a method that has steps, from coarse to fine:
+/// its measured order. Rungs without an error, and errors as small as what the reference leaves open, are left out.
+struct Slope
+{
+    const sim::AccuracyRow *coarse = nullptr;
+    const sim::AccuracyRow *fine = nullptr;
+    double order = 0.0;
+};
+std::vector<Slope> slopesOf(const sim::Accuracy &accuracy, const sim::Method &method);
+
+}

@@ -1,0 +1,75 @@
+#pragma once
+
+#include "sim/accuracy/watch.h"
+#include "sim/track.h"
+
+#include <algorithm>
+
+namespace sim {
+
+/// Where each point is, at one whole frame after the other.
+using Places = std::vector<std::vector<Vec2>>;
+
+/// How a run over whole frames ended.
+enum class RunEnd {
+    done,
+    notFinite,
+    leftOff, ///< who looked on had seen enough
+    tooLong,
+    stopped, ///< nobody wants the study any more
+};
+
+struct RunResult
+{
+    RunEnd end = RunEnd::done;
+    std::int64_t frames = 0; ///< computed, all finite
+    double seconds = 0.0;
+    std::int64_t evaluations = 0; ///< as State counts them
+};
+
+/// `script` computed in another way.
+Script scriptFor(const Script &script, const Way &way);
+
+/// Why `script` cannot be computed as it says, or nothing.
+std::optional<Error> whyNot(const Script &script);
+
+std::vector<Vec2> placesOf(const State &state);
+
+/// The largest distance of any point of `state` from where `places` has it, in px; NaN if one is not finite.
+double distanceFrom(const std::vector<Vec2> &places, const State &state);
+
+/// Runs `script` for `frames` frames, but not longer than `seconds`. After each row that is done it calls
+/// `visit(frame, state)`, and leaves off when that returns false.
+/// @throws Error when scene and method do not fit
+template <class Visit>
+RunResult runFrames(const Script &script, std::int64_t frames, double seconds, Watch &watch, double share,
+                    Visit &&visit)
+{
+    using Clock = std::chrono::steady_clock;
+    Track track(script, 0);
+    const auto start = Clock::now();
+    RunResult result;
+    const std::int64_t before = track.now().evaluations;
+    for (std::int64_t frame = track.rowFrames(); frame <= frames; frame += track.rowFrames()) {
+        track.seek({frame, 0});
+        result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+        if (track.stop()) {
+            result.end = RunEnd::notFinite;
+            break;
+        }
+        result.frames = frame;
+        result.evaluations = track.now().evaluations - before;
+        if (!visit(frame, track.now()))
+            result.end = RunEnd::leftOff;
+        else if (!watch.goesOn(share))
+            result.end = RunEnd::stopped;
+        else if (result.seconds > seconds && frame < frames)
+            result.end = RunEnd::tooLong;
+        else
+            continue;
+        break;
+    }
+    return result;
+}
+
+}

@@ -1,0 +1,61 @@
+#include "sim/accuracy/study.h"
+
+#include "sim/accuracy/errors.h"
+#include "sim/accuracy/reference.h"
+#include "sim/accuracy/timing.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace sim {
+
+const AccuracyRow *Accuracy::cheapest(double error) const
+{
+    const AccuracyRow *best = nullptr;
+    for (const AccuracyRow &row : rows) {
+        const bool fits = row.outcome == Outcome::measured && row.nsPerFrame > 0.0 && row.error <= error;
+        if (fits && (!best || row.nsPerFrame < best->nsPerFrame))
+            best = &row;
+    }
+    return best;
+}
+
+void markFront(std::vector<AccuracyRow> &rows)
+{
+    std::vector<AccuracyRow *> timed;
+    for (AccuracyRow &row : rows) {
+        row.front = false;
+        if (row.outcome == Outcome::measured && row.nsPerFrame > 0.0)
+            timed.push_back(&row);
+    }
+    std::stable_sort(timed.begin(), timed.end(), [](const AccuracyRow *a, const AccuracyRow *b) {
+        return std::pair(a->nsPerFrame, a->error) < std::pair(b->nsPerFrame, b->error);
+    });
+    double best = std::numeric_limits<double>::infinity();
+    for (AccuracyRow *row : timed) {
+        row->front = row->error < best;
+        best = std::min(best, row->error);
+    }
+}
+
+Accuracy studyAccuracy(const Script &script, const StudyPlan &plan, const StudyProgress &progress)
+{
+    Track::check(script, 0);
+    Accuracy found;
+    found.span = plan.frames;
+    found.rows = waitingRows(plan);
+    Watch watch(progress, found);
+    watch.beginPart(0.0, 0.1);
+    findReference(script, plan, found, watch);
+    watch.beginPart(0.1, 0.5);
+    if (watch.tell(0.0))
+        measureErrors(script, plan, found, watch);
+    watch.beginPart(0.5, 1.0);
+    if (watch.tell(0.0))
+        measureTimes(script, plan, found, watch);
+    markFront(found.rows);
+    watch.tell(1.0);
+    return found;
+}
+
+}

@@ -1,0 +1,199 @@
+#include "sim/accuracy/timing.h"
+
+#include "sim/accuracy/run.h"
+
+#include <memory>
+#include <utility>
+
+namespace sim {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double shortestSample = 100e-6; ///< s: far above what reading the clock takes
+constexpr double longestSample = 1e-3;    ///< s: mostly too short for another program to come in between
+constexpr int mostRuns = 25;
+constexpr int fewestRuns = 3;
+
+/// Runs one way from the scene's start as the app does, under a clock.
+class TimedRun
+{
+public:
+    TimedRun(const Script &script, std::int64_t frames) : m_frames(frames)
+    {
+        const bool isLeftAlone = std::all_of(script.input.begin(), script.input.end(),
+                                             [&](const Event &event) { return event.frame > frames; });
+        if (isLeftAlone) {
+            const Scene scene = sceneOf(script, script.values);
+            m_start = scene.start;
+            m_pipeline = compose(scene, *script.method, script.step);
+        } else {
+            m_track = std::make_unique<Track>(script, 0);
+        }
+    }
+
+    /// The seconds that one run over the first `frames` frames takes.
+    double seconds(std::int64_t frames) { return m_track ? trackSeconds(frames) : pipelineSeconds(frames); }
+    std::int64_t frames() const { return m_frames; }
+
+private:
+    double pipelineSeconds(std::int64_t frames)
+    {
+        State state = m_start;
+        const int rowFrames = m_pipeline.step.rowFrames;
+        const auto before = Clock::now();
+        for (std::int64_t frame = rowFrames; frame <= frames; frame += rowFrames) {
+            state.frame = frame;
+            for (int step = 0; step < m_pipeline.step.perRow; ++step) {
+                for (const Phase &phase : m_pipeline.phases)
+                    phase.run(state);
+            }
+        }
+        return std::chrono::duration<double>(Clock::now() - before).count();
+    }
+
+    /// With the input of each row.
+    double trackSeconds(std::int64_t frames)
+    {
+        m_track->seek({0, 0});
+        const auto before = Clock::now();
+        m_track->seek({frames, 0});
+        return std::chrono::duration<double>(Clock::now() - before).count();
+    }
+
+    std::int64_t m_frames;
+    State m_start;
+    Pipeline m_pipeline;
+    std::unique_ptr<Track> m_track;
+};
+
+/// A row, how it is run, and what that took.
+struct Sampled
+{
+    AccuracyRow *row;
+    TimedRun run;
+    std::int64_t frames = 0;          ///< a run
+    int repeats = 1;                  ///< runs a sample
+    std::vector<double> samples = {}; ///< ns a frame
+
+    double once()
+    {
+        double total = 0.0;
+        for (int i = 0; i < repeats; ++i)
+            total += run.seconds(frames);
+        return total;
+    }
+    double nsPerFrame(double seconds) const
+    {
+        return 1e9 * seconds / (static_cast<double>(frames) * repeats);
+    }
+};
+
+/// The value that `share` of `sorted` are below, between two of them by proportion.
+double quantile(const std::vector<double> &sorted, double share)
+{
+    const double at = share * static_cast<double>(sorted.size() - 1);
+    const auto below = static_cast<std::size_t>(at);
+    const std::size_t above = std::min(below + 1, sorted.size() - 1);
+    return sorted[below] + (at - static_cast<double>(below)) * (sorted[above] - sorted[below]);
+}
+
+void note(Sampled &sampled)
+{
+    std::vector<double> sorted = sampled.samples;
+    std::sort(sorted.begin(), sorted.end());
+    sampled.row->nsPerFrame = quantile(sorted, 0.5);
+    sampled.row->spread = 0.5 * (quantile(sorted, 0.75) - quantile(sorted, 0.25));
+}
+
+double noiseOf(const std::vector<Sampled> &all)
+{
+    std::vector<double> shares;
+    for (const Sampled &one : all)
+        shares.push_back(one.row->spread / one.row->nsPerFrame);
+    std::sort(shares.begin(), shares.end());
+    return shares.empty() ? 0.0 : quantile(shares, 0.5);
+}
+
+class Timing
+{
+public:
+    Timing(const Script &script, const StudyPlan &plan, Accuracy &found, Watch &watch)
+        : m_plan(plan), m_found(found), m_watch(watch)
+    {
+        for (AccuracyRow &row : found.rows) {
+            if (row.outcome == Outcome::measured)
+                m_all.push_back({&row, TimedRun(scriptFor(script, row.way), found.horizon)});
+        }
+    }
+
+    void measure()
+    {
+        double round = 0.0; // seconds
+        for (std::size_t i = 0; i < m_all.size() && m_watch.goesOn(0.1 * shareOf(i)); ++i)
+            round += size(m_all[i]);
+        const auto start = Clock::now();
+        for (int runs = 0; runs < mostRuns && !m_watch.isStopped(); ++runs) {
+            const double spent = std::chrono::duration<double>(Clock::now() - start).count();
+            const bool isOver = spent + round > m_plan.secondsOfTiming;
+            const bool isFarOver = spent + round > 2.0 * m_plan.secondsOfTiming;
+            if (runs >= fewestRuns && isOver && (runs >= m_plan.leastRuns || isFarOver))
+                break;
+            oneRound(runs, std::max(spent / m_plan.secondsOfTiming, double(runs) / mostRuns));
+        }
+        m_found.noise = noiseOf(m_all);
+    }
+
+private:
+    double shareOf(std::size_t i) const { return static_cast<double>(i) / static_cast<double>(m_all.size()); }
+
+    /// Decides what a sample of `one` is. Long runs of fixed steps, which cost the same all along, are cut; those
+    /// of adaptive ones, which do not, are not. Returns the seconds that a sample takes.
+    double size(Sampled &one)
+    {
+        one.frames = one.run.frames();
+        one.run.seconds(one.frames); // the first run finds nothing in the caches
+        const double whole = std::max(1e-9, one.run.seconds(one.frames));
+        const double most = std::min(
+            longestSample, m_plan.secondsOfTiming / (m_plan.leastRuns * static_cast<double>(m_all.size())));
+        double expected = whole;
+        if (whole > most && !one.row->way.step.adaptive()) {
+            const int rowFrames = one.row->way.step.rowFrames;
+            const auto rows = static_cast<std::int64_t>(static_cast<double>(one.frames) * most / whole);
+            one.frames = std::max<std::int64_t>(1, rows / rowFrames) * rowFrames;
+            expected = whole * static_cast<double>(one.frames) / static_cast<double>(one.run.frames());
+        }
+        one.repeats = static_cast<int>(std::ceil(std::max(1.0, shortestSample / expected)));
+        one.row->nsPerFrame = 1e9 * whole / static_cast<double>(one.run.frames());
+        return expected * one.repeats;
+    }
+
+    /// One sample of each row. Each round begins at another row, and every second one goes the other way, so that no
+    /// row always follows the same one.
+    void oneRound(int round, double share)
+    {
+        const std::size_t count = m_all.size();
+        for (std::size_t i = 0; i < count && m_watch.goesOn(0.1 + 0.9 * std::min(1.0, share)); ++i) {
+            const std::size_t step = round % 2 == 0 ? i : count - 1 - i;
+            Sampled &one = m_all[(step + static_cast<std::size_t>(round) * 7) % count];
+            one.samples.push_back(one.nsPerFrame(one.once()));
+            note(one);
+        }
+        markFront(m_found.rows);
+    }
+
+    const StudyPlan &m_plan;
+    Accuracy &m_found;
+    Watch &m_watch;
+    std::vector<Sampled> m_all;
+};
+
+}
+
+void measureTimes(const Script &script, const StudyPlan &plan, Accuracy &found, Watch &watch)
+{
+    Timing(script, plan, found, watch).measure();
+}
+
+}

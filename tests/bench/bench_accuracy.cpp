@@ -1,0 +1,120 @@
+// What exactness costs: a creature in the air through the ordinary pipeline, against the solvers of Boost's odeint and
+// of SUNDIALS with a right-hand side written by hand. See creature_in_air.h.
+
+#include "claims.h"
+#include "creature_in_air.h"
+#include "support.h"
+
+#include "sim/effects/damping.h"
+#include "sim/effects/radial_spring.h"
+#include "sim/methods/methods.h"
+
+#include <benchmark/benchmark.h>
+
+namespace {
+
+using namespace bench;
+
+sim::Scene scene()
+{
+    sim::Scene creature = support::pointsOf(air::feet);
+    const air::Row<double> start = air::start();
+    for (int i = 0; i < air::points; ++i)
+        creature.start.place(i, {start[std::size_t(i)], start[std::size_t(air::points + i)]});
+    creature.effects = {std::make_shared<sim::RadialSpring>(support::legs(air::feet), air::k, air::radius),
+                        std::make_shared<sim::Damping>(air::damp)};
+    return creature;
+}
+
+/// The phases that the app runs, one after the other.
+class Pipelined : public air::Solver
+{
+public:
+    Pipelined(const sim::MethodPtr &method, sim::StepSize step)
+    {
+        sim::Script script = support::script(scene(), method->id());
+        script.step = step;
+        const sim::Scene prepared = sim::sceneOf(script, script.values);
+        m_start = prepared.start;
+        m_pipeline = sim::compose(prepared, *method, step);
+    }
+
+    void run(air::Course &course) override
+    {
+        sim::State state = m_start;
+        write(state, course[0]);
+        for (std::size_t frame = 1; frame <= air::frames; ++frame) {
+            state.frame = static_cast<std::int64_t>(frame);
+            for (int step = 0; step < m_pipeline.step.perRow; ++step) {
+                for (const sim::Phase &phase : m_pipeline.phases)
+                    phase.run(state);
+            }
+            write(state, course[frame]);
+        }
+    }
+
+private:
+    static void write(const sim::State &state, std::array<double, 2 * air::points> &row)
+    {
+        std::copy_n(state.position.data(), row.size(), row.data());
+    }
+
+    sim::State m_start;
+    sim::Pipeline m_pipeline;
+};
+
+/// Every method enters, with steps of 1/n frame or by tolerance.
+int enterAll()
+{
+    std::vector<double> steps;
+    for (const int n : {1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256})
+        steps.push_back(1.0 / n);
+    for (const sim::MethodPtr &method : sim::allMethods()) {
+        const bool adaptive = method->stepping() == sim::Stepping::adaptive;
+        const auto make = [method, adaptive](double size) {
+            return std::make_unique<Pipelined>(method, adaptive ? sim::StepSize::within(size)
+                                                                : sim::StepSize::of(size));
+        };
+        air::enter({"springstep", method->id(), adaptive ? air::tolerancesDownTo(1e-12) : steps, make});
+    }
+    return 0;
+}
+
+void race(benchmark::State &run, const std::string &team, double target)
+{
+    air::Champion &champion = air::champion(team, target);
+    if (!champion.solver) {
+        run.SkipWithError("nobody of this team is here, or exact enough");
+        return;
+    }
+    air::Course course{};
+    for (auto _ : run) {
+        champion.solver->run(course);
+        benchmark::DoNotOptimize(course);
+    }
+    run.SetLabel(champion.name);
+    run.counters["per_frame"] = benchmark::Counter(static_cast<double>(run.iterations()) * air::frames,
+                                                   benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+
+int registerAll()
+{
+    for (const auto &[name, target] :
+         {std::pair{"1e-2", 1e-2}, {"1e-4", 1e-4}, {"1e-6", 1e-6}, {"1e-8", 1e-8}}) {
+        const auto called = [name = std::string(name)](const std::string &team) { return team + "_" + name; };
+        for (const std::string team : {"springstep", "odeint", "cvode"}) {
+            benchmark::RegisterBenchmark(
+                called(team).c_str(),
+                [team, target = target](benchmark::State &run) { race(run, team, target); });
+            if (team != "springstep")
+                claim({std::string("creature in the air to ") + name + " px / " + team, called("springstep"),
+                       called(team)});
+        }
+    }
+    return 0;
+}
+
+const int entered = enterAll();
+const int registered = registerAll();
+
+}

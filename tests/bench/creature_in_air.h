@@ -1,0 +1,76 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+/// A race: a body and five feet in the air, without gravity or walls, over 200 frames. All who take part deliver the
+/// places at whole frames, each with the coarsest tolerance at which these are exact enough.
+namespace bench::air {
+
+constexpr int feet = 5, points = feet + 1, frames = 200;
+constexpr double k = 0.2, radius = 50.0, damp = 0.97;
+
+/// x of each point, y of each (px); then the velocities in the same order. The body is the last point.
+template <class Number>
+using Row = std::array<Number, 4 * points>;
+/// x of each point, then y of each, at each whole frame.
+using Course = std::array<std::array<double, 2 * points>, frames + 1>;
+
+Row<double> start();
+
+/// The right-hand side, as one would write it by hand; c = -ln(damp).
+template <class Number>
+void rates(const Row<Number> &now, Row<Number> &change, Number c)
+{
+    constexpr int body = feet, y = points, v = 2 * points;
+    Number pullX = 0, pullY = 0;
+    for (int i = 0; i < 2 * points; ++i)
+        change[std::size_t(i)] = now[std::size_t(v + i)];
+    for (int i = 0; i < feet; ++i) {
+        const Number dx = now[std::size_t(i)] - now[body], dy = now[std::size_t(y + i)] - now[y + body];
+        const Number share = Number(k) * (Number(radius) / std::sqrt(dx * dx + dy * dy) - 1);
+        change[std::size_t(v + i)] = share * dx - c * now[std::size_t(v + i)];
+        change[std::size_t(v + y + i)] = share * dy - c * now[std::size_t(v + y + i)];
+        pullX += share * dx;
+        pullY += share * dy;
+    }
+    change[v + body] = -pullX - c * now[v + body];
+    change[v + y + body] = -pullY - c * now[v + y + body];
+}
+
+/// Someone who takes part, set up for one tolerance.
+class Solver
+{
+public:
+    virtual ~Solver() = default;
+    /// From the start on.
+    virtual void run(Course &course) = 0;
+};
+
+struct Contender
+{
+    std::string team;
+    std::string name;
+    std::vector<double> tolerances; ///< from coarse to fine; steps for methods of one step
+    std::function<std::unique_ptr<Solver>(double)> make;
+};
+
+/// Enters someone into the race.
+int enter(Contender contender);
+
+/// 1, then eight steps a decade down to `finest`.
+std::vector<double> tolerancesDownTo(double finest);
+
+/// The fastest of a team whose error is at most `target` px, ready to run; null if there is none.
+struct Champion
+{
+    std::unique_ptr<Solver> solver;
+    std::string name; ///< with tolerance and error
+};
+Champion &champion(const std::string &team, double target);
+
+}

@@ -1,0 +1,458 @@
+// The study of accuracy: its errors against truths that the tests work out themselves, its horizon, its rows.
+
+#include "support.h"
+
+#include "sim/accuracy/reference.h"
+#include "sim/accuracy/study.h"
+#include "sim/effects/damping.h"
+#include "sim/effects/gravity.h"
+#include "sim/effects/point_spring.h"
+#include "sim/effects/sticks.h"
+#include "sim/effects/walls.h"
+#include "sim/methods/methods.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <set>
+
+using namespace sim;
+
+namespace {
+
+const StudyProgress goOn = [](const Accuracy &, double) { return true; };
+
+/// Errors only: times are asked for by few tests.
+StudyPlan quickPlan(std::int64_t frames)
+{
+    StudyPlan plan;
+    plan.frames = frames;
+    plan.secondsOfTiming = 0.0;
+    return plan;
+}
+
+Script scriptOf(const Scene &scene, const Way &way)
+{
+    Script script = support::script(scene, way.method->id());
+    script.step = way.step;
+    return script;
+}
+
+Script scriptOf(const Scene &scene)
+{
+    return support::script(scene, "published");
+}
+
+std::string nameOf(const AccuracyRow &row)
+{
+    const StepSize step = row.way.step;
+    return row.way.method->id() + " " + std::to_string(step.adaptive() ? step.tolerance : step.h);
+}
+
+Scene oneBall(Vec2 x, Vec2 v)
+{
+    Scene scene;
+    scene.start = State::ofPoints(1);
+    scene.start.place(0, x);
+    scene.start.push(0, v);
+    scene.names = {"ball"};
+    scene.groups = {{"ball", {0, 1}}};
+    return scene;
+}
+
+/// A damped spring, and where its ball is after t frames: x'' = -k x - c x' has the roots -c/2 +- i w.
+constexpr double stiffness = 0.2, keep = 0.97;
+const Vec2 spot = {270.0, 200.0}, ballX = {90.0, -30.0}, ballV = {4.0, -7.0};
+
+Scene dampedSpring()
+{
+    Scene scene = oneBall(ballX, ballV);
+    scene.effects = {std::make_shared<PointSpring>(0, spot, stiffness), std::make_shared<Damping>(keep)};
+    return scene;
+}
+
+Vec2 onDampedSpring(double t)
+{
+    const double c = -std::log(keep), w = std::sqrt(stiffness - c * c / 4.0);
+    const Vec2 away = ballX - spot;
+    const Vec2 swing = (1.0 / w) * (ballV + (c / 2.0) * away);
+    return spot + std::exp(-c * t / 2.0) * (std::cos(w * t) * away + std::sin(w * t) * swing);
+}
+
+/// A ball that falls and bounces, and where it is after t frames: parabola after parabola.
+constexpr double fall = 0.5, kept = 0.8, ground = 375.0;
+const Vec2 dropX = {100.0, 200.0}, dropV = {1.5, 0.0};
+
+Scene bouncingBall()
+{
+    Scene scene = oneBall(dropX, dropV);
+    scene.effects = {
+        std::make_shared<Gravity>(fall),
+        std::make_shared<Walls>(Room{0.0, 1e6, ground + 5.0, kept}, Eigen::ArrayXd::Constant(1, 5.0))};
+    return scene;
+}
+
+Vec2 onBouncingBall(double t)
+{
+    double y = dropX.y, v = dropV.y, left = t;
+    for (;;) {
+        // The first time s > 0 with y + v s + fall s^2 / 2 = ground.
+        const double hit = (-v + std::sqrt(v * v + 2.0 * fall * (ground - y))) / fall;
+        if (hit >= left)
+            return {dropX.x + dropV.x * t, y + v * left + fall * left * left / 2.0};
+        left -= hit;
+        v = -kept * (v + fall * hit);
+        y = ground;
+    }
+}
+
+/// The error of a way, measured without the study.
+double errorAgainst(const Script &script, const std::function<Vec2(double)> &truth, std::int64_t frames)
+{
+    Track track(script, 0);
+    double largest = 0.0;
+    for (std::int64_t frame = 1; frame <= frames; ++frame) {
+        track.seek({frame, 0});
+        largest = std::max(largest, length(track.now().at(0) - truth(static_cast<double>(frame))));
+    }
+    return largest;
+}
+
+/// A creature in a room without any loss: it never comes to rest, and small differences grow.
+Script restless()
+{
+    Script script = support::script(support::sample("creature in a room"), "published");
+    script.values.set("damp", 1.0);
+    return script;
+}
+
+Scene threeSticks()
+{
+    Scene scene = support::pointsOf(3);
+    support::scatter(scene.start, 5, 120.0);
+    scene.effects = {std::make_shared<Gravity>(0.5), std::make_shared<Damping>(0.99),
+                     std::make_shared<Sticks>(std::vector<Stick>{{0, 1, 60.0}, {1, 2, 60.0}, {2, 3, 60.0}}, 4)};
+    return scene;
+}
+
+}
+
+class TestAccuracy : public QObject
+{
+    Q_OBJECT
+
+private slots:
+
+    void errorsAgreeWithTheClosedFormWithinTwoPercent_data()
+    {
+        QTest::addColumn<bool>("bounces");
+        QTest::addColumn<int>("frames");
+        QTest::newRow("a damped spring") << false << 200;
+        QTest::newRow("a ball that bounces") << true << 150;
+    }
+    void errorsAgreeWithTheClosedFormWithinTwoPercent()
+    {
+        QFETCH(bool, bounces);
+        QFETCH(int, frames);
+        const Scene scene = bounces ? bouncingBall() : dampedSpring();
+        const std::function<Vec2(double)> truth = bounces ? onBouncingBall : onDampedSpring;
+        const Accuracy found = studyAccuracy(scriptOf(scene), quickPlan(frames), goOn);
+        QCOMPARE(found.horizon, frames);
+        QVERIFY(found.reference.kind == ReferenceRun::Kind::solution);
+        int compared = 0;
+        std::set<std::string> methods;
+        for (const AccuracyRow &row : found.rows) {
+            if (row.outcome != Outcome::measured || row.error < 1e-8)
+                continue; // below that the closed form's own rounding shows
+            const double exact = errorAgainst(scriptOf(scene, row.way), truth, frames);
+            const std::string figures = nameOf(row) + ": " + std::to_string(row.error) + ", not " +
+                                        std::to_string(exact);
+            QVERIFY2(std::abs(row.error - exact) <= 0.02 * exact, figures.c_str());
+            ++compared;
+            methods.insert(row.way.method->id());
+        }
+        QVERIFY(compared > 20);
+        QVERIFY(methods.size() > 4);
+    }
+
+    void theReferenceIsTheClosedForm()
+    {
+        const Accuracy found = studyAccuracy(scriptOf(bouncingBall()), quickPlan(100), goOn);
+        QCOMPARE(found.reference.places.size(), std::size_t(101));
+        for (std::size_t frame = 0; frame <= 100; ++frame) {
+            const Vec2 exact = onBouncingBall(static_cast<double>(frame));
+            QVERIFY(length(found.reference.places[frame][0] - exact) < 1e-8);
+        }
+        QVERIFY(found.reference.disagreement <= referenceAgreement);
+    }
+
+    void aRowIsReproducedByARunOfItsMethodAndStep_data()
+    {
+        QTest::addColumn<bool>("hasInput");
+        QTest::newRow("left alone") << false;
+        QTest::newRow("with a hand and a parameter") << true;
+    }
+    void aRowIsReproducedByARunOfItsMethodAndStep()
+    {
+        QFETCH(bool, hasInput);
+        Script script = support::script(support::sample("creature from one place"), "published");
+        script.values.set("spread", 200.0);
+        if (hasInput)
+            script.input = {{20, Grab{"foot1"}}, {22, Move{{300, 150}}}, {30, Release{}}, {35, Set{"k", 0.15}}};
+        const Accuracy found = studyAccuracy(script, quickPlan(60), goOn);
+        QVERIFY(found.horizon > 30);
+        support::Dice dice(2026);
+        for (int checked = 0; checked < 10;) {
+            const AccuracyRow &row = found.rows[std::size_t(dice.whole(0, int(found.rows.size()) - 1))];
+            if (row.outcome != Outcome::measured)
+                continue;
+            ++checked;
+            Script own = script;
+            own.method = row.way.method;
+            own.step = row.way.step;
+            Track track(own, 1 << 20);
+            double largest = 0.0;
+            for (std::int64_t frame = 1; frame <= found.horizon; ++frame) {
+                track.seek({frame, 0});
+                double farthest = 0.0;
+                const std::vector<Vec2> &places = found.reference.places[std::size_t(frame)];
+                for (std::size_t i = 0; i < places.size(); ++i)
+                    farthest = std::max(farthest, length(track.now().at(int(i)) - places[i]));
+                QCOMPARE(row.errorAt[std::size_t(frame)], farthest);
+                largest = std::max(largest, farthest);
+            }
+            QCOMPARE(row.error, largest);
+        }
+    }
+
+    void whereSmallDifferencesGrowTheHorizonEnds()
+    {
+        const Accuracy found = studyAccuracy(restless(), quickPlan(3000), goOn);
+        QVERIFY(found.reference.kind == ReferenceRun::Kind::solution);
+        QVERIFY(found.horizon > 10 && found.horizon < 3000);
+        QVERIFY(found.reference.end == ReferenceRun::End::parted);
+        QVERIFY(found.reference.disagreement <= referenceAgreement);
+        QCOMPARE(std::int64_t(found.reference.places.size()), found.horizon + 1);
+        // The frame after the horizon is where they part.
+        Script first = restless(), second = restless();
+        first.method = findMethod(found.reference.method);
+        first.step = found.reference.step;
+        second.method = findMethod(found.reference.check);
+        second.step = found.reference.checkStep;
+        Track a(first, 0), b(second, 0);
+        const auto apart = [&](std::int64_t frame) {
+            a.seek({frame, 0});
+            b.seek({frame, 0});
+            double farthest = 0.0;
+            for (int i = 0; i < a.now().points(); ++i)
+                farthest = std::max(farthest, length(a.now().at(i) - b.now().at(i)));
+            return farthest;
+        };
+        QVERIFY(apart(found.horizon) <= referenceAgreement);
+        QVERIFY(apart(found.horizon + 1) > referenceAgreement);
+    }
+
+    void whatHasNoLimitIsComparedWithItself()
+    {
+        const Accuracy found = studyAccuracy(scriptOf(threeSticks()), quickPlan(20), goOn);
+        QVERIFY(found.reference.kind == ReferenceRun::Kind::ownRefinement);
+        QCOMPARE(found.reference.jump->id(), std::string("sticks"));
+        QVERIFY(found.reference.places.empty());
+        QVERIFY(found.horizon > 0);
+        int measured = 0;
+        for (const AccuracyRow &row : found.rows) {
+            if (row.way.method->stepping() == Stepping::adaptive) {
+                QVERIFY(row.outcome == Outcome::doesNotFit);
+                QCOMPARE(row.why->id(), std::string("method-does-not-fit"));
+            }
+            measured += row.outcome == Outcome::measured;
+        }
+        QVERIFY(measured >= 14);
+    }
+
+    void ownRefinementIsTheMethodsOwnFinestRun()
+    {
+        const Scene scene = threeSticks();
+        const Accuracy found = studyAccuracy(scriptOf(scene), quickPlan(15), goOn);
+        QVERIFY(found.horizon > 0);
+        for (const AccuracyRow &row : found.rows) {
+            if (row.outcome != Outcome::measured || row.way.method->id() != "semi_implicit_euler")
+                continue;
+            Track own(scriptOf(scene, {row.way.method, found.reference.step}), 0);
+            Track run(scriptOf(scene, row.way), 0);
+            double largest = 0.0;
+            for (std::int64_t frame = 1; frame <= found.horizon; ++frame) {
+                own.seek({frame, 0});
+                run.seek({frame, 0});
+                for (int i = 0; i < 4; ++i)
+                    largest = std::max(largest, length(own.now().at(i) - run.now().at(i)));
+            }
+            QCOMPARE(row.error, largest);
+        }
+    }
+
+    void numbersThatGrowAreUnstable()
+    {
+        Scene scene = dampedSpring();
+        scene.effects = {std::make_shared<PointSpring>(0, spot, 6.0)}; // stable up to h = 2 / sqrt(6)
+        const Accuracy found = studyAccuracy(scriptOf(scene), quickPlan(200), goOn);
+        for (const AccuracyRow &row : found.rows) {
+            if (row.way.method->id() == "published")
+                QCOMPARE(row.outcome == Outcome::unstable, row.way.step.h == 1.0);
+        }
+    }
+
+    void aStudyThatIsStoppedEndsAtOnce_data()
+    {
+        QTest::addColumn<int>("calls");
+        for (const int calls : {1, 2, 3, 5, 8})
+            QTest::addRow("at call %d", calls) << calls;
+    }
+    void aStudyThatIsStoppedEndsAtOnce()
+    {
+        QFETCH(int, calls);
+        int made = 0;
+        const auto stop = [&](const Accuracy &, double) { return ++made < calls; };
+        StudyPlan plan;
+        plan.frames = 10'000;
+        const Accuracy found = studyAccuracy(scriptOf(dampedSpring()), plan, stop);
+        QCOMPARE(made, calls); // it was not asked again
+        QVERIFY(!found.rows.empty());
+        if (calls == 1)
+            QVERIFY(found.rows.front().outcome == Outcome::waiting);
+    }
+
+    void progressGoesFromNothingToOne()
+    {
+        std::vector<double> shares;
+        studyAccuracy(scriptOf(dampedSpring()), quickPlan(50), [&](const Accuracy &, double done) {
+            shares.push_back(done);
+            return true;
+        });
+        QVERIFY(std::is_sorted(shares.begin(), shares.end()));
+        QVERIFY(shares.front() >= 0.0);
+        QCOMPARE(shares.back(), 1.0);
+    }
+
+    void everyMeasuredRowIsTimedAndTheFrontIsWhatNothingBeats()
+    {
+        StudyPlan plan;
+        plan.frames = 30;
+        plan.secondsOfTiming = 0.2;
+        const Accuracy found = studyAccuracy(scriptOf(dampedSpring()), plan, goOn);
+        int front = 0;
+        for (const AccuracyRow &row : found.rows) {
+            if (row.outcome != Outcome::measured)
+                continue;
+            QVERIFY2(row.nsPerFrame > 0.0 && row.spread >= 0.0, nameOf(row).c_str());
+            const bool isBeaten =
+                std::any_of(found.rows.begin(), found.rows.end(), [&](const AccuracyRow &other) {
+                    return other.outcome == Outcome::measured && &other != &row &&
+                           other.error <= row.error && other.nsPerFrame < row.nsPerFrame;
+                });
+            QVERIFY2(row.front != isBeaten, nameOf(row).c_str());
+            front += row.front;
+        }
+        QVERIFY(front >= 2);
+    }
+
+    void theCheapestIsTheFastestThatIsWithinTheError()
+    {
+        Accuracy found;
+        const MethodPtr method = findMethod("published");
+        const auto add = [&](double error, double ns, Outcome outcome) {
+            AccuracyRow row;
+            row.way = {method, StepSize::of(1.0)};
+            row.outcome = outcome;
+            row.error = error;
+            row.nsPerFrame = ns;
+            found.rows.push_back(row);
+        };
+        add(5.0, 10.0, Outcome::measured);
+        add(0.1, 40.0, Outcome::measured);
+        add(0.05, 30.0, Outcome::measured);
+        add(0.01, 20.0, Outcome::unstable);
+        add(0.01, 0.0, Outcome::measured); // not timed
+        QCOMPARE(found.cheapest(10.0), &found.rows[0]);
+        QCOMPARE(found.cheapest(0.1), &found.rows[2]);
+        QCOMPARE(found.cheapest(0.05), &found.rows[2]);
+        QVERIFY(!found.cheapest(0.04));
+        markFront(found.rows);
+        std::vector<bool> front;
+        for (const AccuracyRow &row : found.rows)
+            front.push_back(row.front);
+        QCOMPARE(front, (std::vector<bool>{true, false, true, false, false}));
+    }
+
+    void laddersGoFromCoarseToFine()
+    {
+        for (const MethodPtr &method : allMethods()) {
+            const std::vector<StepSize> rungs = ladderOf(*method);
+            QCOMPARE(rungs.size(), std::size_t(method->stepping() == Stepping::fixed ? 7 : 11));
+            for (std::size_t i = 0; i < rungs.size(); ++i) {
+                QCOMPARE(rungs[i].adaptive(), method->stepping() == Stepping::adaptive);
+                if (i > 0)
+                    QVERIFY(rungs[i].h < rungs[i - 1].h || rungs[i].tolerance < rungs[i - 1].tolerance);
+            }
+        }
+    }
+
+    void theWayInUseHasItsPlaceAmongTheRungs_data()
+    {
+        QTest::addColumn<double>("h");
+        QTest::addColumn<int>("rows");
+        QTest::addColumn<int>("place");
+        QTest::newRow("a rung") << 0.5 << 7 << 1;
+        QTest::newRow("between two") << 1.0 / 3.0 << 8 << 2;
+        QTest::newRow("coarser than all") << 5.0 << 8 << 0;
+        QTest::newRow("finer than all") << 0.01 << 8 << 7;
+    }
+    void theWayInUseHasItsPlaceAmongTheRungs()
+    {
+        QFETCH(double, h);
+        QFETCH(int, rows);
+        QFETCH(int, place);
+        Script script = scriptOf(dampedSpring());
+        script.step = StepSize::of(h);
+        StudyPlan plan = quickPlan(21);
+        plan.inUse = Way{script.method, script.step};
+        const Accuracy found = studyAccuracy(script, plan, goOn);
+        std::vector<const AccuracyRow *> published;
+        for (const AccuracyRow &row : found.rows) {
+            if (row.way.method->id() == "published")
+                published.push_back(&row);
+        }
+        QCOMPARE(int(published.size()), rows);
+        const AccuracyRow &row = *published[std::size_t(place)];
+        QCOMPARE(row.way.step.h, script.step.h);
+        QVERIFY(row.outcome == Outcome::measured);
+        QCOMPARE(row.evaluations, 1.0 / h);
+        // Of rows that are frames apart, the frames between have the error of the one before.
+        QCOMPARE(row.errorAt.size(), std::size_t(h > 1.0 ? 21 : 22));
+        if (h == 5.0)
+            QVERIFY(row.errorAt[9] == row.errorAt[5] && row.errorAt[10] != row.errorAt[9]);
+    }
+
+    void aStepPastTheHorizonHasNothingToBeComparedWith()
+    {
+        Script script = scriptOf(dampedSpring());
+        StudyPlan plan = quickPlan(20);
+        plan.inUse = Way{script.method, StepSize::of(50.0)};
+        const Accuracy found = studyAccuracy(script, plan, goOn);
+        const AccuracyRow &row = found.rows.front();
+        QVERIFY(row.way.step == plan.inUse->step && row.outcome == Outcome::doesNotFit);
+        QCOMPARE(row.why->id(), std::string("short-horizon"));
+        QVERIFY(found.rows[1].outcome == Outcome::measured);
+    }
+
+    void aSceneThatItsOwnMethodCannotComputeIsRefused()
+    {
+        Scene scene = dampedSpring();
+        scene.effects.clear();
+        scene.groups = {};
+        QVERIFY_EXCEPTION_THROWN(studyAccuracy(scriptOf(scene), quickPlan(5), goOn), Error);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestAccuracy)
+#include "tst_accuracy.moc"
