@@ -120,9 +120,11 @@ void Course::measureNext()
     const std::shared_ptr<const sim::Segment> segment = track.segmentAt(frame);
     const bool comparable = !isFirst && m_before.points() == state.points();
     Sample sample;
+    const sim::State *before = comparable ? &m_before : nullptr;
     for (const lessons::Measure &measure : m_session.step().measures)
         sample.measures.push_back(
-            measure.of(segment->scene, state, comparable ? &m_before : nullptr, segment->values));
+            measure.ofRun ? measure.ofRun(track.script(), segment->scene, state, before, segment->values)
+                          : measure.of(segment->scene, state, before, segment->values));
     if (m_session.step().stands) {
         const lessons::Look look = m_session.step().look(segment->scene, segment->values);
         for (const int foot : look.feet) {

@@ -14,6 +14,8 @@ namespace {
 constexpr qint64 sliceMilliseconds = 12;
 constexpr std::int64_t sliceSteps = 64;
 constexpr std::size_t keptLooks = 3;
+/// What a run costs is measured no more often than this.
+constexpr qint64 measureAgainMilliseconds = 500;
 
 }
 
@@ -244,12 +246,19 @@ void Session::advance(int frames)
     emit moved();
 }
 
-Picture Session::pictureOf(std::shared_ptr<const sim::Segment> segment, sim::State state) const
+Picture Session::pictureOf(const sim::Track &track, std::shared_ptr<const sim::Segment> segment,
+                           sim::State state) const
 {
     Picture picture;
     picture.look = lookOf(segment);
     if (step().guides)
         picture.guides = step().guides(segment->scene, state, segment->values);
+    if (step().guidesOfRun) {
+        const sim::Cursor at = track.at();
+        const std::int64_t frame = at.phase > 0 ? at.frame + track.rowFrames() : at.frame;
+        const std::vector<lessons::Guide> more = step().guidesOfRun(track.script(), state, frame);
+        picture.guides.insert(picture.guides.end(), more.begin(), more.end());
+    }
     picture.segment = std::move(segment);
     picture.state = std::move(state);
     return picture;
@@ -272,10 +281,10 @@ Picture Session::picture() const
 {
     const sim::Track &track = m_timeline->track();
     if (!m_timeline->hasPending())
-        return pictureOf(track.shownPtr(), track.now());
+        return pictureOf(track, track.shownPtr(), track.now());
     std::shared_ptr<const sim::Segment> segment;
     sim::State state = track.preview(segment);
-    return pictureOf(std::move(segment), std::move(state));
+    return pictureOf(track, std::move(segment), std::move(state));
 }
 
 std::optional<Picture> Session::ghost() const
@@ -283,7 +292,7 @@ std::optional<Picture> Session::ghost() const
     const sim::Track *track = m_timeline->ghost();
     if (!track || track->at().frame != m_timeline->at().frame)
         return std::nullopt;
-    return pictureOf(track->shownPtr(), track->now());
+    return pictureOf(*track, track->shownPtr(), track->now());
 }
 
 void Session::forgetGhost()
@@ -306,10 +315,20 @@ void Session::checkTries()
 {
     const std::vector<lessons::Try> &tries = step().tries;
     for (int i = 0; i < static_cast<int>(tries.size()); ++i) {
-        if (!m_progress.isDone(lesson().id, step().id, i) &&
-            tries[static_cast<std::size_t>(i)].done(*m_timeline))
+        const lessons::Try &one = tries[static_cast<std::size_t>(i)];
+        if (!m_progress.isDone(lesson().id, step().id, i) && one.done(*m_timeline) &&
+            (!one.budget || keepsNow(*one.budget)))
             m_progress.markDone(lesson().id, step().id, i);
     }
+}
+
+bool Session::keepsNow(const lessons::Budget &budget)
+{
+    if (m_sinceMeasured.isValid() && m_sinceMeasured.elapsed() < measureAgainMilliseconds)
+        return false;
+    const bool keeps = lessons::keeps(budget, m_timeline->script(), lessons::measuredTime);
+    m_sinceMeasured.start();
+    return keeps;
 }
 
 }

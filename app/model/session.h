@@ -6,6 +6,7 @@
 #include "sim/gathered.h"
 #include "sim/timeline.h"
 
+#include <QElapsedTimer>
 #include <QObject>
 
 #include <deque>
@@ -144,7 +145,8 @@ private:
         std::shared_ptr<const lessons::Look> look;
     };
 
-    Picture pictureOf(std::shared_ptr<const sim::Segment> segment, sim::State state) const;
+    Picture pictureOf(const sim::Track &track, std::shared_ptr<const sim::Segment> segment,
+                      sim::State state) const;
     std::shared_ptr<const lessons::Look> lookOf(const std::shared_ptr<const sim::Segment> &segment) const;
     void setStep(sim::StepSize step);
     void leave();
@@ -156,6 +158,8 @@ private:
     template <class Change>
     void edit(const QString &before, Change &&change);
     void checkTries();
+    /// Whether the run keeps a budget, measured now; false, too, while the last measurement is hardly over.
+    bool keepsNow(const lessons::Budget &budget);
     QString keyOf(const QString &lesson, const QString &step) const { return lesson + '/' + step; }
 
     const LessonLibrary &m_library;
@@ -174,6 +178,7 @@ private:
     std::optional<sim::Cursor> m_goingTo;
     bool m_approachDue = false;         ///< whether the next slice of the way is already asked for
     mutable std::deque<Looked> m_looks; ///< the looks last made: of the run, its ghost and what is to come
+    QElapsedTimer m_sinceMeasured;      ///< since a budget was last looked at
     std::map<QString, Left> m_left;     ///< steps that were open before, as they were left
 };
 

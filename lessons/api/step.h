@@ -1,10 +1,13 @@
 #pragma once
 
+#include "lessons/api/budget.h"
 #include "lessons/api/look.h"
 #include "lessons/api/parameter.h"
 #include "sim/timeline.h"
 
+#include <cstdint>
 #include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -17,6 +20,9 @@ struct Try
     /// Looked at after each frame and each change; once true, the thing is done. Must be false at the start and
     /// for a run that nobody touches.
     std::function<bool(const sim::Timeline &)> done;
+    /// Where there is one, the thing is done only if the run keeps it, too. That is measured only while `done` is
+    /// true, and not after every frame: it takes some milliseconds.
+    std::optional<Budget> budget = {};
 };
 
 /// A number that is measured of every frame, with its course over the last frames.
@@ -30,6 +36,10 @@ struct Measure
     std::function<double(const sim::Scene &, const sim::State &, const sim::State *before,
                          const sim::Values &)>
         of;
+    /// For a number that a state alone does not tell, in place of `of`: the same with the script of the whole run.
+    std::function<double(const sim::Script &, const sim::Scene &, const sim::State &,
+                         const sim::State *before, const sim::Values &)>
+        ofRun = {};
 };
 
 /// Values of parameters that belong together; what is not named takes its preset.
@@ -71,6 +81,10 @@ struct Step
     std::function<Look(const sim::Scene &, const sim::Values &)> look;
     /// May be empty.
     std::function<std::vector<Guide>(const sim::Scene &, const sim::State &, const sim::Values &)> guides;
+    /// Guides that a state alone does not tell, besides those; may be empty. `frame`: the whole frame that the state
+    /// stands for; inside a frame the one that is under way.
+    std::function<std::vector<Guide>(const sim::Script &, const sim::State &, std::int64_t frame)>
+        guidesOfRun;
     /// Shown beside the scene; may be empty.
     std::vector<Measure> measures;
     /// Offered as a gallery; may be empty.

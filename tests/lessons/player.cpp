@@ -2,17 +2,21 @@
 
 #include "sim/methods/methods.h"
 
+#include <limits>
+
 namespace support {
 
 Player::Player(const lessons::Step &step, std::size_t wanted)
-    : m_run(step.script()), m_check(step.tries.at(wanted).done)
+    : m_run(step.script()), m_try(step.tries.at(wanted)),
+      m_timing([](const sim::Script &, std::int64_t) { return std::numeric_limits<double>::infinity(); })
 {
     look();
 }
 
 void Player::look()
 {
-    m_done = m_done || m_check(m_run);
+    m_done = m_done || (m_try.done(m_run) &&
+                        (!m_try.budget || lessons::keeps(*m_try.budget, m_run.script(), m_timing)));
 }
 
 void Player::play(int frames)
@@ -82,20 +86,37 @@ void Player::set(const std::string &parameter, double value)
     look();
 }
 
+void Player::use(sim::Script script)
+{
+    script.step = sim::stepFor(*script.method, script.step);
+    m_run.replace(std::move(script));
+    look();
+}
+
 void Player::useMethod(const std::string &id)
 {
     sim::Script script = m_run.script();
     script.method = sim::findMethod(id);
-    m_run.replace(std::move(script));
-    look();
+    use(std::move(script));
 }
 
 void Player::useStep(double h)
 {
     sim::Script script = m_run.script();
     script.step = sim::StepSize::of(h);
-    m_run.replace(std::move(script));
-    look();
+    use(std::move(script));
+}
+
+void Player::useTolerance(double tolerance)
+{
+    sim::Script script = m_run.script();
+    script.step = sim::StepSize::within(tolerance);
+    use(std::move(script));
+}
+
+void Player::useTiming(lessons::Timing timing)
+{
+    m_timing = std::move(timing);
 }
 
 void Player::goTo(std::int64_t frame)

@@ -31,6 +31,10 @@ public:
     void set(const std::string &parameter, double value);
     void useMethod(const std::string &id);
     void useStep(double h);
+    /// For a method that chooses its steps: px a step.
+    void useTolerance(double tolerance);
+    /// How the time is told that a run takes, for tries with a budget; before, no time keeps one.
+    void useTiming(lessons::Timing timing);
     void goTo(std::int64_t frame);
     void reset() { goTo(0); }
     void stepPhases(int count);
@@ -41,9 +45,11 @@ public:
 
 private:
     void look();
+    void use(sim::Script script);
 
     sim::Timeline m_run;
-    std::function<bool(const sim::Timeline &)> m_check;
+    lessons::Try m_try;
+    lessons::Timing m_timing;
     std::string m_held;
     bool m_done = false;
 };

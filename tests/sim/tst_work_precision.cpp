@@ -460,4 +460,4 @@ private slots:
 };
 
 QTEST_GUILESS_MAIN(TestAccuracy)
-#include "tst_accuracy.moc"
+#include "tst_work_precision.moc"

@@ -1,0 +1,133 @@
+#include "measures.h"
+
+#include "scenes.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <cmath>
+#include <limits>
+
+using namespace lessons;
+using sim::Scene;
+using sim::Script;
+using sim::State;
+using sim::Values;
+
+namespace accuracy {
+
+namespace {
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(Accuracy)
+};
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double leastShown = 0.05; ///< px: a shorter distance has no line
+
+}
+
+double energyOf(const Scene &, const State &state, const Values &values)
+{
+    const double moving = 0.5 * std::pow(sim::length(state.speed(foot)), 2);
+    if (values.has("gravity"))
+        return moving + values["gravity"] * (values["floor"] - ballRadius - state.at(foot).y);
+    return moving + 0.5 * values["k"] * std::pow(sim::length(state.at(foot) - centre), 2);
+}
+
+double energyDrift(ExactRun &exact, const Script &script, const Scene &scene, const State &state,
+                   const Values &values)
+{
+    const State *right = exact.at(script, state.frame);
+    if (!right)
+        return nothing;
+    const double should = energyOf(scene, *right, values);
+    constexpr double hardlyAny = 1e-6;
+    return should > hardlyAny ? 100.0 * (energyOf(scene, state, values) / should - 1.0) : nothing;
+}
+
+double computations(const Script &script, const State &state, const State *before)
+{
+    if (script.step.adaptive())
+        return before ? static_cast<double>(state.evaluations - before->evaluations) : nothing;
+    return double(script.method->evaluations()) * script.step.perRow / script.step.rowFrames;
+}
+
+Measure offMeasure(const Exact &exact)
+{
+    Measure measure = {Text::tr("Off by"),
+                       Text::tr("px"),
+                       Text::tr("How far the point that is worst off is from its exact place."),
+                       4,
+                       {}};
+    measure.ofRun = [exact](const Script &script, const Scene &, const State &state, const State *,
+                            const Values &) { return exact->distance(script, state, state.frame); };
+    return measure;
+}
+
+Measure driftMeasure(const Exact &exact)
+{
+    Measure measure = {Text::tr("Energy drift"),
+                       Text::tr("%"),
+                       Text::tr("How much more energy there is than in the exact motion at this moment."),
+                       2,
+                       {}};
+    measure.ofRun = [exact](const Script &script, const Scene &scene, const State &state, const State *,
+                            const Values &values) {
+        return energyDrift(*exact, script, scene, state, values);
+    };
+    return measure;
+}
+
+Measure stepMeasure()
+{
+    Measure measure = {Text::tr("Its step"),
+                       Text::tr("frames"),
+                       Text::tr("How much time the method took at once, the last time."),
+                       3,
+                       {}};
+    measure.ofRun = [](const Script &script, const Scene &, const State &state, const State *before,
+                       const Values &) {
+        return !script.step.adaptive() ? script.step.h : before ? state.ahead.length : nothing;
+    };
+    return measure;
+}
+
+Measure computationsMeasure()
+{
+    Measure measure = {Text::tr("Computations"),
+                       Text::tr("a frame"),
+                       Text::tr("How often all forces were computed for this frame: that is the work."),
+                       0,
+                       {}};
+    measure.ofRun = [](const Script &script, const Scene &, const State &state, const State *before,
+                       const Values &) { return computations(script, state, before); };
+    return measure;
+}
+
+std::vector<Guide> exactMarks(ExactRun &exact, const Look &look, const Script &script, const State &state,
+                              std::int64_t frame)
+{
+    const State *right = exact.at(script, frame);
+    if (!right || right->points() != state.points())
+        return {};
+    std::vector<Guide> marks;
+    int farthest = 0;
+    double distance = 0.0;
+    for (int i = 0; i < state.points(); ++i) {
+        const double size = look.bodies[static_cast<std::size_t>(i)].radius;
+        marks.push_back({Guide::Shape::ring, right->at(i), {}, size, {}});
+        const double away = sim::length(state.at(i) - right->at(i));
+        if (away > distance) {
+            farthest = i;
+            distance = away;
+        }
+    }
+    if (distance >= leastShown)
+        marks.push_back({Guide::Shape::line, state.at(farthest), right->at(farthest), 0.0,
+                         Text::tr("%1 px off").arg(QLocale::c().toString(distance, 'f', 1))});
+    return marks;
+}
+
+}

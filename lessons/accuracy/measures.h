@@ -1,0 +1,32 @@
+#pragma once
+
+#include "lessons/api/exact_run.h"
+#include "lessons/api/step.h"
+
+/// What the steps of this lesson measure, and the marks of the exact motion. Those of one step share one ExactRun.
+namespace accuracy {
+
+using Exact = std::shared_ptr<lessons::ExactRun>;
+
+/// Of what moves and what the springs (and gravity) hold, in px^2/frame^2, with masses of 1; NaN for a scene that
+/// is none of this lesson's with one point.
+double energyOf(const sim::Scene &scene, const sim::State &state, const sim::Values &values);
+/// How much more energy a state has than the exact run at the same frame, in percent of that; NaN where there is
+/// none to speak of.
+double energyDrift(lessons::ExactRun &exact, const sim::Script &script, const sim::Scene &scene,
+                   const sim::State &state, const sim::Values &values);
+/// How often a frame computes all forces, for `state` at its end and `before` at its start; NaN without that where
+/// the method chooses.
+double computations(const sim::Script &script, const sim::State &state, const sim::State *before);
+
+lessons::Measure offMeasure(const Exact &exact);
+lessons::Measure driftMeasure(const Exact &exact);
+lessons::Measure stepMeasure();
+lessons::Measure computationsMeasure();
+
+/// Where everything should be: a ring a point, and a line to the farthest one with its distance.
+std::vector<lessons::Guide> exactMarks(lessons::ExactRun &exact, const lessons::Look &look,
+                                       const sim::Script &script, const sim::State &state,
+                                       std::int64_t frame);
+
+}

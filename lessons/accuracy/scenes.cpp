@@ -1,0 +1,170 @@
+#include "scenes.h"
+
+#include "lessons/api/creature.h"
+#include "sim/effects/damping.h"
+#include "sim/effects/gravity.h"
+#include "sim/effects/point_spring.h"
+#include "sim/effects/radial_spring.h"
+#include "sim/effects/walls.h"
+
+// Learners read these functions in a narrow panel.
+// clang-format off
+
+using namespace sim;
+using namespace lessons;
+
+namespace accuracy {
+
+namespace big_step {
+
+//! [big_step]
+Scene setUp(const Values &values)
+{
+    Scene scene = loneFoot();
+    scene.start.place(foot, {400, 200});
+
+    double k = values["k"];
+    add<PointSpring>(scene, foot, centre, k);
+
+    double damp = values["damp"];
+    add<Damping>(scene, damp);
+    return scene;
+}
+//! [big_step]
+
+}
+
+namespace energy {
+
+//! [energy]
+Scene setUp(const Values &values)
+{
+    Scene scene = loneFoot();
+    scene.start.place(foot, {370, 200});
+
+    double k = values["k"];
+    add<PointSpring>(scene, foot, centre, k);
+
+    double damp = values["damp"];
+    add<Damping>(scene, damp);
+    return scene;
+}
+//! [energy]
+
+}
+
+namespace halve {
+
+//! [halve]
+Scene setUp(const Values &values)
+{
+    const int feet = 5;
+    Scene scene = creatureWithFeet(feet);
+    const int body = feet; // comes last
+    placeFeet(scene, {{322, 154}, {210, 170},
+                      {225, 252}, {330, 230},
+                      {275, 272}});
+    scene.start.push(0, {2, 3});
+    scene.start.push(1, {-1, 3});
+
+    std::vector<Link> links;
+    for (int i = 0; i < feet; ++i) {
+        links.push_back({i, body});
+        links.push_back({body, i});
+    }
+    double k = values["k"];
+    double radius = values["radius"];
+    add<RadialSpring>(scene, links, k, radius);
+
+    double damp = values["damp"];
+    add<Damping>(scene, damp);
+    return scene;
+}
+//! [halve]
+
+}
+
+namespace adapt {
+
+//! [adapt]
+Scene setUp(const Values &values)
+{
+    Scene scene = creatureOnHandle();
+    const int body = 1;
+    scene.start.place(foot, {440, 200});
+    scene.start.push(foot, {0, 0.2});
+
+    std::vector<Link> links = {{foot, body}};
+    double k = values["k"];
+    double radius = values["radius"];
+    add<RadialSpring>(scene, links, k, radius);
+
+    double damp = values["damp"];
+    add<Damping>(scene, damp);
+    return scene;
+}
+//! [adapt]
+
+}
+
+namespace bounce {
+
+//! [bounce]
+Scene setUp(const Values &values)
+{
+    Scene scene = loneFoot();
+    scene.names = {"ball"};
+    scene.start.place(foot, {60, 130});
+    scene.start.push(foot, {1.6, 0});
+
+    double gravity = values["gravity"];
+    add<Gravity>(scene, gravity);
+
+    double damp = values["damp"];
+    add<Damping>(scene, damp);
+
+    Room room;
+    room.left = values["left"];
+    room.right = values["right"];
+    room.floor = values["floor"];
+    room.bounce = values["bounce"];
+    Eigen::ArrayXd half(1);
+    half << ballRadius;
+    add<Walls>(scene, room, half);
+    return scene;
+}
+//! [bounce]
+
+}
+
+namespace budget {
+
+//! [budget]
+Scene setUp(const Values &values)
+{
+    const int feet = 3;
+    Scene scene = creatureWithFeet(feet);
+    const int body = feet; // comes last
+    placeFeet(scene, {{322, 154}, {210, 170},
+                      {265, 272}});
+    scene.start.push(0, {2, 3});
+    scene.start.push(1, {-1, 3});
+
+    std::vector<Link> links;
+    for (int i = 0; i < feet; ++i) {
+        links.push_back({i, body});
+        links.push_back({body, i});
+    }
+    double k = values["k"];
+    double radius = values["radius"];
+    add<RadialSpring>(scene, links, k, radius);
+
+    double damp = values["damp"];
+    add<Damping>(scene, damp);
+    return scene;
+}
+//! [budget]
+
+}
+
+}

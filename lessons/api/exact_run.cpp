@@ -1,0 +1,65 @@
+#include "lessons/api/exact_run.h"
+
+#include "sim/accuracy/run.h"
+#include "sim/error.h"
+#include "sim/methods/methods.h"
+
+#include <limits>
+
+namespace lessons {
+
+namespace {
+
+constexpr std::size_t keptRuns = 3; ///< the run, its ghost, and the one that a change has just made
+constexpr std::size_t memory = std::size_t{4} << 20;
+
+bool sameButForMethod(const sim::Script &a, const sim::Script &b)
+{
+    return a.values == b.values && a.bodies == b.bodies && a.effectsOff == b.effectsOff && a.input == b.input;
+}
+
+}
+
+sim::Track *ExactRun::trackOf(const sim::Script &script)
+{
+    const auto found = std::find_if(m_kept.begin(), m_kept.end(),
+                                    [&](const Kept &kept) { return sameButForMethod(kept.script, script); });
+    if (found == m_kept.begin() && found != m_kept.end())
+        return found->track.get();
+    if (found != m_kept.end()) {
+        Kept kept = std::move(*found);
+        m_kept.erase(found);
+        m_kept.push_front(std::move(kept));
+        return m_kept.front().track.get();
+    }
+    Kept kept = {sim::scriptFor(script, {sim::findMethod("dop853"), sim::StepSize::within(tolerance)}), {}};
+    try {
+        kept.track = std::make_unique<sim::Track>(kept.script, memory);
+    } catch (const sim::Error &) { // it has no continuous limit: nothing to compare with
+        kept.track = nullptr;
+    }
+    m_kept.push_front(std::move(kept));
+    if (m_kept.size() > keptRuns)
+        m_kept.pop_back();
+    return m_kept.front().track.get();
+}
+
+const sim::State *ExactRun::at(const sim::Script &script, std::int64_t frame)
+{
+    sim::Track *track = frame >= 0 && frame <= longest ? trackOf(script) : nullptr;
+    if (!track)
+        return nullptr;
+    track->seek({frame, 0});
+    return track->at().frame == frame ? &track->now() : nullptr;
+}
+
+double ExactRun::distance(const sim::Script &script, const sim::State &state, std::int64_t frame)
+{
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    const sim::State *exact = at(script, frame);
+    if (!exact || exact->points() != state.points())
+        return unknown;
+    return sim::distanceFrom(sim::placesOf(*exact), state);
+}
+
+}

@@ -1,0 +1,112 @@
+#include "tests/lessons/attempts.h"
+
+namespace support {
+
+namespace {
+
+/// A stopwatch that says that every run takes `nanoseconds` a frame.
+lessons::Timing taking(double nanoseconds)
+{
+    return [nanoseconds](const sim::Script &, std::int64_t) { return nanoseconds; };
+}
+
+void withStep(Player &p, const char *method, double h, int frames)
+{
+    p.useMethod(method);
+    p.useStep(h);
+    p.play(frames);
+}
+
+}
+
+std::vector<Attempt> attempts()
+{
+    return {
+        {"big_step", 0, "1/8 frame", [](Player &p) { withStep(p, "semi_implicit_euler", 0.125, 100); }},
+        {"big_step", 1, "2 frames",
+         [](Player &p) {
+             p.useStep(2.0);
+             p.playUntilDone(50);
+         }},
+        {"big_step", 2, "a slow swing",
+         [](Player &p) {
+             p.set("k", 0.02);
+             p.play(100);
+         }},
+        {"big_step", 3, "5 frames",
+         [](Player &p) {
+             p.useStep(5.0);
+             p.playUntilDone(20);
+         }},
+        {"energy", 0, "twice the energy",
+         [](Player &p) {
+             p.useMethod("explicit_euler");
+             p.playUntilDone(40);
+         }},
+        {"energy", 1, "small steps of it",
+         [](Player &p) {
+             p.useMethod("explicit_euler");
+             p.useStep(0.125);
+             p.playUntilDone(60);
+         }},
+        {"energy", 2, "Verlet", [](Player &p) { withStep(p, "velocity_verlet", 1.0, 200); }},
+        {"halve", 0, "order 1", [](Player &p) { withStep(p, "semi_implicit_euler", 1.0 / 16, 60); }},
+        {"halve", 1, "order 2", [](Player &p) { withStep(p, "midpoint", 1.0 / 16, 60); }},
+        {"halve", 2, "order 4", [](Player &p) { withStep(p, "rk4", 1.0 / 16, 60); }},
+        {"halve", 3, "Runge-Kutta 4, 1/4 frame", [](Player &p) { withStep(p, "rk4", 0.25, 60); }},
+        {"halve", 3, "Dormand-Prince, 0.0001 px",
+         [](Player &p) {
+             p.useMethod("dormand_prince");
+             p.useTolerance(1e-4);
+             p.play(60);
+         }},
+        {"adapt", 0, "a loose tolerance",
+         [](Player &p) {
+             p.useTolerance(0.1);
+             p.play(150);
+         }},
+        {"adapt", 1, "thrown past the middle",
+         [](Player &p) {
+             p.grab("foot");
+             p.carryTo({150, 120}, 5);
+             p.carryTo({200, 160}, 3);
+             p.letGo();
+             p.playUntilDone(60);
+         }},
+        {"adapt", 2, "Runge-Kutta 4, 1/4 frame", [](Player &p) { withStep(p, "rk4", 0.25, 150); }},
+        {"bounce", 0, "1/8 frame", [](Player &p) { withStep(p, "rk4", 0.125, 200); }},
+        {"bounce", 1, "Dormand-Prince",
+         [](Player &p) {
+             p.useMethod("dormand_prince");
+             p.play(200);
+         }},
+        {"bounce", 2, "to rest",
+         [](Player &p) {
+             p.useMethod("dormand_prince");
+             p.set("bounce", 0.5);
+             p.playUntilDone(110);
+         }},
+        {"budget", 0, "small steps",
+         [](Player &p) {
+             p.useTiming(taking(4000.0));
+             withStep(p, "semi_implicit_euler", 1.0 / 16, 200);
+         }},
+        {"budget", 1, "Velocity Verlet, 1/2 frame",
+         [](Player &p) {
+             p.useTiming(taking(400.0));
+             withStep(p, "velocity_verlet", 0.5, 200);
+         }},
+        {"budget", 1, "Runge-Kutta 4, 1 frame",
+         [](Player &p) {
+             p.useTiming(taking(400.0));
+             withStep(p, "rk4", 1.0, 200);
+         }},
+        {"budget", 2, "Runge-Kutta 4, 1/2 frame",
+         [](Player &p) {
+             p.useTiming(taking(900.0));
+             withStep(p, "rk4", 0.5, 200);
+         }},
+    };
+}
+
+}

@@ -1,0 +1,533 @@
+#include "lessons/api/budget.h"
+#include "lessons/api/exact_run.h"
+#include "sim/methods/methods.h"
+#include "tests/lessons/attempts.h"
+
+#include <QTest>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+using namespace support;
+
+namespace {
+
+/// A creature of feet and, last, a body, written down a second time: springs of length `radius` between the body and
+/// each foot, drag, Runge-Kutta 4 with tiny steps. Nothing of sim is in it.
+class Creature
+{
+public:
+    struct Numbers
+    {
+        double k = 0.2, damp = 0.97, radius = 50.0;
+    };
+    Creature(const sim::State &start, Numbers numbers) : m_points(start.points()), m_numbers(numbers)
+    {
+        for (int i = 0; i < m_points; ++i) {
+            for (const double number : {start.at(i).x, start.at(i).y, start.speed(i).x, start.speed(i).y})
+                m_now.push_back(number);
+        }
+    }
+
+    void run(int frames, int stepsPerFrame)
+    {
+        const double h = 1.0 / stepsPerFrame;
+        for (int i = 0; i < frames * stepsPerFrame; ++i) {
+            const std::vector<double> a = rates(m_now);
+            const std::vector<double> b = rates(ahead(a, h / 2));
+            const std::vector<double> c = rates(ahead(b, h / 2));
+            const std::vector<double> d = rates(ahead(c, h));
+            for (std::size_t j = 0; j < m_now.size(); ++j)
+                m_now[j] += h / 6 * (a[j] + 2 * b[j] + 2 * c[j] + d[j]);
+        }
+    }
+
+    double farthestFrom(const sim::State &state) const
+    {
+        double farthest = 0.0;
+        for (int i = 0; i < m_points; ++i) {
+            const auto at = static_cast<std::size_t>(4 * i);
+            farthest =
+                std::max(farthest, std::hypot(state.at(i).x - m_now[at], state.at(i).y - m_now[at + 1]));
+        }
+        return farthest;
+    }
+
+private:
+    std::vector<double> ahead(const std::vector<double> &rate, double h) const
+    {
+        std::vector<double> there = m_now;
+        for (std::size_t j = 0; j < there.size(); ++j)
+            there[j] += h * rate[j];
+        return there;
+    }
+
+    std::vector<double> rates(const std::vector<double> &at) const
+    {
+        std::vector<double> rate(at.size());
+        const std::size_t body = at.size() - 4;
+        for (std::size_t i = 0; i < at.size(); i += 4) {
+            rate[i] = at[i + 2];
+            rate[i + 1] = at[i + 3];
+            rate[i + 2] += std::log(m_numbers.damp) * at[i + 2];
+            rate[i + 3] += std::log(m_numbers.damp) * at[i + 3];
+            if (i == body)
+                break;
+            const double dx = at[i] - at[body], dy = at[i + 1] - at[body + 1];
+            const double far = std::hypot(dx, dy);
+            const double pull = m_numbers.k * (far - m_numbers.radius) / far;
+            rate[i + 2] -= pull * dx;
+            rate[i + 3] -= pull * dy;
+            rate[body + 2] += pull * dx;
+            rate[body + 3] += pull * dy;
+        }
+        return rate;
+    }
+
+    int m_points;
+    Numbers m_numbers;
+    std::vector<double> m_now; ///< x, y and the velocity of each
+};
+
+/// Where a spring without damping, let go `amplitude` px away, has its foot after `frames`.
+double cosine(double amplitude, double k, double frames)
+{
+    return amplitude * std::cos(std::sqrt(k) * frames);
+}
+
+/// How high above the floor a ball is that falls from `height` and keeps the share `bounce` of its speed.
+double bouncingHeight(double height, double gravity, double bounce, double frames)
+{
+    double left = frames - std::sqrt(2 * height / gravity);
+    if (left < 0.0)
+        return height - 0.5 * gravity * frames * frames;
+    double speed = std::sqrt(2 * height * gravity);
+    for (int i = 0; i < 200; ++i) {
+        speed *= bounce;
+        const double flight = 2 * speed / gravity;
+        if (left < flight)
+            return speed * left - 0.5 * gravity * left * left;
+        left -= flight;
+    }
+    return 0.0;
+}
+
+}
+
+class AccuracyLesson : public QObject
+{
+    Q_OBJECT
+
+    const LoadedLesson m_lesson = loadLesson(QStringLiteral("accuracy"));
+    lessons::ExactRun m_exact;
+
+    const lessons::Step &step(const char *id) const { return m_lesson.step(QString::fromUtf8(id)); }
+
+    sim::Script within(const char *id, double tolerance, const char *method = "dormand_prince") const
+    {
+        sim::Script script = step(id).script();
+        script.method = sim::findMethod(method);
+        script.step = sim::StepSize::within(tolerance);
+        return script;
+    }
+
+    /// px off at that frame.
+    double offAt(const sim::Script &script, std::int64_t frame)
+    {
+        return m_exact.distance(script, stateAfter(script, frame), frame);
+    }
+    double offAt(const char *id, const char *method, double h, std::int64_t frame)
+    {
+        return offAt(scriptOf(step(id), method, h), frame);
+    }
+
+    /// The largest distance at any frame.
+    double worst(const sim::Script &script, std::int64_t frames)
+    {
+        sim::Track track(script, 0);
+        double farthest = 0.0;
+        for (std::int64_t frame = 1; frame <= frames; ++frame) {
+            track.seek({frame, 0});
+            farthest = std::max(farthest, m_exact.distance(script, track.now(), frame));
+        }
+        return farthest;
+    }
+
+    /// What the step's measure `number` says at the end of each frame from 0 on.
+    std::vector<double> measured(const char *id, std::size_t number, const sim::Script &script,
+                                 int frames) const
+    {
+        const lessons::Measure &measure = step(id).measures.at(number);
+        sim::Track track(script, 0);
+        std::vector<double> values;
+        sim::State before;
+        for (int frame = 0; frame <= frames; ++frame) {
+            track.seek({frame, 0});
+            values.push_back(measure.ofRun(script, track.shown().scene, track.now(),
+                                           frame > 0 ? &before : nullptr, track.shown().values));
+            before = track.now();
+        }
+        return values;
+    }
+
+    bool saysOf(const char *id, const QString &words) const { return step(id).narration.contains(words); }
+
+private slots:
+    void theExactRunOfASpringIsTheCosine();
+    void theExactRunFollowsWhatIsChangedOnTheWay();
+    void theExactRunOfACreatureAgreesWithAnotherSolution_data();
+    void theExactRunOfACreatureAgreesWithAnotherSolution();
+    void theExactRunOfABallIsMadeOfParabolas_data();
+    void theExactRunOfABallIsMadeOfParabolas();
+    void pastItsHorizonTheExactRunSaysNothing();
+    void aBigStepIsAsFarOffAsTheTextSays();
+    void explicitEulerMultipliesTheEnergyByWhatTheTextSays_data();
+    void explicitEulerMultipliesTheEnergyByWhatTheTextSays();
+    void theEnergyOfOtherMethodsSwingsByWhatTheTextSays();
+    void dampingIsNoDrift();
+    void halvingIsWorthWhatTheOrderSays_data();
+    void halvingIsWorthWhatTheOrderSays();
+    void eightAndSixtyFourComputationsGiveWhatTheTextSays();
+    void stepsGetShortOnlyAtTheMiddle();
+    void adaptiveStepsPayLess();
+    void aFixedStepAtABounceHasOrderOne();
+    void eventFindingKeepsTheParabolas();
+    void aBallComesToRestAfterAFiniteTime();
+    void theBudgetIsKeptByTheRightWaysAlone_data();
+    void theBudgetIsKeptByTheRightWaysAlone();
+    void aBudgetAsksForTheTimeOfTheRunItself();
+    void timingGivesATime();
+    void theMarksShowWhereTheExactMotionIs();
+    void everyTryIsDoneByWhatItDescribes_data() { addAttemptRows(m_lesson, attempts()); }
+    void everyTryIsDoneByWhatItDescribes() { checkAttempt(m_lesson); }
+    void aBudgetIsNotKeptByWhatTakesTooLong();
+    void aChangedCreatureDoesNotCountForTheBudget();
+};
+
+void AccuracyLesson::theExactRunOfASpringIsTheCosine()
+{
+    for (const auto &[id, amplitude, k] :
+         {std::tuple{"big_step", 130.0, 0.2}, std::tuple{"energy", 100.0, 0.02}}) {
+        const sim::Script script = step(id).script();
+        for (int frame : {0, 1, 17, 100, 600}) {
+            const sim::State *state = m_exact.at(script, frame);
+            QVERIFY(state);
+            QVERIFY(std::abs(state->at(0).x - 270.0 - cosine(amplitude, k, frame)) < 1e-7);
+            QCOMPARE(state->at(0).y, 200.0);
+        }
+    }
+}
+
+/// A parameter changes at frame 30, where the foot has a place and a speed: from there another cosine begins.
+void AccuracyLesson::theExactRunFollowsWhatIsChangedOnTheWay()
+{
+    sim::Script script = step("big_step").script();
+    script.input = {{31, sim::Set{"k", 0.05}}};
+    const double w = std::sqrt(0.2), other = std::sqrt(0.05);
+    const double x = 130.0 * std::cos(30 * w), v = -130.0 * w * std::sin(30 * w);
+    const double then = x * std::cos(25 * other) + v / other * std::sin(25 * other);
+    QVERIFY(std::abs(m_exact.at(script, 55)->at(0).x - 270.0 - then) < 1e-7);
+    script.input.clear();
+    QVERIFY(std::abs(m_exact.at(script, 55)->at(0).x - 270.0 - cosine(130.0, 0.2, 55)) < 1e-7);
+}
+
+void AccuracyLesson::theExactRunOfACreatureAgreesWithAnotherSolution_data()
+{
+    QTest::addColumn<QString>("id");
+    QTest::addColumn<double>("k");
+    QTest::addColumn<int>("frames");
+    QTest::newRow("halve") << "halve" << 0.2 << 60;
+    QTest::newRow("budget") << "budget" << 0.1 << 200;
+}
+
+void AccuracyLesson::theExactRunOfACreatureAgreesWithAnotherSolution()
+{
+    QFETCH(QString, id);
+    QFETCH(double, k);
+    QFETCH(int, frames);
+    const sim::Script script = m_lesson.step(id).script();
+    Creature creature(script.build(script.values).start, {.k = k});
+    creature.run(frames, 400);
+    QVERIFY(creature.farthestFrom(*m_exact.at(script, frames)) < 1e-6);
+}
+
+void AccuracyLesson::theExactRunOfABallIsMadeOfParabolas_data()
+{
+    QTest::addColumn<double>("bounce");
+    for (double bounce : {1.0, 0.8, 0.5})
+        QTest::addRow("bounce %g", bounce) << bounce;
+}
+
+void AccuracyLesson::theExactRunOfABallIsMadeOfParabolas()
+{
+    QFETCH(double, bounce);
+    const sim::Script script = scriptOf(step("bounce"), "rk4", 1.0, {{"bounce", bounce}});
+    for (int frame = 0; frame <= 270; ++frame) { // the wall is met after 278
+        const sim::State *state = m_exact.at(script, frame);
+        QVERIFY(state);
+        QVERIFY(std::abs(state->at(0).x - 60.0 - 1.6 * frame) < 1e-8);
+        const double height = bouncingHeight(235.0, 0.5, bounce, frame);
+        QVERIFY2(std::abs(365.0 - state->at(0).y - height) < (bounce < 0.6 ? 1e-3 : 1e-7),
+                 qPrintable(QString::number(frame)));
+    }
+}
+
+void AccuracyLesson::pastItsHorizonTheExactRunSaysNothing()
+{
+    const sim::Script script = step("big_step").script();
+    QVERIFY(m_exact.at(script, lessons::ExactRun::longest));
+    QVERIFY(!m_exact.at(script, lessons::ExactRun::longest + 1));
+    QVERIFY(!m_exact.at(script, -1));
+}
+
+void AccuracyLesson::aBigStepIsAsFarOffAsTheTextSays()
+{
+    QVERIFY(saysOf("big_step", u"once in 14.05 frames"_qs));
+    QVERIFY(std::abs(2 * std::numbers::pi / std::sqrt(0.2) - 14.05) < 0.005);
+    QVERIFY(saysOf("big_step", u"after 100 frames it is 66 px off"_qs));
+    const sim::Script script = step("big_step").script();
+    const double off = std::abs(stateAfter(script, 100).at(0).x - 270.0 - cosine(130.0, 0.2, 100));
+    QCOMPARE(std::round(off), 66.0);
+    QVERIFY(std::abs(measured("big_step", 0, script, 100).back() - off) < 1e-6);
+    QVERIFY(offAt("big_step", "semi_implicit_euler", 0.125, 100) < 5.0);
+    QVERIFY(offAt(scriptOf(step("big_step"), "semi_implicit_euler", 1.0, {{"k", 0.02}}), 100) < 10.0);
+}
+
+void AccuracyLesson::explicitEulerMultipliesTheEnergyByWhatTheTextSays_data()
+{
+    QTest::addColumn<double>("h");
+    for (double h : {1.0, 0.5, 0.125})
+        QTest::addRow("h %g", h) << h;
+}
+
+/// Both x and v / sqrt(k) of the old state turn by one angle and grow by sqrt(1 + k h^2).
+void AccuracyLesson::explicitEulerMultipliesTheEnergyByWhatTheTextSays()
+{
+    QFETCH(double, h);
+    QVERIFY(saysOf("energy", u"1 + k h²"_qs) && saysOf("energy", u"by 1.02. That doubles it every 35"_qs));
+    const std::vector<double> drift =
+        measured("energy", 0, scriptOf(step("energy"), "explicit_euler", h), 40);
+    for (int frame = 0; frame <= 40; ++frame) {
+        const double energy = std::pow(1 + 0.02 * h * h, frame / h);
+        QVERIFY(std::abs(drift[static_cast<std::size_t>(frame)] - 100 * (energy - 1)) < 1e-5);
+    }
+    if (h == 1.0)
+        QCOMPARE(std::round(drift[35]), 100.0);
+}
+
+void AccuracyLesson::theEnergyOfOtherMethodsSwingsByWhatTheTextSays()
+{
+    QVERIFY(saysOf("energy", u"swings 7 % round"_qs) && saysOf("energy", u"half a percent"_qs));
+    const auto range = [&](const char *method) {
+        const std::vector<double> drift = measured("energy", 0, scriptOf(step("energy"), method, 1.0), 1000);
+        const auto [least, most] = std::minmax_element(drift.begin(), drift.end());
+        return std::pair{*least, *most};
+    };
+    // x^2 k + v^2 - k h x v stays: 1 / (1 + e) and 1 / (1 - e) of it, with e = h sqrt(k) / 2 = 0.0707.
+    const auto euler = range("semi_implicit_euler");
+    QVERIFY(euler.first > -6.61 && euler.first < -6.4 && euler.second < 7.62 && euler.second > 7.3);
+    // Here k x^2 (1 - k h^2 / 4) + v^2 stays.
+    const auto verlet = range("velocity_verlet");
+    QVERIFY(verlet.first > -0.501 && verlet.first < -0.49 && verlet.second < 1e-6);
+}
+
+void AccuracyLesson::dampingIsNoDrift()
+{
+    sim::Script script = within("energy", 1e-8);
+    script.values.set("damp", 0.95);
+    for (double drift : measured("energy", 0, script, 60))
+        QVERIFY(std::abs(drift) < 1e-3);
+}
+
+void AccuracyLesson::halvingIsWorthWhatTheOrderSays_data()
+{
+    QTest::addColumn<QString>("method");
+    QTest::addColumn<double>("gain");
+    QTest::newRow("order 1") << "semi_implicit_euler" << 2.0;
+    QTest::newRow("order 2") << "midpoint" << 4.0;
+    QTest::newRow("order 4") << "rk4" << 16.0;
+}
+
+void AccuracyLesson::halvingIsWorthWhatTheOrderSays()
+{
+    QFETCH(QString, method);
+    QFETCH(double, gain);
+    const std::string id = method.toStdString();
+    const double before = offAt("halve", id.c_str(), 1.0 / 8, 60);
+    const double after = offAt("halve", id.c_str(), 1.0 / 16, 60);
+    QVERIFY2(std::abs(before / after / gain - 1.0) < 0.06, qPrintable(QString::number(before / after)));
+}
+
+void AccuracyLesson::eightAndSixtyFourComputationsGiveWhatTheTextSays()
+{
+    QVERIFY(saysOf("halve", u"the one is 0.13 px off at frame 60, and the other 0.44 px"_qs));
+    QVERIFY(std::abs(offAt("halve", "rk4", 1.0 / 2, 60) - 0.13) < 0.005);
+    QVERIFY(std::abs(offAt("halve", "semi_implicit_euler", 1.0 / 8, 60) - 0.44) < 0.005);
+    QVERIFY(saysOf("halve", u"it is 0.00003 px against 0.05"_qs));
+    QVERIFY(std::abs(offAt("halve", "rk4", 1.0 / 16, 60) - 0.00003) < 0.000005);
+    QVERIFY(std::abs(offAt("halve", "semi_implicit_euler", 1.0 / 64, 60) - 0.05) < 0.005);
+    for (const auto &[method, h] : {std::pair{"rk4", 0.5}, std::pair{"semi_implicit_euler", 0.125}})
+        QCOMPARE(measured("halve", 1, scriptOf(step("halve"), method, h), 3).back(), 8.0);
+    QVERIFY(offAt("halve", "rk4", 2.0, 60) > 30.0 && offAt("halve", "semi_implicit_euler", 2.0, 60) > 30.0);
+}
+
+void AccuracyLesson::stepsGetShortOnlyAtTheMiddle()
+{
+    QVERIFY(saysOf("adapt", u"almost 4 frames far out, under 0.3 in the middle"_qs));
+    const sim::Script script = step("adapt").script();
+    QCOMPARE(script.step.tolerance, 1e-3);
+    const std::vector<double> length = measured("adapt", 1, script, 150);
+    double inside = 100.0, outside = 0.0;
+    for (int frame = 1; frame <= 150; ++frame) {
+        const double away = sim::length(m_exact.at(script, frame)->at(0) - sim::Vec2{270, 200});
+        double &extreme = away < 30.0 ? inside : outside;
+        const double taken = length[static_cast<std::size_t>(frame)];
+        extreme = away < 30.0 ? std::min(inside, taken) : std::max(outside, taken);
+        QVERIFY(away < 30.0 || taken > 0.3);
+    }
+    QVERIFY(outside > 3.6 && outside < 4.0);
+    QVERIFY(inside < 0.3);
+}
+
+void AccuracyLesson::adaptiveStepsPayLess()
+{
+    const sim::Script script = step("adapt").script();
+    const double off = offAt(script, 150);
+    QVERIFY(off > 0.001 && off < 0.2);
+    const double perFrame = static_cast<double>(stateAfter(script, 150).evaluations) / 150;
+    QVERIFY(perFrame < 5.0);
+    double sum = 0.0;
+    for (double computations : measured("adapt", 2, script, 150))
+        sum += std::isfinite(computations) ? computations : 0.0;
+    QCOMPARE(sum, std::round(perFrame * 150));
+    QVERIFY(offAt("adapt", "rk4", 0.5, 150) > 0.2); // 8 computations a frame
+    QVERIFY(offAt("adapt", "rk4", 0.25, 150) < 0.2);
+}
+
+void AccuracyLesson::aFixedStepAtABounceHasOrderOne()
+{
+    QVERIFY(saysOf("bounce", u"after 30.66 frames"_qs));
+    QVERIFY(std::abs(std::sqrt(2 * 235.0 / 0.5) - 30.66) < 0.005);
+    // Without any error up to the first bounce; then by what the last step was in the floor.
+    QVERIFY(offAt("bounce", "rk4", 1.0, 30) < 1e-9);
+    QVERIFY(offAt("bounce", "rk4", 1.0, 35) > 1.0);
+    // From 1/8 to 1/128, errors fall by 16 at order 1 (and not by 16^4), more or less by chance.
+    const double gain = offAt("bounce", "rk4", 1.0 / 8, 200) / offAt("bounce", "rk4", 1.0 / 128, 200);
+    QVERIFY2(gain > 4.0 && gain < 64.0, qPrintable(QString::number(gain)));
+}
+
+void AccuracyLesson::eventFindingKeepsTheParabolas()
+{
+    const sim::Script script = within("bounce", 1e-3);
+    for (int frame : {31, 60, 92, 150, 200, 270}) {
+        const double height = bouncingHeight(235.0, 0.5, 1.0, frame);
+        QVERIFY(std::abs(365.0 - stateAfter(script, frame).at(0).y - height) < 1e-7);
+    }
+    const std::vector<double> drift = measured("bounce", 1, script, 200);
+    QVERIFY(std::abs(drift.back()) < 1e-6);
+}
+
+void AccuracyLesson::aBallComesToRestAfterAFiniteTime()
+{
+    QVERIFY(saysOf("bounce", u"Infinitely many fit into 92 frames"_qs));
+    const double first = std::sqrt(2 * 235.0 / 0.5);
+    QCOMPARE(std::round(first + 2 * first * 0.5 / (1 - 0.5)), 92.0);
+    sim::Script script = within("bounce", 1e-3);
+    script.values.set("bounce", 0.5);
+    QVERIFY(!stateAfter(script, 70).resting.any());
+    const sim::State rest = stateAfter(script, 93);
+    QVERIFY(rest.resting.any());
+    QVERIFY(std::abs(rest.at(0).y - 365.0) < 1e-9);
+    QCOMPARE(rest.speed(0).y, 0.0);
+}
+
+void AccuracyLesson::theBudgetIsKeptByTheRightWaysAlone_data()
+{
+    QTest::addColumn<QString>("method");
+    QTest::addColumn<double>("h");
+    QTest::addColumn<bool>("isNear");
+    QTest::newRow("the way it starts with") << "semi_implicit_euler" << 1.0 << false;
+    QTest::newRow("semi-implicit, 1/8") << "semi_implicit_euler" << 0.125 << false;
+    QTest::newRow("semi-implicit, 1/16") << "semi_implicit_euler" << 0.0625 << true;
+    QTest::newRow("Verlet, 1") << "velocity_verlet" << 1.0 << false;
+    QTest::newRow("Verlet, 1/2") << "velocity_verlet" << 0.5 << true;
+    QTest::newRow("midpoint, 1/4") << "midpoint" << 0.25 << false;
+    QTest::newRow("Runge-Kutta 4, 1") << "rk4" << 1.0 << true;
+}
+
+/// What a run costs does not count here.
+void AccuracyLesson::theBudgetIsKeptByTheRightWaysAlone()
+{
+    QFETCH(QString, method);
+    QFETCH(double, h);
+    QFETCH(bool, isNear);
+    const sim::Script script = scriptOf(step("budget"), method.toStdString(), h);
+    QCOMPARE(worst(script, 200) <= 1.0, isNear);
+    const auto free = [](const sim::Script &, std::int64_t) { return 0.0; };
+    QCOMPARE(lessons::keeps(*step("budget").tries[1].budget, script, free), isNear);
+    if (h == 1.0 && method == u"semi_implicit_euler") {
+        QVERIFY(saysOf("budget", u"15 px off"_qs));
+        QCOMPARE(std::round(worst(script, 200)), 15.0);
+    }
+}
+
+void AccuracyLesson::aBudgetAsksForTheTimeOfTheRunItself()
+{
+    const lessons::Budget budget = *step("budget").tries[1].budget;
+    QCOMPARE(budget.error, 1.0);
+    QCOMPARE(budget.nsPerFrame, 500.0);
+    const sim::Script script = scriptOf(step("budget"), "velocity_verlet", 0.5);
+    int asked = 0;
+    const auto takes = [&](double ns) {
+        return [&asked, ns](const sim::Script &timed, std::int64_t frames) {
+            ++asked;
+            return timed.method->id() == "velocity_verlet" && timed.step.h == 0.5 && frames == 200 ? ns : 1e9;
+        };
+    };
+    QVERIFY(lessons::keeps(budget, script, takes(499.0)));
+    QVERIFY(!lessons::keeps(budget, script, takes(501.0)));
+    QCOMPARE(asked, 2);
+    QVERIFY(!lessons::keeps(budget, step("budget").script(), takes(1.0))); // too far off: not even timed
+    QCOMPARE(asked, 2);
+}
+
+void AccuracyLesson::timingGivesATime()
+{
+    const double ns = lessons::measuredTime(step("budget").script(), 200);
+    QVERIFY(std::isfinite(ns) && ns > 0.0);
+}
+
+void AccuracyLesson::theMarksShowWhereTheExactMotionIs()
+{
+    const sim::Script script = step("big_step").script();
+    const sim::State state = stateAfter(script, 100);
+    const std::vector<lessons::Guide> marks = step("big_step").guidesOfRun(script, state, 100);
+    QCOMPARE(marks.size(), std::size_t{2});
+    QCOMPARE(marks[0].shape, lessons::Guide::Shape::ring);
+    QVERIFY(std::abs(marks[0].a.x - 270.0 - cosine(130.0, 0.2, 100)) < 1e-7);
+    QCOMPARE(marks[1].a, state.at(0));
+    QCOMPARE(marks[1].b, marks[0].a);
+    QVERIFY(marks[1].label.startsWith(u"66."));
+}
+
+void AccuracyLesson::aBudgetIsNotKeptByWhatTakesTooLong()
+{
+    Player player(step("budget"), 1);
+    player.useTiming([](const sim::Script &, std::int64_t) { return 600.0; });
+    player.useMethod("rk4");
+    player.play(220);
+    QVERIFY(!player.done());
+}
+
+void AccuracyLesson::aChangedCreatureDoesNotCountForTheBudget()
+{
+    Player player(step("budget"), 1);
+    player.useTiming([](const sim::Script &, std::int64_t) { return 1.0; });
+    player.set("k", 0.0);
+    player.play(220);
+    QVERIFY(!player.done());
+}
+
+QTEST_GUILESS_MAIN(AccuracyLesson)
+#include "tst_accuracy.moc"
