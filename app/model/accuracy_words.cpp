@@ -93,6 +93,9 @@ QString horizonRemark(const sim::Accuracy &accuracy)
     case End::span:
         return {};
     case End::parted:
+        if (accuracy.reference.kind == sim::ReferenceRun::Kind::ownRefinement)
+            return upTo + ' ' +
+                   Text::tr("After it, even the two finest steps part: here the smallest difference grows.");
         return upTo + ' ' +
                Text::tr("After it, two very exact solutions part: here the smallest difference grows until "
                         "nobody can say where the bodies really are.");
