@@ -126,7 +126,7 @@ std::vector<Guide> exactMarks(ExactRun &exact, const Look &look, const Script &s
     }
     if (distance >= leastShown)
         marks.push_back({Guide::Shape::line, state.at(farthest), right->at(farthest), 0.0,
-                         Text::tr("%1 px off").arg(QLocale::c().toString(distance, 'f', 1))});
+                         Text::tr("%1 px off").arg(QLocale::c().toString(distance, 'f', 1))});
     return marks;
 }
 
