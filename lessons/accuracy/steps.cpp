@@ -64,6 +64,7 @@ Step bigStep()
         "computed anew. You choose the step above the scene.");
     step.tries = bigStepTries(exact);
     step.scene = big_step::setUp;
+    step.guides = turningPlaces;
     step.measures.push_back(computationsMeasure());
     return step;
 }
@@ -86,6 +87,7 @@ Step energyStep()
         "half a percent.");
     step.tries = energyTries(exact);
     step.scene = energy::setUp;
+    step.guides = turningPlaces;
     step.measures.insert(step.measures.begin(), driftMeasure(exact));
     return step;
 }
@@ -128,7 +130,12 @@ Step adaptStep()
     step.method = "dormand_prince";
     step.tries = adaptTries(exact, step.presets());
     step.scene = adapt::setUp;
-    step.look = [](const sim::Scene &scene, const sim::Values &) { return creatureLook(scene); };
+    step.guides = turningRings;
+    step.look = [](const sim::Scene &scene, const sim::Values &) {
+        Look look = creatureLook(scene);
+        look.bodies[1] = {BodyLook::Shape::joint, 4.0}; // so that what happens there is seen
+        return look;
+    };
     step.measures.push_back(stepMeasure());
     step.measures.push_back(computationsMeasure());
     return step;
@@ -169,7 +176,7 @@ Step budgetStep()
     step.addParameters({stiffness(0.1), damping(0.97), radius()});
     step.narration = Text::tr(
         "No method is best. The question is: **how far off may it be, and what may it cost?** A game that "
-        "moves 10 000 creatures 60 times a second has 1.7 µs for each, and more to do.\n\n"
+        "moves 10 000 creatures 60 times a second has 1.7 µs for each, and more to do.\n\n"
         "Here you may be 1 px off, and spend **half a microsecond** a frame. The way you start with is "
         "cheap, "
         "and 15 px off. Small steps of it are exact, and dear. Which method, with which step?\n\n"
