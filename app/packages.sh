@@ -9,6 +9,7 @@ app_packages=(
     "qt6-svg-dev             the window's icons"
     "libeigen3-dev           arrays of the simulation core"
     "libqscintilla2-qt6-dev  the code panel"
+    "libqcustomplot-dev      axes and grids of the plots"
     "rapidjson-dev           reads experiment files with the line of every value"
     "fonts-inter             the typeface of the window"
     "fonts-hack              the typeface of code and numbers"

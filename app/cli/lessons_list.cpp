@@ -32,6 +32,8 @@ QStringList needsOf(const sim::Method &method)
     QStringList needs;
     for (const std::string &need : method.needs())
         needs.push_back(QString::fromStdString(need));
+    if (method.stepping() == sim::Stepping::adaptive)
+        needs.push_back(QStringLiteral("tolerance"));
     return needs;
 }
 

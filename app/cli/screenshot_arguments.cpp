@@ -51,6 +51,13 @@ bool isDark(const QString &text)
     return text == "dark";
 }
 
+bool isMeasuring(const QString &text)
+{
+    if (text != "learn" && text != "measure")
+        throw Refusal(Text::tr("--mode is %1; it can be \"learn\" or \"measure\".").arg(quoted(text)));
+    return text == "measure";
+}
+
 /// What to photograph. @throws Refusal
 ScreenshotRequest requestFrom(const QCommandLineParser &parser)
 {
@@ -67,6 +74,7 @@ ScreenshotRequest requestFrom(const QCommandLineParser &parser)
     request.phase = int(wholeNumber("phase", parser.value("phase"), std::numeric_limits<int>::max()));
     request.size = pictureSize(parser.value("size"));
     request.dark = isDark(parser.value("theme"));
+    request.measuring = isMeasuring(parser.value("mode"));
     return request;
 }
 
@@ -80,6 +88,7 @@ void addScreenshotOptions(QCommandLineParser &parser)
         {"phase", Text::tr("Stop after P phases inside the next frame (default 0)."), "P", "0"},
         {"size", Text::tr("Width and height in pixels (default 1280x800)."), "WxH", "1280x800"},
         {"theme", Text::tr("light or dark (default light)."), "THEME", "light"},
+        {"mode", Text::tr("learn or measure (default learn)."), "MODE", "learn"},
     });
 }
 

@@ -51,15 +51,16 @@ void AccuracyStudy::setWatched(bool watched)
     if (watched == m_watched)
         return;
     m_watched = watched;
-    if (watched && (!m_accuracy || m_stage == Stage::none))
+    if (watched && (!m_accuracy || m_stage == Stage::none)) {
         start();
-    if (watched)
         return;
-    m_later.stop();
-    if (m_stage != Stage::measuring)
-        return;
-    stop();
-    m_stage = Stage::none; // whoever watches again wants it to go on
+    }
+    if (!watched) {
+        m_later.stop();
+        stop();
+        if (m_stage == Stage::measuring)
+            m_stage = Stage::none; // whoever watches again wants it to go on
+    }
     emit changed();
 }
 

@@ -35,6 +35,7 @@ public:
 
     /// Whether anything shows what is measured. Where nothing does, nothing is computed.
     void setWatched(bool watched);
+    bool isWatched() const { return m_watched; }
     void start();
     void cancel();
 

@@ -51,10 +51,16 @@ QString inUseWords(const sim::AccuracyRow *inUse)
     return {};
 }
 
-bool anyTimed(const sim::Accuracy &accuracy)
+/// Whether no time is known yet, and some will be.
+bool timesCome(const sim::Accuracy &accuracy)
 {
-    return std::any_of(accuracy.rows.begin(), accuracy.rows.end(),
-                       [](const sim::AccuracyRow &row) { return row.nsPerFrame > 0.0; });
+    bool come = accuracy.rows.empty();
+    for (const sim::AccuracyRow &row : accuracy.rows) {
+        if (row.nsPerFrame > 0.0)
+            return false;
+        come |= row.outcome == Outcome::waiting || row.outcome == Outcome::measured;
+    }
+    return come;
 }
 
 const sim::AccuracyRow *mostExact(const sim::Accuracy &accuracy)
@@ -69,7 +75,7 @@ const sim::AccuracyRow *mostExact(const sim::Accuracy &accuracy)
 
 QString nothingWithin(const sim::Accuracy &accuracy, const QString &goal)
 {
-    if (!anyTimed(accuracy))
+    if (timesCome(accuracy))
         return Text::tr("Errors first, then times: what it costs to be within %1 will stand here.").arg(goal);
     const sim::AccuracyRow *closest = mostExact(accuracy);
     if (!closest)
@@ -80,12 +86,22 @@ QString nothingWithin(const sim::Accuracy &accuracy, const QString &goal)
 
 QString horizonRemark(const sim::Accuracy &accuracy)
 {
-    if (accuracy.horizon >= accuracy.span || accuracy.horizon <= 0)
+    using End = sim::ReferenceRun::End;
+    const QString upTo =
+        Text::tr("Errors count up to frame %1 of %2.").arg(accuracy.horizon).arg(accuracy.span);
+    switch (accuracy.reference.end) {
+    case End::span:
         return {};
-    return Text::tr("Errors count up to frame %1 of %2. After that, two very exact solutions part: here "
-                    "the smallest difference grows until nobody can say where the bodies really are.")
-        .arg(accuracy.horizon)
-        .arg(accuracy.span);
+    case End::parted:
+        return upTo + ' ' +
+               Text::tr("After it, two very exact solutions part: here the smallest difference grows until "
+                        "nobody can say where the bodies really are.");
+    case End::notFinite:
+        return upTo + ' ' + Text::tr("After it, the exact motion itself grows without bound.");
+    case End::tooLong:
+        return upTo + ' ' + Text::tr("To know the exact motion any longer would take too long.");
+    }
+    return {};
 }
 
 QString limitRemark(const sim::Accuracy &accuracy)
@@ -218,11 +234,6 @@ QString unstableWords(const sim::Accuracy &accuracy)
     if (!text.isEmpty())
         text[0] = text[0].toUpper();
     return text;
-}
-
-QString referenceWords(const sim::ReferenceRun &reference)
-{
-    return Text::tr("reference, ±%1").arg(pixels(reference.disagreement));
 }
 
 std::vector<Slope> slopesOf(const sim::Accuracy &accuracy, const sim::Method &method)

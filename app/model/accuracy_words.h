@@ -31,9 +31,6 @@ QStringList remarksOn(const sim::Accuracy &accuracy);
 /// Which methods are unstable, at all steps or at big ones; empty where none is.
 QString unstableWords(const sim::Accuracy &accuracy);
 
-/// "reference, ±2·10⁻¹¹\u2009px".
-QString referenceWords(const sim::ReferenceRun &reference);
-
 /// The slope of log error against log step between each two rungs of a method that has steps, from coarse to fine:
 /// its measured order. Rungs without an error, and errors as small as what the reference leaves open, are left out.
 struct Slope

@@ -66,6 +66,11 @@ QString sentenceFor(const sim::Error &error)
     if (error.id() == "method-does-not-fit")
         return Text::tr("The method %1 cannot compute %2: choose another method, or switch that effect off.")
             .arg(value(error, "method"), value(error, "effect"));
+    if (error.id() == "needs-inertia")
+        return Text::
+            tr("The method %1 cannot compute this scene: parts of it go only where they are put, and have "
+               "no velocity. Choose another method.")
+                .arg(value(error, "method"));
     if (error.id() == "nothing-moves")
         return Text::tr("Nothing in this scene can move: leave at least one body free.");
     if (error.id() == "tree-too-big")

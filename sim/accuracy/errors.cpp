@@ -99,8 +99,8 @@ private:
     {
         if (row.way.step.h < 4.0 * m_finest)
             return true; // too near to what it would be compared with
-        if (!coarser)
-            return false;
+        if (!coarser || coarser->outcome == Outcome::unstable)
+            return false; // a run that ends early tells nothing about the next
         const double more = row.way.step.adaptive() ? 1.0 : coarser->way.step.h / row.way.step.h;
         return coarser->outcome == Outcome::tooLong || m_seconds * more > m_plan.secondsPerRun;
     }

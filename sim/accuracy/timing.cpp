@@ -1,5 +1,6 @@
 #include "sim/accuracy/timing.h"
 
+#include "sim/accuracy/cpu_clock.h"
 #include "sim/accuracy/run.h"
 
 #include <memory>
@@ -14,13 +15,13 @@ using Clock = std::chrono::steady_clock;
 constexpr double shortestSample = 100e-6; ///< s: far above what reading the clock takes
 constexpr double longestSample = 1e-3;    ///< s: mostly too short for another program to come in between
 constexpr int mostRuns = 25;
-constexpr int fewestRuns = 3;
+constexpr int fewestMoreRuns = 2; ///< after the first one, in which the sizes of samples are chosen
 
 /// Runs one way from the scene's start as the app does, under a clock.
 class TimedRun
 {
 public:
-    TimedRun(const Script &script, std::int64_t frames) : m_frames(frames)
+    TimedRun(const Script &script, std::int64_t frames) : m_frames(frames), m_stretch(script.step.rowFrames)
     {
         const bool isLeftAlone = std::all_of(script.input.begin(), script.input.end(),
                                              [&](const Event &event) { return event.frame > frames; });
@@ -33,36 +34,49 @@ public:
         }
     }
 
-    /// The seconds that one run over the first `frames` frames takes.
-    double seconds(std::int64_t frames) { return m_track ? trackSeconds(frames) : pipelineSeconds(frames); }
+    /// The seconds of computing that one run over the first `frames` frames takes. Between stretches of some milliseconds, while
+    /// the clock stands, `watch` is asked whether to go on.
+    double seconds(std::int64_t frames, Watch &watch, double share)
+    {
+        if (m_track)
+            m_track->seek({0, 0});
+        State state = m_start;
+        double total = 0.0;
+        for (std::int64_t done = 0; done < frames && watch.goesOn(share);) {
+            const std::int64_t end = std::min(frames, done + m_stretch);
+            const double before = m_isLong ? computedSeconds() : passedSeconds();
+            if (m_track)
+                m_track->seek({end, 0}); // with the input of each row
+            else
+                runTo(end, state, done);
+            const double took = (m_isLong ? computedSeconds() : passedSeconds()) - before;
+            total += took;
+            done = end;
+            if (took < 0.01 && m_stretch < m_frames)
+                m_stretch *= 2;
+        }
+        m_isLong = total > shortestSample;
+        return total;
+    }
     std::int64_t frames() const { return m_frames; }
 
 private:
-    double pipelineSeconds(std::int64_t frames)
+    void runTo(std::int64_t end, State &state, std::int64_t done) const
     {
-        State state = m_start;
         const int rowFrames = m_pipeline.step.rowFrames;
-        const auto before = Clock::now();
-        for (std::int64_t frame = rowFrames; frame <= frames; frame += rowFrames) {
+        for (std::int64_t frame = done + rowFrames; frame <= end; frame += rowFrames) {
             state.frame = frame;
             for (int step = 0; step < m_pipeline.step.perRow; ++step) {
                 for (const Phase &phase : m_pipeline.phases)
                     phase.run(state);
             }
         }
-        return std::chrono::duration<double>(Clock::now() - before).count();
-    }
-
-    /// With the input of each row.
-    double trackSeconds(std::int64_t frames)
-    {
-        m_track->seek({0, 0});
-        const auto before = Clock::now();
-        m_track->seek({frames, 0});
-        return std::chrono::duration<double>(Clock::now() - before).count();
     }
 
     std::int64_t m_frames;
+    std::int64_t m_stretch; ///< frames; short enough to be asked often, long enough not to be noticed
+    bool m_isLong =
+        false; ///< so that other programs may come in between, and the dearer clock is worth its price
     State m_start;
     Pipeline m_pipeline;
     std::unique_ptr<Track> m_track;
@@ -77,16 +91,13 @@ struct Sampled
     int repeats = 1;                  ///< runs a sample
     std::vector<double> samples = {}; ///< ns a frame
 
-    double once()
+    /// ns a frame.
+    double sample(Watch &watch, double share)
     {
         double total = 0.0;
         for (int i = 0; i < repeats; ++i)
-            total += run.seconds(frames);
-        return total;
-    }
-    double nsPerFrame(double seconds) const
-    {
-        return 1e9 * seconds / (static_cast<double>(frames) * repeats);
+            total += run.seconds(frames, watch, share);
+        return 1e9 * total / (static_cast<double>(frames) * repeats);
     }
 };
 
@@ -132,17 +143,18 @@ public:
     {
         double round = 0.0; // seconds
         for (std::size_t i = 0; i < m_all.size() && m_watch.goesOn(0.1 * shareOf(i)); ++i)
-            round += size(m_all[i]);
+            round += size(m_all[i], 0.1 * shareOf(i));
         const auto start = Clock::now();
         for (int runs = 0; runs < mostRuns && !m_watch.isStopped(); ++runs) {
             const double spent = std::chrono::duration<double>(Clock::now() - start).count();
             const bool isOver = spent + round > m_plan.secondsOfTiming;
             const bool isFarOver = spent + round > 2.0 * m_plan.secondsOfTiming;
-            if (runs >= fewestRuns && isOver && (runs >= m_plan.leastRuns || isFarOver))
+            if (runs >= fewestMoreRuns && isOver && (runs >= m_plan.leastRuns || isFarOver))
                 break;
             oneRound(runs, std::max(spent / m_plan.secondsOfTiming, double(runs) / mostRuns));
         }
-        m_found.noise = noiseOf(m_all);
+        if (!m_watch.isStopped())
+            m_found.noise = noiseOf(m_all);
     }
 
 private:
@@ -150,11 +162,12 @@ private:
 
     /// Decides what a sample of `one` is. Long runs of fixed steps, which cost the same all along, are cut; those
     /// of adaptive ones, which do not, are not. Returns the seconds that a sample takes.
-    double size(Sampled &one)
+    double size(Sampled &one, double share)
     {
         one.frames = one.run.frames();
-        one.run.seconds(one.frames); // the first run finds nothing in the caches
-        const double whole = std::max(1e-9, one.run.seconds(one.frames));
+        double whole = one.run.seconds(one.frames, m_watch, share);
+        if (whole < shortestSample) // the first run found nothing in the caches
+            whole = std::max(1e-9, one.run.seconds(one.frames, m_watch, share));
         const double most = std::min(
             longestSample, m_plan.secondsOfTiming / (m_plan.leastRuns * static_cast<double>(m_all.size())));
         double expected = whole;
@@ -165,7 +178,10 @@ private:
             expected = whole * static_cast<double>(one.frames) / static_cast<double>(one.run.frames());
         }
         one.repeats = static_cast<int>(std::ceil(std::max(1.0, shortestSample / expected)));
-        one.row->nsPerFrame = 1e9 * whole / static_cast<double>(one.run.frames());
+        if (whole > longestSample && !m_watch.isStopped()) { // as good as any, and dear
+            one.samples.push_back(1e9 * whole / static_cast<double>(one.run.frames()));
+            note(one);
+        }
         return expected * one.repeats;
     }
 
@@ -174,10 +190,14 @@ private:
     void oneRound(int round, double share)
     {
         const std::size_t count = m_all.size();
-        for (std::size_t i = 0; i < count && m_watch.goesOn(0.1 + 0.9 * std::min(1.0, share)); ++i) {
+        const double told = 0.1 + 0.9 * std::min(1.0, share);
+        for (std::size_t i = 0; i < count; ++i) {
             const std::size_t step = round % 2 == 0 ? i : count - 1 - i;
             Sampled &one = m_all[(step + static_cast<std::size_t>(round) * 7) % count];
-            one.samples.push_back(one.nsPerFrame(one.once()));
+            const double ns = one.sample(m_watch, told);
+            if (m_watch.isStopped())
+                return;
+            one.samples.push_back(ns);
             note(one);
         }
         markFront(m_found.rows);

@@ -15,6 +15,12 @@ void BodySpring::add(const State &state, Points movers, double scale, Directions
              [&](const Link &link) { return spring(state.at(link.mover), state.at(link.anchor), m_k).pull; });
 }
 
+bool BodySpring::addSlopes(const State &state, Points movers, double scale, Directions, Slopes &into) const
+{
+    addPullSlopes(m_links, state, movers, scale, into, [&](const Link &) { return slopeToPlace(m_k); });
+    return true;
+}
+
 std::vector<Live> BodySpring::explain(const State &state, int mover, Directions) const
 {
     return explainLinks(m_links, state, mover, [&](const Link &link) -> std::vector<Live> {

@@ -34,6 +34,11 @@ void Gravity::add(const State &state, Points movers, double scale, Directions, E
     }
 }
 
+bool Gravity::addSlopes(const State &, Points, double, Directions, Slopes &) const
+{
+    return true; // the same everywhere
+}
+
 std::vector<Live> Gravity::explain(const State &state, int mover, Directions) const
 {
     if (!state.feels(mover))

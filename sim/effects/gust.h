@@ -51,6 +51,15 @@ double gustAt(
 //! [gust_at]
 // clang-format on
 
+/// How that share changes with the distance, 1/px; at the front and at the end, where it jumps, as inside.
+inline double gustSlope(double distance, Gale gale, double gusts)
+{
+    if (distance > gale.front || distance < gale.end)
+        return 0.0;
+    const double turn = 2 * std::numbers::pi / 300;
+    return -gusts * turn * std::cos(turn * (gale.front - distance));
+}
+
 /// Lets a gust run outwards from the pointer.
 class GustFront : public Driver
 {

@@ -1,5 +1,6 @@
 #include "sim/effects/leg_spring.h"
 
+#include "sim/effects/slope.h"
 #include "sim/effects/spring.h"
 
 #include <algorithm>
@@ -94,6 +95,18 @@ void LegSpring::add(const State &state, Points movers, double scale, Directions,
         if (m_rule.reaction == Reaction::equal)
             addTo(into, leg.body, (scale * state.inverseMass[leg.body]) * sim::reaction(a));
     });
+}
+
+bool LegSpring::addSlopes(const State &state, Points movers, double scale, Directions, Slopes &into) const
+{
+    const Slope slope = scale * slopeToPlace(m_rule.k);
+    forEach(state, movers, [&](const Leg &leg) {
+        if (state.feels(leg.foot))
+            addSlopeBetween(into, leg.foot, leg.body, state.inverseMass[leg.foot] * slope);
+        if (bodyFeels(state, leg))
+            addSlopeBetween(into, leg.body, leg.foot, state.inverseMass[leg.body] * slope);
+    });
+    return true;
 }
 
 std::vector<Live> LegSpring::explainFoot(const State &state, const Leg &leg) const

@@ -93,6 +93,8 @@ public:
     /// A leg belongs to its foot: with Reaction::equal its body is pulled when the foot is among `movers`.
     void add(const State &state, Points movers, double scale, Directions directions,
              Eigen::ArrayX2d &into) const override;
+    bool addSlopes(const State &state, Points movers, double scale, Directions directions,
+                   Slopes &into) const override;
     std::vector<Live> explain(const State &state, int mover, Directions directions) const override;
 
     /// Where the foot of the leg numbered `number` belongs, px.

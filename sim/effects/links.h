@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/effect.h"
+#include "sim/effects/slope.h"
 
 #include <algorithm>
 #include <vector>
@@ -57,6 +58,17 @@ void addPulls(const Links &links, const State &state, Points movers, double scal
         const Vec2 a = state.inverseMass[link.mover] * pull(link);
         into(link.mover, 0) += scale * a.x;
         into(link.mover, 1) += scale * a.y;
+    });
+}
+
+/// The same for how pulls change: `slope(link)` is how that of one link changes with the place of its mover; with
+/// that of its anchor it changes by the opposite.
+template <class SlopeOf>
+void addPullSlopes(const Links &links, const State &state, Points movers, double scale, Slopes &into,
+                   SlopeOf &&slope)
+{
+    links.forEach(state, movers, [&](const Link &link) {
+        addSlopeBetween(into, link.mover, link.anchor, (scale * state.inverseMass[link.mover]) * slope(link));
     });
 }
 

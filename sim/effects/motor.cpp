@@ -1,5 +1,6 @@
 #include "sim/effects/motor.h"
 
+#include "sim/effects/slope.h"
 namespace sim {
 
 std::vector<Region> Motor::regions(Directions) const
@@ -19,6 +20,14 @@ void Motor::add(const State &state, Points movers, double scale, Directions, Eig
     const Vec2 pull = motor(state.at(m_mover), state.outside.target, m_k, m_dt).pull;
     into(m_mover, 0) += scale * state.inverseMass[m_mover] * pull.x;
     into(m_mover, 1) += scale * state.inverseMass[m_mover] * pull.y;
+}
+
+bool Motor::addSlopes(const State &state, Points movers, double scale, Directions, Slopes &into) const
+{
+    if (count(state, movers) > 0)
+        addSlope(into, m_mover, m_mover,
+                 (scale * state.inverseMass[m_mover]) * slopeToPlace(m_k * m_dt * m_dt));
+    return true;
 }
 
 std::vector<Live> Motor::explain(const State &state, int mover, Directions) const

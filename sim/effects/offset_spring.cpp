@@ -17,6 +17,12 @@ void OffsetSpring::add(const State &state, Points movers, double scale, Directio
     });
 }
 
+bool OffsetSpring::addSlopes(const State &state, Points movers, double scale, Directions, Slopes &into) const
+{
+    addPullSlopes(m_links, state, movers, scale, into, [&](const Link &) { return slopeToPlace(m_k); });
+    return true;
+}
+
 std::vector<Live> OffsetSpring::explain(const State &state, int mover, Directions) const
 {
     return explainLinks(m_links, state, mover, [&](const Link &link) -> std::vector<Live> {

@@ -1,5 +1,6 @@
 #include "sim/effects/point_spring.h"
 
+#include "sim/effects/slope.h"
 #include "sim/effects/spring.h"
 
 namespace sim {
@@ -22,6 +23,13 @@ void PointSpring::add(const State &state, Points movers, double scale, Direction
     const Vec2 a = state.inverseMass[m_mover] * spring(state.at(m_mover), m_centre, m_k).pull;
     into(m_mover, 0) += scale * a.x;
     into(m_mover, 1) += scale * a.y;
+}
+
+bool PointSpring::addSlopes(const State &state, Points movers, double scale, Directions, Slopes &into) const
+{
+    if (count(state, movers) > 0)
+        addSlope(into, m_mover, m_mover, (scale * state.inverseMass[m_mover]) * slopeToPlace(m_k));
+    return true;
 }
 
 std::vector<Live> PointSpring::explain(const State &state, int mover, Directions) const

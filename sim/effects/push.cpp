@@ -1,5 +1,7 @@
 #include "sim/effects/push.h"
 
+#include "sim/effects/slope.h"
+
 #include <algorithm>
 
 namespace sim {
@@ -61,6 +63,21 @@ void Push::add(const State &state, Points movers, double scale, Directions direc
         if (m_reaction == Reaction::equal)
             addTo(other, sim::reaction(pull));
     });
+}
+
+bool Push::addSlopes(const State &state, Points movers, double scale, Directions, Slopes &into) const
+{
+    forEach(state, movers, [&](int one, int other) {
+        const Vec2 from = state.at(one) - state.at(other);
+        if (length(from) >= m_distance)
+            return;
+        const Slope slope = scale * slopeToDistance(from, m_k, m_distance);
+        if (state.feels(one))
+            addSlopeBetween(into, one, other, state.inverseMass[one] * slope);
+        if (m_reaction == Reaction::equal && state.feels(other))
+            addSlopeBetween(into, other, one, state.inverseMass[other] * slope);
+    });
+    return true;
 }
 
 std::vector<Live> Push::explain(const State &state, int mover, Directions directions) const

@@ -25,6 +25,14 @@ void RadialSpring::add(const State &state, Points movers, double scale, Directio
         addAll([](Vec2 d, const Link &link) { return direction(d, link.anchor, link.mover).out; });
 }
 
+bool RadialSpring::addSlopes(const State &state, Points movers, double scale, Directions, Slopes &into) const
+{
+    addPullSlopes(m_links, state, movers, scale, into, [&](const Link &link) {
+        return slopeToDistance(state.at(link.mover) - state.at(link.anchor), m_k, m_radius);
+    });
+    return true;
+}
+
 std::vector<Live> RadialSpring::explain(const State &state, int mover, Directions directions) const
 {
     return explainLinks(m_links, state, mover, [&](const Link &link) {

@@ -51,6 +51,8 @@ public:
     int count(const State &state, Points points) const override { return m_links.count(state, points); }
     void add(const State &state, Points movers, double scale, Directions directions,
              Eigen::ArrayX2d &into) const override;
+    bool addSlopes(const State &state, Points movers, double scale, Directions directions,
+                   Slopes &into) const override;
     std::vector<Live> explain(const State &state, int mover, Directions directions) const override;
 
 private:

@@ -63,6 +63,26 @@ void Torsion::add(const State &state, Points movers, double scale, Eigen::ArrayX
     }
 }
 
+bool Torsion::addSlopes(const State &state, Points movers, double scale, Slopes &into) const
+{
+    for (int i = movers.first; i < movers.end(); ++i) {
+        if (!state.feels(i))
+            continue;
+        const auto row = static_cast<std::size_t>(i);
+        const double share = scale / m_limbs.inertia[i];
+        double stiffness = m_limbs.stiffness[i];
+        if (m_tree->parent[row] >= 0)
+            into.addTurn(i, m_tree->parent[row], share * stiffness);
+        const int first = m_tree->firstChild[row];
+        for (int child = first; child < first + m_tree->children[row]; ++child) {
+            into.addTurn(i, child, share * m_limbs.stiffness[child]);
+            stiffness += m_limbs.stiffness[child];
+        }
+        into.addTurn(i, i, -share * stiffness);
+    }
+    return true;
+}
+
 std::vector<Live> Torsion::explain(const State &state, int mover) const
 {
     if (!state.feels(mover))

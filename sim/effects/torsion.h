@@ -102,6 +102,7 @@ public:
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
     void add(const State &state, Points movers, double scale, Eigen::ArrayXd &into) const override;
+    bool addSlopes(const State &state, Points movers, double scale, Slopes &into) const override;
     std::vector<Live> explain(const State &state, int mover) const override;
 
     const Limbs &limbs() const { return m_limbs; }

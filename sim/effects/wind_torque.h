@@ -63,6 +63,9 @@ public:
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
     void add(const State &state, Points movers, double scale, Eigen::ArrayXd &into) const override;
+    /// A branch is pushed where it ends, so what it is pushed by depends on the angles of all branches below it, too:
+    /// down to the trunk, or to one that a hand holds. The places of the origins follow from the angles (Joints).
+    bool addSlopes(const State &state, Points movers, double scale, Slopes &into) const override;
     std::vector<Live> explain(const State &state, int mover) const override;
 
 private:
@@ -74,6 +77,12 @@ private:
         WindPush push;
     };
     Found pushOn(const State &state, int branch) const;
+    struct Change
+    {
+        Vec2 byEnd;
+        double byTurning = 0.0;
+    };
+    Change changeOf(const State &state, int branch) const;
 
     TreePtr m_tree;
     Eigen::ArrayXd m_inertia;

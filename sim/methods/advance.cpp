@@ -8,8 +8,11 @@ namespace sim {
 
 namespace {
 
-constexpr int mostTries = 50'000; ///< steps a frame, the rejected ones included
-constexpr double longest = 10.0;  ///< frames
+constexpr int mostTries = 50'000;    ///< steps a frame, the rejected ones included
+constexpr double longestStep = 10.0; ///< frames
+/// What damping leaves in one step is at least e^-2: past that, the polynomial through a step would have to follow
+/// e^(c t), which the error at its end does not show.
+constexpr double mostDamping = 2.0;
 
 /// Numbers that live for one frame only. Kept by the thread, so that a frame allocates nothing; nothing is read
 /// from them that the same frame has not written.
@@ -41,7 +44,7 @@ double nextStep(
     double fit = 0.9
         * std::pow(error, -1.0 / order);
     h = h * std::clamp(fit, 0.2, 6.0);
-    return std::min(h, longest);
+    return h;
 }
 //! [next_step]
 // clang-format on
@@ -63,11 +66,15 @@ double largest(const double *numbers, int size)
 }
 
 Course::Course(const Scene &scene, const Pair &how, Directions directions, double within)
-    : flow(scene, directions), pair(how), tolerance(within), touching(scene)
+    : flow(scene, directions), pair(how), tolerance(within), longest(longestStep), touching(scene)
 {
     for (const EffectPtr &effect : scene.effects) {
         if (dynamic_cast<const Contact *>(effect.get()))
             contacts.push_back(effect);
+    }
+    for (const Flow::Stretch &rows : flow.stretches()) {
+        if (rows.rate > 0.0 && std::isfinite(rows.rate))
+            longest = std::min(longest, mostDamping / rows.rate);
     }
 }
 
@@ -146,7 +153,7 @@ void Advance::begin()
     const double pull = largest(endSlope(), m_size) + 1e-10;
     const double share =
         std::pow(m_course.tolerance / (pull + m_course.tolerance), 1.0 / m_course.pair.order());
-    m_state.ahead.next = std::clamp(0.5 * share, 1e-6, 1.0);
+    m_state.ahead.next = std::min(m_course.longest, std::clamp(0.5 * share, 1e-6, 1.0));
 }
 
 void Advance::setWeights(double h)
@@ -193,7 +200,8 @@ void Advance::tryStep()
     else // again, with a shorter step
         share = std::min(share, 1e9);
     int order = m_course.pair.order();
-    m_state.ahead.next = nextStep(h, share + 1e-12, order);
+    double next = nextStep(h, share + 1e-12, order);
+    m_state.ahead.next = std::min(next, m_course.longest);
     if (m_state.ahead.to == start)
         shorten(h); // it led nowhere
 }
@@ -235,8 +243,8 @@ double Advance::error(double h) const
     if (broken)
         return std::numeric_limits<double>::infinity();
     // Two estimates are put together so that the lower one counts only where the higher is unsure.
-    if (mostLower > 0.0)
-        most = most * most / std::sqrt(most * most + 0.01 * mostLower * mostLower);
+    if (most > 0.0 && mostLower > 0.0)
+        most *= most / std::hypot(most, 0.1 * mostLower);
     // Nothing is more exact than the digits of a place allow.
     const double digits = 8.0 * std::numeric_limits<double>::epsilon() * largest(m_place, m_size);
     return h * most / std::max(m_course.tolerance, digits);

@@ -20,6 +20,7 @@ public:
     Flow flow;
     const Pair &pair;
     double tolerance;
+    double longest; ///< frames, the longest step
     Touching touching;
     std::vector<EffectPtr> contacts;
 };
@@ -98,7 +99,7 @@ private:
     double *m_speeds;
     double *m_slopes;
     double *m_lift;
-    int m_lifted = -1;                    ///< the point that firstLift() found
+    int m_lifted = -1; ///< the point that has just been pulled off: rounding may not put it back
     std::vector<StageWeights> &m_weights; ///< one a stretch
 };
 

@@ -21,7 +21,9 @@ void Advance::end(double start, double h)
         return;
     denseAll(h, first, endPlace(), endSpeed());
     m_state.ahead.to = start + first * h;
-    if (liftAt == first) {
+    if (liftAt > first) {
+        m_lifted = -1;
+    } else {
         for (const Touching::Place &place : m_course.touching.places()) {
             if (rests(place) && m_lifted == place.point)
                 m_state.resting[place.point] &= ~place.bit;
@@ -137,7 +139,7 @@ void Advance::settle()
                           gap(surface, x) <= touching;
         if (rests(place) && pull > 0.0)
             m_state.resting[place.point] &= ~place.bit;
-        else if (!rests(place) && slow && pull <= 0.0)
+        else if (!rests(place) && slow && pull <= 0.0 && place.point != m_lifted)
             m_state.resting[place.point] |= place.bit;
         if (rests(place))
             put(endSpeed(), place.point, held(surface, v));

@@ -1,12 +1,15 @@
 #include "sim/methods/methods.h"
 
+#include "sim/methods/backward_euler.h"
 #include "sim/methods/dop853.h"
 #include "sim/methods/dormand_prince.h"
 #include "sim/methods/explicit_euler.h"
+#include "sim/methods/implicit_midpoint.h"
 #include "sim/methods/position_verlet.h"
 #include "sim/methods/published.h"
 #include "sim/methods/runge_kutta.h"
 #include "sim/methods/semi_implicit_euler.h"
+#include "sim/methods/tr_bdf2.h"
 #include "sim/methods/velocity_verlet.h"
 
 namespace sim {
@@ -14,11 +17,12 @@ namespace sim {
 std::vector<MethodPtr> allMethods()
 {
     return {
-        std::make_shared<Published>(),      std::make_shared<SemiImplicitEuler>(),
-        std::make_shared<ExplicitEuler>(),  std::make_shared<PositionVerlet>(),
-        std::make_shared<VelocityVerlet>(), std::make_shared<Midpoint>(),
-        std::make_shared<RungeKutta4>(),    std::make_shared<DormandPrince>(),
-        std::make_shared<Dop853>(),
+        std::make_shared<Published>(),        std::make_shared<SemiImplicitEuler>(),
+        std::make_shared<ExplicitEuler>(),    std::make_shared<PositionVerlet>(),
+        std::make_shared<VelocityVerlet>(),   std::make_shared<Midpoint>(),
+        std::make_shared<RungeKutta4>(),      std::make_shared<DormandPrince>(),
+        std::make_shared<Dop853>(),           std::make_shared<BackwardEuler>(),
+        std::make_shared<ImplicitMidpoint>(), std::make_shared<TrBdf2>(),
     };
 }
 

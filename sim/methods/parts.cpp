@@ -184,11 +184,14 @@ void PhaseList::forces(const Share &share, const Adding &adding)
 
 void PhaseList::gather(const Share &share)
 {
-    const std::size_t first = m_phases.size();
+    const std::size_t before = m_phases.size();
     forces(share, gathering());
-    if (m_phases.size() == first)
+    if (m_phases.size() == before)
         return;
-    m_phases[first].run = [run = m_phases[first].run](State &state) {
+    // Nothing is gathered yet from where the step begins, or from where the last trial place was left.
+    Phase &first = m_phases[m_gathers ? before : 0];
+    m_gathers = true;
+    first.run = [run = first.run](State &state) {
         state.acceleration.setZero();
         state.turning.setZero();
         run(state);

@@ -107,6 +107,9 @@ public:
     /// The scene's groups, in order.
     std::vector<Share> groups() const;
 
+    /// Whether any point can move and goes on by itself.
+    bool anyMoves() const { return !inert(everything().points).empty(); }
+
     /// Each driver that the scene lists before everything else.
     void driversFirst();
     /// Each of the other drivers.
@@ -169,6 +172,7 @@ private:
     Directions m_directions;
     double m_h;
     std::vector<Phase> m_phases;
+    bool m_gathers = false;       ///< whether a phase of the step gathers already
     std::size_t m_keepBefore = 0; ///< the phase before which m_keep runs
     std::function<void(State &)> m_keep;
 };

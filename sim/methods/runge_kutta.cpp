@@ -183,19 +183,20 @@ std::vector<Phase> RungeKutta::phases(const Scene &scene, StepSize size) const
         };
         return phase;
     };
-    const int stages = m_tableau.stages;
+    const int stages = step.anyMoves() ? m_tableau.stages : 0;
     //! [runge_kutta_order]
     // forces at one trial place after
     // another, then one step from all
     Share all = step.everything();
     step.jumpsFirst();
     step.remember(all);
-    step.gather(all);
-    for (int i = 1; i < stages; ++i) {
-        step.own(trial(i));
+    for (int i = 0; i < stages; ++i) {
+        if (i > 0)
+            step.own(trial(i));
         step.gather(all);
     }
-    step.own(move());
+    if (stages > 0)
+        step.own(move());
     step.dampingWithoutRate(all);
     step.constraints(all);
     step.contacts(all);

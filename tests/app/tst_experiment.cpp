@@ -1,6 +1,22 @@
 #include "tests/app/refusals.h"
 
+#include "app/model/words.h"
+#include "sim/methods/methods.h"
+
 using namespace refusals;
+
+namespace {
+
+/// The ids of all methods, as messages list them.
+QString methods()
+{
+    QStringList ids;
+    for (const sim::MethodPtr &method : sim::allMethods())
+        ids.push_back(QString::fromStdString(method->id()));
+    return app::quotedList(ids);
+}
+
+}
 
 /// Every way in which an experiment file can be wrong is one sentence with the line and the remedy.
 class TestExperiment : public QObject
@@ -139,8 +155,8 @@ private slots:
         const auto row = [](const char *name, const QByteArray &fields, const QString &sentence) {
             QTest::newRow(name) << with(fields) << sentence;
         };
-        row("an unknown method", "\"method\": \"rk4\"",
-            "line 5: there is no method \"rk4\"; there is \"published\", \"semi_implicit_euler\".");
+        row("an unknown method", "\"method\": \"rk5\"",
+            "line 5: there is no method \"rk5\"; there is " + methods() + ".");
         row("a method that is true", "\"method\": true",
             "line 5: \"method\" is true; it takes a text in double quotes.");
         row("h of 0", "\"h\": 0",
@@ -165,6 +181,18 @@ private slots:
         row("tolerance", "\"tolerance\": 0.001",
             "line 5: the method \"published\" takes steps of one length; give \"h\" in place of "
             "\"tolerance\".");
+        row("h for a method that chooses its steps", "\"method\": \"dormand_prince\",\n\"h\": 0.5",
+            "line 6: the method \"dormand_prince\" chooses its own steps; give \"tolerance\" in place of "
+            "\"h\".");
+        row("h beside a tolerance", "\"method\": \"dormand_prince\", \"tolerance\": 1,\n\"h\": 0.5",
+            "line 6: the method \"dormand_prince\" chooses its own steps; give \"tolerance\" in place of "
+            "\"h\".");
+        row("a tolerance of 0", "\"method\": \"dormand_prince\", \"tolerance\": 0",
+            "line 5: \"tolerance\" is 0; it can be 1e-13 to 100 px.");
+        row("a tolerance of 101", "\"method\": \"dormand_prince\", \"tolerance\": 101",
+            "line 5: \"tolerance\" is 101; it can be 1e-13 to 100 px.");
+        row("a tolerance as text", "\"method\": \"dormand_prince\", \"tolerance\": \"1\"",
+            "line 5: \"tolerance\" is the text \"1\"; it takes a number.");
         row("an unknown effect", "\"effects\": [\n\"gravity\"]",
             "line 6: the step \"any_number\" has no effect \"gravity\"; it has \"damping\", "
             "\"radial_spring\".");

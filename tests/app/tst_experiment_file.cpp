@@ -1,4 +1,5 @@
 #include "app/model/experiment.h"
+#include "sim/methods/methods.h"
 
 #include <QDir>
 #include <QFile>
@@ -107,6 +108,47 @@ private slots:
     }
 
     void everyFieldComesBackExactly() { compareAfterRoundTrip(everything()); }
+
+    void aToleranceComesBackExactly_data()
+    {
+        QTest::addColumn<double>("tolerance");
+        for (const double tolerance : {1e-13, 0.1 + 0.2, sim::presetTolerance, 100.0})
+            QTest::addRow("%g", tolerance) << tolerance;
+    }
+    void aToleranceComesBackExactly()
+    {
+        QFETCH(double, tolerance);
+        Experiment experiment = newExperiment("multi_foot", "any_number", library());
+        experiment.script.method = sim::findMethod("dop853");
+        experiment.script.step = sim::StepSize::within(tolerance);
+        compareAfterRoundTrip(experiment);
+        const QByteArray text = experimentText(experiment, library());
+        QVERIFY(!text.contains("\"h\""));
+        QCOMPARE(text.contains("\"tolerance\""),
+                 tolerance != sim::presetTolerance); // it is what there is without
+    }
+
+    void aMethodWithoutAStepGetsOneThatFits_data()
+    {
+        QTest::addColumn<QString>("method");
+        QTest::addColumn<double>("h");
+        QTest::addColumn<double>("tolerance");
+        QTest::newRow("steps of one length") << "rk4" << 1.0 << 0.0;
+        QTest::newRow("steps of its own") << "dop853" << 1.0 << 1e-3;
+    }
+    void aMethodWithoutAStepGetsOneThatFits()
+    {
+        QFETCH(QString, method);
+        QFETCH(double, h);
+        QFETCH(double, tolerance);
+        const QByteArray text =
+            "{\"format\": \"springstep-experiment/1\", \"lesson\": \"multi_foot\", \"step\": "
+            "\"any_number\", \"method\": \"" +
+            method.toUtf8() + "\"}";
+        const sim::StepSize step = parseExperiment(text, "x.json", library()).script.step;
+        QCOMPARE(step.h, h);
+        QCOMPARE(step.tolerance, tolerance);
+    }
 
     void anUntouchedStepIsAShortFile()
     {

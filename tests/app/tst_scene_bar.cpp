@@ -48,6 +48,7 @@ private slots:
     void stepsAreReadAsTyped();
     void theBarSetsMethodAndStep();
     void theBarTakesATypedStep();
+    void theBarOffersTolerancesToAdaptiveMethods();
     void theBarZoomsTheView();
     void theBarFitsInEveryWidth_data();
     void theBarFitsInEveryWidth();
@@ -112,6 +113,34 @@ void SceneBarTest::theBarTakesATypedStep()
     QTest::keyClick(field, Qt::Key_Return);
     QCOMPARE(bench.session.timeline().script().step.h, 1.0 / 6.0);
     QVERIFY(button(bar, "Step 1/6 frame"));
+}
+
+void SceneBarTest::theBarOffersTolerancesToAdaptiveMethods()
+{
+    SceneBench bench;
+    SceneBar bar(bench.session, bench.theme);
+    bar.attach(bench.view);
+    bar.show();
+    const QString tolerance = QString("0.1\u2009px");
+    QVERIFY(!entry(bar, tolerance)->isVisible());
+    bench.session.setMethod("dormand_prince");
+    QVERIFY(button(bar, "Tolerance 0.001"));
+    QVERIFY(entry(bar, tolerance)->isVisible());
+    QVERIFY(!entry(bar, "1 frame")->isVisible());
+    entry(bar, tolerance)->trigger();
+    QCOMPARE(bench.session.timeline().script().step, sim::StepSize::within(0.1));
+    QVERIFY(entry(bar, tolerance)->isChecked());
+    auto *field = bar.findChild<QLineEdit *>();
+    QTest::keyClicks(field, "1000");
+    QTest::keyClick(field, Qt::Key_Return);
+    QCOMPARE(bench.session.timeline().script().step, sim::StepSize::within(0.1)); // too much
+    field->clear();
+    QTest::keyClicks(field, "5e-4");
+    QTest::keyClick(field, Qt::Key_Return);
+    QCOMPARE(bench.session.timeline().script().step, sim::StepSize::within(5e-4));
+    bench.session.setMethod("rk4");
+    QVERIFY(button(bar, "Step 1 frame"));
+    QVERIFY(entry(bar, "1 frame")->isVisible());
 }
 
 void SceneBarTest::theBarZoomsTheView()

@@ -29,6 +29,10 @@ private slots:
         QTest::newRow("a method and an effect")
             << "method-does-not-fit" << QStringList{"method", "rk4", "effect", "sticks"}
             << "The method rk4 cannot compute sticks: choose another method, or switch that effect off.";
+        QTest::newRow("points without inertia") << "needs-inertia" << QStringList{"method", "tr_bdf2"}
+                                                << "The method tr_bdf2 cannot compute this scene: parts of "
+                                                   "it go only where they are put, and have no "
+                                                   "velocity. Choose another method.";
         QTest::newRow("a scene at rest") << "nothing-moves" << QStringList{"method", "published"}
                                          << "Nothing in this scene can move: leave at least one body free.";
         QTest::newRow("a stick without an end")

@@ -20,12 +20,26 @@ using namespace app;
 
 namespace {
 
+/// In place of a study that takes seconds: no rows, and a reference 5 px from where the scene starts.
+sim::Accuracy quickStudy(const sim::Script &script, const sim::StudyPlan &plan, const sim::StudyProgress &)
+{
+    sim::Accuracy found;
+    found.span = found.horizon = plan.frames;
+    found.reference.disagreement = 2e-11;
+    const sim::State start = sim::sceneOf(script, script.values).start;
+    std::vector<sim::Vec2> places;
+    for (int i = 0; i < start.points(); ++i)
+        places.push_back(start.at(i) + sim::Vec2{3.0, 4.0});
+    found.reference.places.assign(static_cast<std::size_t>(plan.frames + 1), places);
+    return found;
+}
+
 struct Bench
 {
     LessonLibrary library = LessonLibrary::load({LESSON_DIR});
     Theme theme{Scheme::light};
     Session session{library};
-    MainWindow window{session, theme};
+    MainWindow window{session, theme, quickStudy};
     SceneView &view = *window.findChild<SceneView *>();
 
     explicit Bench(const char *lesson = "single_spring", const char *step = "fixed_centre")
@@ -88,6 +102,9 @@ private slots:
     void arrowKeysMoveASliderThatHasTheFocus();
     void everyControlHasANameAndATooltip();
     void nothingRunsWhilePaused();
+    void theModesArrangeTheWindowAndBack_data();
+    void theModesArrangeTheWindowAndBack();
+    void theReferenceRunsAlongUntilTheSceneChanges();
 
 private:
     QTemporaryDir m_folder;
@@ -298,6 +315,69 @@ void WindowTest::nothingRunsWhilePaused()
     };
     QTRY_VERIFY_WITH_TIMEOUT(nothingForASecond(), 30'000);
     qApp->removeEventFilter(&counter);
+}
+
+void WindowTest::theModesArrangeTheWindowAndBack_data()
+{
+    QTest::addColumn<int>("width");
+    QTest::addColumn<bool>("lessonsStay");
+    QTest::newRow("1280") << 1280 << false;
+    QTest::newRow("1920") << 1920 << true;
+}
+
+void WindowTest::theModesArrangeTheWindowAndBack()
+{
+    QFETCH(int, width);
+    QFETCH(bool, lessonsStay);
+    Bench bench;
+    bench.window.resize(width, 800);
+    QCoreApplication::processEvents();
+    const auto dock = [&](const char *name) { return bench.window.findChild<QDockWidget *>(name); };
+    QVERIFY(!dock("accuracy")->isVisible());
+    QVERIFY(!bench.window.study().isWatched());
+    const QRect code = dock("code")->geometry();
+    QTest::keyClick(&bench.view, Qt::Key_F6);
+    QTRY_VERIFY(dock("accuracy")->isVisible());
+    QVERIFY(bench.window.study().isWatched());
+    QCOMPARE(dock("lessons")->isVisible(), lessonsStay);
+    QCOMPARE(dock("code")->isVisible(), lessonsStay);
+    QVERIFY(dock("parameters")->isVisible());
+    QVERIFY(bench.view.width() >= 480);
+    QTRY_VERIFY(dock("accuracy")->width() >= 540);
+    QTRY_COMPARE(bench.window.study().stage(), AccuracyStudy::Stage::done);
+    QTest::keyClick(&bench.view, Qt::Key_F5);
+    QTRY_VERIFY(!dock("accuracy")->isVisible());
+    QVERIFY(!bench.window.study().isWatched());
+    QVERIFY(dock("lessons")->isVisible() && dock("code")->isVisible() && dock("parameters")->isVisible());
+    QTRY_COMPARE(dock("code")->geometry(), code);
+}
+
+void WindowTest::theReferenceRunsAlongUntilTheSceneChanges()
+{
+    Bench bench("multi_foot", "any_number");
+    QVERIFY(!bench.view.shown().reference);
+    bench.window.setMode(MainWindow::Mode::measure);
+    QTRY_COMPARE(bench.window.study().stage(), AccuracyStudy::Stage::done);
+    QVERIFY(bench.view.shown().reference);
+    QCOMPARE(bench.view.shown().reference->distance, 5.0);
+    QVERIFY(bench.view.accessibleDescription().contains(QString("5\u2009px off the reference here")));
+    const QImage with = bench.view.picture();
+    Extras extras = bench.view.extras();
+    extras.reference = false;
+    bench.view.setExtras(extras);
+    QVERIFY(bench.view.picture() != with);
+    extras.reference = true;
+    bench.view.setExtras(extras);
+    bench.session.setStepSize(0.5); // the scene is the same
+    QVERIFY(bench.view.shown().reference);
+    bench.session.setParameter("k", 0.31);
+    QVERIFY(!bench.view.shown().reference);
+    QTRY_VERIFY(bench.view.shown().reference);
+    bench.session.goTo({1, 1}); // inside a frame there is nothing to compare with
+    QVERIFY(!bench.view.shown().reference);
+    bench.session.goTo({1, 0});
+    bench.window.setMode(MainWindow::Mode::learn);
+    QVERIFY(!bench.view.shown().reference);
 }
 
 QTEST_MAIN(WindowTest)

@@ -27,6 +27,13 @@ class WalkingGround : public QObject
             QTest::addRow("%s", method->id().c_str()) << QString::fromStdString(method->id());
     }
 
+    /// Whether the row's method computes as coarsely as the one that the steps' texts take their figures from.
+    static bool asTheTextsSay()
+    {
+        QFETCH(QString, method);
+        return sim::findMethod(method.toStdString())->order() == 1;
+    }
+
     sim::Script scriptOfRow(const char *id, double h, const Changes &changes = {}) const
     {
         QFETCH(QString, method);
@@ -102,7 +109,7 @@ void WalkingGround::itWalksTheWayThatTheSignOfTheSpeedSays()
     QFETCH(double, least);
     const double walked = pace(scriptOfRow("ground", 1.0, {{"speed", speed}}));
     QVERIFY2(walked * speed > 0.0 && std::abs(walked) > std::abs(least), qPrintable(QString::number(walked)));
-    if (std::abs(speed) == 0.05) // the step's text: about 150 px in each turn
+    if (std::abs(speed) == 0.05 && asTheTextsSay()) // the step's text: about 150 px in each turn
         QVERIFY(std::abs(std::abs(walked) * 2.0 * pi / 0.05 - 150.0) < 8.0);
 }
 
@@ -132,11 +139,13 @@ void WalkingGround::withoutTractionItDoesNotAdvance()
 void WalkingGround::slipShrinksWithTheStep()
 {
     const auto slip = [&](double h) { return averageOf("Slip", scriptOfRow("ground", h)); };
-    const double whole = slip(1.0);
-    QVERIFY2(whole > 0.35 && whole < 0.5, qPrintable(QString::number(whole)));
-    QVERIFY(std::abs(slip(0.5) - 0.25) < 0.01); // the step's text, as what follows
-    QVERIFY(std::abs(pace(scriptOfRow("ground", 1.0)) - 1.2) < 0.05);
-    QVERIFY(std::abs(pace(scriptOfRow("ground", 0.5)) - 1.4) < 0.05);
+    if (asTheTextsSay()) {
+        const double whole = slip(1.0);
+        QVERIFY2(whole > 0.35 && whole < 0.5, qPrintable(QString::number(whole)));
+        QVERIFY(std::abs(slip(0.5) - 0.25) < 0.01); // the step's text, as what follows
+        QVERIFY(std::abs(pace(scriptOfRow("ground", 1.0)) - 1.2) < 0.05);
+        QVERIFY(std::abs(pace(scriptOfRow("ground", 0.5)) - 1.4) < 0.05);
+    }
     const Slope slope = slopeOf(slip, 0, 4);
     QVERIFY2(slope.least > 0.8 && slope.greatest < 1.2,
              qPrintable(u"%1 to %2"_qs.arg(slope.least).arg(slope.greatest)));

@@ -12,6 +12,7 @@
 #include "sim/effects/radial_spring.h"
 #include "sim/effects/steering.h"
 #include "sim/effects/turn_round.h"
+#include "sim/error.h"
 #include "sim/methods/methods.h"
 
 #include <stdexcept>
@@ -138,13 +139,36 @@ const Sample &sample(const std::string &name)
     throw std::out_of_range(name);
 }
 
+sim::StepSize stepFor(const sim::Method &method, double h)
+{
+    return method.stepping() == sim::Stepping::adaptive ? sim::StepSize::within(1e-2 * h)
+                                                        : sim::StepSize::of(h);
+}
+
+std::vector<sim::MethodPtr> fixedMethods()
+{
+    std::vector<sim::MethodPtr> methods = sim::allMethods();
+    std::erase_if(methods, [](const auto &one) { return one->stepping() == sim::Stepping::adaptive; });
+    return methods;
+}
+
+bool fits(const sim::Scene &scene, const sim::Method &method)
+{
+    try {
+        sim::compose(scene, method, stepFor(method, 1.0));
+        return true;
+    } catch (const sim::Error &) {
+        return false;
+    }
+}
+
 sim::Script script(const Sample &sample, const std::string &method, double h)
 {
     sim::Script script;
     script.build = sample.build;
     script.values = sample.values;
     script.method = sim::findMethod(method);
-    script.step = sim::StepSize::of(h);
+    script.step = stepFor(*script.method, h);
     return script;
 }
 
@@ -189,7 +213,7 @@ void scatter(sim::State &state, std::uint64_t seed, double side)
 sim::State plainRun(const sim::Scene &scene, const std::string &method, double h, int frames)
 {
     const sim::MethodPtr rule = sim::findMethod(method);
-    const sim::Pipeline pipeline = sim::compose(scene, *rule, sim::StepSize::of(h));
+    const sim::Pipeline pipeline = sim::compose(scene, *rule, stepFor(*rule, h));
     sim::State state = scene.start;
     rule->prepare(state);
     for (int frame = 0; frame < frames; frame += pipeline.step.rowFrames) {

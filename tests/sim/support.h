@@ -23,6 +23,13 @@ struct Sample
 const std::vector<Sample> &samples();
 const Sample &sample(const std::string &name);
 
+/// The step that `method` takes here: h, or for an adaptive one a tolerance of a hundredth of h in px.
+sim::StepSize stepFor(const sim::Method &method, double h);
+/// The methods whose steps have a length.
+std::vector<sim::MethodPtr> fixedMethods();
+/// Whether `method` can compute `scene`.
+bool fits(const sim::Scene &scene, const sim::Method &method);
+
 sim::Script script(const Sample &sample, const std::string &method, double h = 1.0);
 /// A script for a scene that has no parameters.
 sim::Script script(const sim::Scene &scene, const std::string &method, double h = 1.0);

@@ -60,8 +60,11 @@ void replaceSomething(Timeline &timeline, Dice &dice)
 {
     Script script = timeline.script();
     if (dice.chance(0.4))
-        script.method = allMethods()[std::size_t(dice.whole(0, 1))];
-    if (dice.chance(0.4))
+        script.method = allMethods()[std::size_t(dice.whole(0, int(allMethods().size()) - 1))];
+    const bool adaptive = script.method->stepping() == Stepping::adaptive;
+    if (adaptive != script.step.adaptive() || (adaptive && dice.chance(0.4)))
+        script.step = support::stepFor(*script.method, 1.0);
+    else if (!adaptive && dice.chance(0.4))
         script.step =
             StepSize::of(std::vector<double>{1.0, 0.5, 1.0 / 3, 2.0}[std::size_t(dice.whole(0, 3))]);
     if (dice.chance(0.3))
@@ -98,7 +101,7 @@ private slots:
     void anyHistoryGivesTheStateOfAFreshRun_data()
     {
         QTest::addColumn<int>("budget");
-        QTest::newRow("nearly no memory") << 3000;
+        QTest::newRow("nearly no memory") << 8000; // two starts of the largest state, a method's of order 8
         QTest::newRow("some memory") << 30'000;
         QTest::newRow("all is kept") << 100'000'000;
     }

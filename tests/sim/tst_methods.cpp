@@ -11,6 +11,7 @@
 #include <QTest>
 
 #include <complex>
+#include <set>
 
 using namespace sim;
 
@@ -70,7 +71,7 @@ private:
     static void addMethodRows()
     {
         QTest::addColumn<QString>("method");
-        for (const MethodPtr &method : allMethods())
+        for (const MethodPtr &method : support::fixedMethods())
             QTest::newRow(method->title().c_str()) << QString::fromStdString(method->id());
     }
 
@@ -93,7 +94,7 @@ private slots:
         QTest::addColumn<QString>("method");
         QTest::addColumn<double>("k");
         QTest::addColumn<double>("damp");
-        for (const MethodPtr &method : allMethods()) {
+        for (const MethodPtr &method : support::fixedMethods()) {
             const QString id = QString::fromStdString(method->id());
             const std::string title = method->title();
             QTest::addRow("%s, swinging", title.c_str()) << id << 0.2 << 0.9;
@@ -108,13 +109,16 @@ private slots:
         QFETCH(double, damp);
         const Scene scene = oscillator(k, damp);
         const double exact = closedForm(100.0, 3.0, k, damp, 10.0);
+        // Small enough for the order to show, large enough for rounding not to.
+        const int order = findMethod(method.toStdString())->order();
+        const int finest = order == 1 ? 10 : order == 2 ? 7 : 4;
         std::vector<double> errors;
-        for (int n = 4; n <= 10; ++n) {
+        for (int n = finest - 3; n <= finest; ++n) {
             const State end = support::plainRun(scene, method.toStdString(), std::ldexp(1.0, -n), 10);
             errors.push_back(std::abs(end.at(0).x - exact));
         }
         QVERIFY2(errors.back() < 0.1, qPrintable(QString::number(errors.back())));
-        QVERIFY2(std::abs(slope(errors) - 1.0) < 0.1, qPrintable(QString::number(slope(errors))));
+        QVERIFY2(std::abs(slope(errors) - order) < 0.15, qPrintable(QString::number(slope(errors))));
     }
 
     void dampingWithoutForceIsExactAtAnyStep_data() { addMethodRows(); }
@@ -210,11 +214,11 @@ private slots:
 
     void whatMethodsClaimIsInOrder()
     {
-        QCOMPARE(allMethods().size(), std::size_t(2));
+        std::set<std::string> ids, titles;
         for (const MethodPtr &method : allMethods()) {
             QCOMPARE(findMethod(method->id())->title(), method->title());
-            QCOMPARE(method->order(), 1);
-            QVERIFY(!method->region().file.empty());
+            QVERIFY(ids.insert(method->id()).second && titles.insert(method->title()).second);
+            QVERIFY(method->order() >= 1 && !method->region().file.empty());
         }
         QVERIFY(!findMethod("no such method"));
     }

@@ -78,7 +78,10 @@ private:
     {
         QTest::addColumn<QString>("method");
         QTest::addColumn<double>("h");
-        for (const MethodPtr &method : allMethods()) {
+        for (const MethodPtr &method : support::fixedMethods()) {
+            const std::vector<std::string> needs = method->needs();
+            if (std::find(needs.begin(), needs.end(), "slopes") != needs.end())
+                continue; // follows springs of any stiffness: it never stops
             for (const double h : {0.5, 1.0, 2.0})
                 QTest::addRow("%s, h = %g", method->id().c_str(), h)
                     << QString::fromStdString(method->id()) << h;
@@ -120,7 +123,9 @@ private slots:
         const auto [phase, body] = firstToGo(script, static_cast<int>(track.stop()->frame));
         QCOMPARE(track.stop()->phase, phase);
         QCOMPARE(track.stop()->body, body);
-        QCOMPARE(phase, std::string("spring")); // its pull overflows before anything else does
+        // Its pull overflows before anything else does, but for the places that such a pull leads to.
+        const bool tries = findMethod(method.toStdString())->evaluations() > 1;
+        QVERIFY(phase == "spring" || (tries && (phase == "try a place" || phase == "move")));
     }
 
     void noCursorShowsNumbersThatAreNotFinite_data() { addRunRows(); }

@@ -24,6 +24,7 @@ enum class Height {
     legs,
     sticks,
     bodies,
+    reference,
     guides,
     arrows,
 };
@@ -179,6 +180,16 @@ class BodyLayer : public Layer
 {
 public:
     BodyLayer(const Shown &shown, const Theme &theme) : Layer(shown, theme, Height::bodies) {}
+
+protected:
+    void draw(const Canvas &canvas) const override;
+};
+
+/// Where an exact solution has the bodies: dashed outlines, and how far each body is from its own.
+class ReferenceLayer : public Layer
+{
+public:
+    ReferenceLayer(const Shown &shown, const Theme &theme) : Layer(shown, theme, Height::reference) {}
 
 protected:
     void draw(const Canvas &canvas) const override;

@@ -1,9 +1,11 @@
 #include "app/ui/scene/overlay.h"
 
+#include "app/model/accuracy_words.h"
 #include "app/ui/scene/arrows.h"
 #include "app/ui/scene/free_area.h"
 #include "app/ui/scene/guide_labels.h"
 #include "app/ui/scene/label_places.h"
+#include "app/ui/scene/reference_marks.h"
 
 #include <QCoreApplication>
 
@@ -50,7 +52,7 @@ QString plain(double value)
 /// A mark and what it means.
 struct Overlay::Entry
 {
-    enum class Mark { pull, velocity, sum, ghost, onion };
+    enum class Mark { pull, velocity, sum, ghost, onion, yours, reference };
     Mark mark;
     double width;
     QString text;
@@ -89,6 +91,10 @@ void Overlay::draw(QPainter &painter, const Camera &camera, QRectF view) const
                      takenBoxes(camera, view, outside));
     else
         drawName(painter, nameBox(m_shown, camera, view));
+    std::vector<QRectF> taken = takenBoxes(camera, view, outside);
+    taken.push_back(nameBox(m_shown, camera, view));
+    drawReferenceLabel(painter, m_shown, m_theme, camera, freeArea(m_shown, view).adjusted(8, 28, -8, -44),
+                       std::move(taken));
     drawCaption(painter, camera);
     const double end = drawScale(painter, camera, view);
     drawLegend(painter, view, end);
@@ -135,6 +141,11 @@ double Overlay::drawScale(QPainter &painter, const Camera &camera, QRectF view) 
 std::vector<Overlay::Entry> Overlay::legend() const
 {
     std::vector<Entry> entries;
+    if (m_shown.reference && m_shown.extras.reference) {
+        entries.push_back({Entry::Mark::yours, 18.0, Text::tr("your method")});
+        entries.push_back({Entry::Mark::reference, 18.0,
+                           Text::tr("reference, ±%1").arg(pixels(m_shown.reference->uncertainty))});
+    }
     if (m_shown.ghost && m_shown.extras.ghost)
         entries.push_back({Entry::Mark::ghost, 30.0, m_shown.ghostName});
     if (!m_shown.onion.empty())
@@ -188,6 +199,15 @@ void Overlay::drawEntry(QPainter &painter, const Entry &entry, QPointF at) const
     case Entry::Mark::ghost:
         painter.setPen(dashed(t.ghost, 2.0, {3.0, 4.0}));
         painter.drawLine(mark, mark + QPointF(22.0, 0.0));
+        break;
+    case Entry::Mark::yours:
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(t.body);
+        painter.drawEllipse(mark + QPointF(6.0, 0.0), 5.0, 5.0);
+        painter.setBrush(Qt::NoBrush);
+        break;
+    case Entry::Mark::reference:
+        drawReferenceMark(painter, m_theme, mark + QPointF(6.0, 0.0));
         break;
     case Entry::Mark::onion:
         for (int i = 0; i < 3; ++i) {

@@ -213,10 +213,10 @@ void SceneBar::fillShow()
         bool Extras::*member;
     };
     const std::array items{
-        Item{tr("Trails"), &Extras::trails},    Item{tr("Velocity arrows"), &Extras::velocities},
-        Item{tr("Grid"), &Extras::grid},        Item{tr("Explaining lines"), &Extras::guides},
-        Item{tr("Eyes"), &Extras::eyes},        Item{tr("Ghost"), &Extras::ghost},
-        Item{tr("Onion skins"), &Extras::onion}};
+        Item{tr("Trails"), &Extras::trails},     Item{tr("Velocity arrows"), &Extras::velocities},
+        Item{tr("Grid"), &Extras::grid},         Item{tr("Explaining lines"), &Extras::guides},
+        Item{tr("Eyes"), &Extras::eyes},         Item{tr("Ghost"), &Extras::ghost},
+        Item{tr("Onion skins"), &Extras::onion}, Item{tr("Reference"), &Extras::reference}};
     auto *menu = new QMenu(m_show);
     for (const Item &item : items) {
         QAction *action = menu->addAction(item.text);

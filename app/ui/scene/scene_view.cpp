@@ -1,8 +1,10 @@
 #include "app/ui/scene/scene_view.h"
 
+#include "app/model/accuracy_study.h"
 #include "app/ui/scene/body_text.h"
 #include "app/ui/scene/caption.h"
 #include "app/ui/scene/layers.h"
+#include "app/ui/scene/reference_marks.h"
 
 #include <QScrollBar>
 
@@ -52,8 +54,8 @@ SceneView::SceneView(Session &session, const Theme &theme, QWidget *parent)
     m_scene.setItemIndexMethod(QGraphicsScene::NoIndex);
     m_scene.setSceneRect(-worldReach, -worldReach, 2.0 * worldReach, 2.0 * worldReach);
     addLayers<RoomLayer, GroundLayer, GhostLayer, OnionLayer, TrailLayer, TreeLayer, MeadowLayer, LimbLayer,
-              SkinLayer, ChainLayer, LegLayer, StickLayer, BodyLayer, GuideLayer, ArrowLayer>(m_scene,
-                                                                                              m_shown, theme);
+              SkinLayer, ChainLayer, LegLayer, StickLayer, BodyLayer, ReferenceLayer, GuideLayer, ArrowLayer>(
+        m_scene, m_shown, theme);
     setScene(&m_scene);
 
     connect(&session, &Session::stepOpened, this, &SceneView::open);
@@ -102,6 +104,7 @@ void SceneView::refresh()
     m_shown.caption = frameCaption(timeline);
     m_shown.trail.follow(timeline);
     takeOnion();
+    takeReference();
     m_shown.selected = m_shown.picture.segment->scene.find(m_session.selected().toStdString());
     measureArrows(m_shown, m_session.isPlaying());
     if (!m_session.isPlaying())
@@ -119,6 +122,8 @@ void SceneView::describe()
                             m_shown.state().speed(m_shown.selected));
     if (!m_shown.caption.isEmpty())
         text += ". " + m_shown.caption;
+    if (m_shown.reference && m_shown.extras.reference)
+        text += ". " + referenceSentence(*m_shown.reference);
     if (text != accessibleDescription())
         setAccessibleDescription(text);
 }
@@ -163,6 +168,21 @@ void SceneView::takeOnion()
         if (frame < track.at().frame)
             m_shown.onion.push_back(track.stateAt(frame));
     }
+}
+
+void SceneView::attach(const AccuracyStudy &study)
+{
+    m_study = &study;
+    connect(&study, &AccuracyStudy::changed, this, &SceneView::refresh);
+    refresh();
+}
+
+void SceneView::takeReference()
+{
+    m_shown.reference.reset();
+    const sim::Cursor at = m_session.timeline().at();
+    if (m_study && m_study->isWatched() && m_study->accuracy() && at.phase == 0)
+        m_shown.reference = referencePlaces(m_shown, *m_study->accuracy(), at.frame);
 }
 
 void SceneView::drawBackground(QPainter *painter, const QRectF &)

@@ -14,6 +14,8 @@ class QNativeGestureEvent;
 
 namespace app {
 
+class AccuracyStudy;
+
 /// The picture of the run: what happens, what happened, and a hand that reaches into it.
 class SceneView : public QGraphicsView
 {
@@ -22,6 +24,9 @@ class SceneView : public QGraphicsView
 public:
     SceneView(Session &session, const Theme &theme, QWidget *parent = nullptr);
     ~SceneView() override;
+
+    /// Shows the reference of `study` while that is watched.
+    void attach(const AccuracyStudy &study);
 
     /// In percent: at 100, a px of the scene is one of the screen.
     double zoom() const;
@@ -73,6 +78,7 @@ private:
     void describe();
     void takeExtrasOfStep();
     void takeOnion();
+    void takeReference();
     void readTheme();
     Camera camera() const { return Camera(viewportTransform()); }
     QRectF viewRect() const { return QRectF(viewport()->rect()); }
@@ -94,6 +100,7 @@ private:
     bool useTools(const QKeyEvent &event);
 
     Session &m_session;
+    const AccuracyStudy *m_study = nullptr;
     const Theme &m_theme;
     Shown m_shown;
     Overlay m_overlay;

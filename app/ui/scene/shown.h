@@ -15,6 +15,15 @@ namespace app {
 constexpr int onionFrames = 4;
 constexpr int onionSkins = 6;
 
+/// Where a far more exact solution has the points at the cursor's frame.
+struct ReferencePlaces
+{
+    std::vector<sim::Vec2> places; ///< px, one a point
+    double uncertainty = 0.0;      ///< px by which the solution itself may be off
+    int farthest = -1;             ///< the point that shows and is farthest from its place; -1: none
+    double distance = 0.0;         ///< px, of that point
+};
+
 /// What the scene view can show besides the creature.
 struct Extras
 {
@@ -25,16 +34,18 @@ struct Extras
     bool eyes = true;
     bool ghost = true;
     bool onion = false;
+    bool reference = true;
 };
 
 /// All that is drawn at one moment: the layers and the overlay read this and nothing else.
 struct Shown
 {
     Picture picture;
-    std::optional<Picture> ghost;        ///< only where it differs from the picture
-    QString ghostName;                   ///< what the ghost differs by
-    std::vector<sim::Gathered> gathered; ///< inside a frame: accelerations that no move has spent yet
-    QString caption;                     ///< inside a frame: what has been done, in words
+    std::optional<Picture> ghost;             ///< only where it differs from the picture
+    std::optional<ReferencePlaces> reference; ///< only while accuracy is measured on this scene
+    QString ghostName;                        ///< what the ghost differs by
+    std::vector<sim::Gathered> gathered;      ///< inside a frame: accelerations that no move has spent yet
+    QString caption;                          ///< inside a frame: what has been done, in words
     Trail trail;
     std::vector<sim::State> onion; ///< earlier moments, the latest first; empty unless they are shown
     Extras extras;

@@ -29,6 +29,11 @@ Tokens lightTokens()
     t.chip = "#EFECE5";
     t.spring = "#1450A8", t.gravity = "#A83200", t.damping = "#D058C4", t.contact = "#3A3E44";
     t.driver = "#00A070", t.wind = "#6592A4", t.stick = "#A08C00";
+    t.methods = {{{"#7F674D", "#D01B4A", "#A13598"},
+                  {"#2A7E6E", "#1A574D", "#548118"},
+                  {"#6039EF", "#3B1EB8", "#8A71F4"},
+                  {"#1086C6", "#164479", "#3D87CD"},
+                  {"#926430", "#64482B", "#837316"}}};
     return t;
 }
 
@@ -47,6 +52,11 @@ Tokens darkTokens()
     t.chip = "#2A2E33";
     t.spring = "#3F97FF", t.gravity = "#EE7A2B", t.damping = "#BC86C2", t.contact = "#E6EBEE";
     t.driver = "#3BA878", t.wind = "#4FD4FF", t.stick = "#E8DE5A";
+    t.methods = {{{"#B9A38C", "#F08FA8", "#D070C8"},
+                  {"#5CC8B4", "#2E9C8A", "#A8E05C"},
+                  {"#B7A3FF", "#8A74E8", "#D9D0FF"},
+                  {"#6CC5F5", "#C8DDF5", "#4A8FD0"},
+                  {"#D9B48A", "#B98A5A", "#E6D46A"}}};
     return t;
 }
 
@@ -172,6 +182,7 @@ QString Theme::styleSheet() const
         {"now", t.now},
         {"link", t.link},
         {"ok", t.ok},
+        {"past", t.past},
     };
     static const QRegularExpression name("@(\\w+)@");
     QString result;

@@ -8,6 +8,8 @@
 #include <QObject>
 #include <QString>
 
+#include <array>
+
 class QApplication;
 
 namespace app {
@@ -25,6 +27,9 @@ struct Tokens
     QColor body, bodyInk, ghost, dots;           ///< creature, its eyes, the old run, the grid
     QColor keyword, number, type, comment, chip; ///< code
     QColor spring, gravity, damping, contact, driver, wind, stick; ///< kinds of effects
+    /// Methods in plots, by family: Euler, Verlet, Runge-Kutta, adaptive, implicit; three shades each. Shape and label
+    /// tell them apart, too.
+    std::array<std::array<QColor, 3>, 5> methods;
 };
 
 enum class Scheme { light, dark };

@@ -147,6 +147,7 @@ void MainWindow::makeViewActions()
         m_view->addAction(made);
         return made;
     };
+    makeModeActions();
     const QString picture = tr("Picture");
     add(tr("Zoom &in"), {QKeySequence("Ctrl++"), QKeySequence("Ctrl+=")}, picture,
         [this] { m_scene->zoomIn(); });
@@ -201,6 +202,8 @@ QWidget *MainWindow::header()
     row->setSpacing(4);
     row->addWidget(logo);
     row->addWidget(menus, 1, Qt::AlignVCenter);
+    row->addWidget(modeSwitch(), 0, Qt::AlignVCenter);
+    row->addSpacing(8);
     struct Button
     {
         QAction *action;
@@ -240,6 +243,10 @@ void MainWindow::showHelp()
         m_helpPage->addGesture(tr("Picture"), tr("Esc"), tr("let go"));
         m_helpPage->addGesture(tr("Time"), tr("Drag the timeline"), tr("go anywhere in time"));
         m_helpPage->addGesture(tr("Time"), tr("Click a phase"), tr("run to it"));
+        const QString accuracy = tr("Accuracy");
+        m_helpPage->addGesture(accuracy, tr("Arrow keys"), tr("walk through the points of a plot"));
+        m_helpPage->addGesture(accuracy, tr("Enter or a click"), tr("use the method and step of a point"));
+        m_helpPage->addGesture(accuracy, tr("+ and −, or drag the line"), tr("how far off is near enough"));
     }
     m_helpPage->show();
     m_helpPage->raise();

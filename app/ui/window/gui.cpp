@@ -64,6 +64,10 @@ int takeScreenshot(QApplication &application, const ScreenshotRequest &request)
         window.resize(request.size);
         window.show();
         QApplication::processEvents();
+        if (request.measuring)
+            window.setMode(MainWindow::Mode::measure);
+        while (window.study().stage() == AccuracyStudy::Stage::measuring)
+            QApplication::processEvents(QEventLoop::WaitForMoreEvents);
         session.goTo({request.frame, request.phase});
         while (session.goingTo())
             QApplication::processEvents(QEventLoop::WaitForMoreEvents);

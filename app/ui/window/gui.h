@@ -18,7 +18,8 @@ struct ScreenshotRequest
     int phase = 0; ///< phases done inside the frame
     QSize size{1280, 800};
     bool dark = false;
-    QString out; ///< a file name; its ending tells the format
+    bool measuring = false; ///< arranged for measuring, with all that is measured
+    QString out;            ///< a file name; its ending tells the format
 };
 
 /// Shows the window, with the experiment `file` unless that is empty, and runs until it is closed.

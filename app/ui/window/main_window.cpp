@@ -3,6 +3,7 @@
 #include "app/model/course.h"
 #include "app/model/sentences.h"
 #include "app/ui/code/code_panel.h"
+#include "app/ui/measure/accuracy_panel.h"
 #include "app/ui/panels/dock_title.h"
 #include "app/ui/panels/help_page.h"
 #include "app/ui/panels/learn_panel.h"
@@ -45,8 +46,9 @@ QFrame *divider(QWidget *parent)
 
 }
 
-MainWindow::MainWindow(Session &session, Theme &theme, QWidget *parent)
-    : QMainWindow(parent), m_session(session), m_theme(theme), m_course(new Course(session, this))
+MainWindow::MainWindow(Session &session, Theme &theme, StudyFunction study, QWidget *parent)
+    : QMainWindow(parent), m_session(session), m_theme(theme), m_course(new Course(session, this)),
+      m_study(new AccuracyStudy(session, std::move(study), this))
 {
     setWindowIcon(QIcon(":/app/springstep.svg"));
     setDockOptions(QMainWindow::AnimatedDocks);
@@ -83,6 +85,7 @@ QWidget *MainWindow::centre()
     m_timeline = new TimelineStrip(m_session, m_theme, centre);
     m_footfall = new FootfallStrip(m_session, *m_course, *m_timeline, m_theme, centre);
     m_sceneBar->attach(*m_scene);
+    m_scene->attach(*m_study);
     auto *column = new QVBoxLayout(centre);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
@@ -112,6 +115,10 @@ void MainWindow::makeDocks()
 {
     m_learn = new LearnPanel(m_session, m_theme, this);
     m_left = dock("lessons", new QWidget(this), m_learn, Qt::LeftDockWidgetArea);
+
+    m_accuracy = new AccuracyPanel(*m_study, m_theme, this);
+    m_accuracyDock = dock("accuracy", new QWidget(this), m_accuracy, Qt::RightDockWidgetArea);
+    m_accuracyDock->hide();
 
     m_code = new CodePanel(m_session, m_theme, this);
     auto *codeTitle = new DockTitle(tr("Code"), m_theme, this);
@@ -153,9 +160,10 @@ void MainWindow::showMeasures()
 
 void MainWindow::fitParameters()
 {
-    // The code gets all the height that the parameters do not need.
+    // What is above them gets all the height that the parameters do not need.
     const int wanted = m_parameterDock->sizeHint().height();
-    resizeDocks({m_codeDock, m_parameterDock}, {std::max(1, height() - wanted), wanted}, Qt::Vertical);
+    QDockWidget *above = m_codeDock->isHidden() ? m_accuracyDock : m_codeDock;
+    resizeDocks({above, m_parameterDock}, {std::max(1, height() - wanted), wanted}, Qt::Vertical);
 }
 
 void MainWindow::makeStatus()
@@ -255,6 +263,7 @@ void MainWindow::restore()
     if (!restoreGeometry(settings.value("window/geometry").toByteArray()))
         resize(1280, 800);
     m_docksKnown = restoreState(settings.value("window/docks").toByteArray());
+    m_accuracyDock->hide(); // the window opens for learning
 }
 
 void MainWindow::showEvent(QShowEvent *event)
@@ -270,7 +279,7 @@ void MainWindow::closeEvent(QCloseEvent *event)
 {
     QSettings settings;
     settings.setValue("window/geometry", saveGeometry());
-    settings.setValue("window/docks", saveState());
+    settings.setValue("window/docks", m_mode == Mode::learn ? saveState() : m_learnDocks);
     QMainWindow::closeEvent(event);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/model/accuracy_study.h"
 #include "app/model/session.h"
 #include "app/ui/theme/theme.h"
 
@@ -7,11 +8,13 @@
 
 #include <vector>
 
+class QActionGroup;
 class QDockWidget;
 class QLabel;
 
 namespace app {
 
+class AccuracyPanel;
 class CodePanel;
 class Course;
 class FootfallStrip;
@@ -31,8 +34,15 @@ class MainWindow : public QMainWindow
     Q_OBJECT
 
 public:
-    MainWindow(Session &session, Theme &theme, QWidget *parent = nullptr);
+    MainWindow(Session &session, Theme &theme, StudyFunction study = sim::studyAccuracy,
+               QWidget *parent = nullptr);
     ~MainWindow() override;
+
+    /// What the window is arranged for.
+    enum class Mode { learn, measure };
+    void setMode(Mode mode);
+    Mode mode() const { return m_mode; }
+    const AccuracyStudy &study() const { return *m_study; }
 
     /// Opens an experiment file. A file that is refused is named with the reason, and nothing changes.
     void openFile(const QString &path);
@@ -50,6 +60,9 @@ private:
     void makeFileActions();
     void makeTimeActions();
     void makeViewActions();
+    void makeModeActions();
+    QWidget *modeSwitch();
+    void arrangeForMeasuring();
     QWidget *header();
     QWidget *centre();
     void makeDocks();
@@ -74,6 +87,9 @@ private:
     Session &m_session;
     Theme &m_theme;
     Course *m_course; ///< what the steps measure
+    AccuracyStudy *m_study;
+    Mode m_mode = Mode::learn;
+    QByteArray m_learnDocks; ///< the arrangement that the learner left for measuring
     std::vector<Listed> m_actions;
     QMenu *m_file = nullptr;
     QMenu *m_run = nullptr;
@@ -82,6 +98,7 @@ private:
     QAction *m_play = nullptr;
     QAction *m_helpAction = nullptr;
     QAction *m_dark = nullptr;
+    QActionGroup *m_modes = nullptr;
 
     LearnPanel *m_learn = nullptr;
     SceneBar *m_sceneBar = nullptr;
@@ -95,7 +112,9 @@ private:
     QWidget *m_measureLine = nullptr; ///< between measures and parameters
     Notice *m_notice = nullptr;
     HelpPage *m_helpPage = nullptr;
+    AccuracyPanel *m_accuracy = nullptr;
     QDockWidget *m_left = nullptr;
+    QDockWidget *m_accuracyDock = nullptr;
     QDockWidget *m_codeDock = nullptr;
     QDockWidget *m_parameterDock = nullptr;
     QLabel *m_status = nullptr;

@@ -1,0 +1,71 @@
+#pragma once
+
+#include "app/model/accuracy_study.h"
+#include "app/ui/theme/theme.h"
+
+#include <QWidget>
+
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QStackedWidget;
+class QToolButton;
+
+namespace app {
+
+class OrderPlot;
+class PanelTitle;
+class RunPlot;
+class WorkPrecisionPlot;
+
+/// What accuracy costs in time on the scene that is open: three plots of one study, and what they say in words.
+class AccuracyPanel : public QWidget
+{
+    Q_OBJECT
+
+public:
+    AccuracyPanel(AccuracyStudy &study, const Theme &theme, QWidget *parent = nullptr);
+
+    enum View { errorAgainstTime, overTheRun, order };
+    void setView(View view);
+    View view() const;
+    WorkPrecisionPlot &workPrecision() const { return *m_workPrecision; }
+    /// What the card says, without its marks.
+    QString verdict() const;
+    QString remarks() const;
+
+    QSize sizeHint() const override { return {560, 520}; }
+    QSize minimumSizeHint() const override { return {420, 320}; }
+
+protected:
+    void showEvent(QShowEvent *event) override;
+    void hideEvent(QHideEvent *event) override;
+
+private:
+    QWidget *tabs();
+    QWidget *stateRow();
+    QWidget *card();
+    void refresh();
+    void refreshState();
+    void refreshCard();
+    void dress();
+    void measureOrCancel();
+    void useCheapest();
+    const sim::AccuracyRow *cheapest() const;
+
+    AccuracyStudy &m_study;
+    const Theme &m_theme;
+    PanelTitle *m_title;
+    QLabel *m_unstable;
+    QStackedWidget *m_views;
+    WorkPrecisionPlot *m_workPrecision;
+    std::vector<QToolButton *> m_tabs;
+    QLabel *m_state;
+    QProgressBar *m_progress;
+    QPushButton *m_measure;
+    QLabel *m_verdict;
+    QPushButton *m_use;
+    QLabel *m_remarks;
+};
+
+}

@@ -1,0 +1,148 @@
+#include "app/ui/measure/order_plot.h"
+
+#include "app/model/accuracy_words.h"
+#include "app/model/numbers.h"
+#include "app/model/step_words.h"
+#include "app/ui/measure/plot_marks.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace app {
+
+namespace {
+
+using sim::AccuracyRow;
+
+constexpr double least = 1e-15; ///< px
+constexpr double most = 1e4;    ///< px
+constexpr double nameRoom = 172.0;
+constexpr double markerSize = 9.0;
+constexpr double near = 0.15; ///< of an order
+
+/// The median of the measured slopes: the coarsest and the finest ones say least.
+std::optional<double> orderOf(const sim::Accuracy &accuracy, const sim::Method &method)
+{
+    std::vector<double> orders;
+    for (const Slope &slope : slopesOf(accuracy, method))
+        orders.push_back(slope.order);
+    if (orders.empty())
+        return std::nullopt;
+    std::sort(orders.begin(), orders.end());
+    return orders[orders.size() / 2];
+}
+
+}
+
+OrderPlot::OrderPlot(AccuracyStudy &study, const Theme &theme, QWidget *parent)
+    : SpotPlot(study, theme, parent)
+{
+    setObjectName("order");
+    setAccessibleName(tr("Error against step: the measured order"));
+    makeLogarithmic(*xAxis, PowerTicker::Writing::plain);
+    makeLogarithmic(*yAxis, PowerTicker::Writing::powers);
+    xAxis->setRangeReversed(true); // finer steps to the right, as in the other plots
+    xAxis->setRange(0.001, 1.0);
+    yAxis->setRange(1e-9, 100.0);
+}
+
+QString OrderPlot::orderWords(const sim::Accuracy &accuracy, const sim::Method &method)
+{
+    const std::optional<double> order = orderOf(accuracy, method);
+    if (!order)
+        return methodTitle(method);
+    const QString measured = fixedNumber(*order, 1);
+    if (std::abs(*order - method.order()) <= near)
+        return tr("%1: %2, as stated").arg(methodTitle(method), measured);
+    return tr("%1: %2 of %3").arg(methodTitle(method), measured).arg(method.order());
+}
+
+std::vector<SpotPlot::Spot> OrderPlot::layOut()
+{
+    const std::vector<AccuracyRow> &rows = m_study.accuracy()->rows;
+    std::vector<Spot> spots;
+    int line = -1;
+    double low = 1e300, high = 0.0, finest = 1e300, coarsest = 0.0;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (i == 0 || rows[i].way.method->id() != rows[i - 1].way.method->id())
+            ++line;
+        if (rows[i].outcome != sim::Outcome::measured || rows[i].way.step.adaptive())
+            continue;
+        const QPointF place(rows[i].way.step.h, std::clamp(rows[i].error, least, most));
+        spots.push_back({i, place, line});
+        low = std::min(low, place.y());
+        high = std::max(high, place.y());
+        finest = std::min(finest, place.x());
+        coarsest = std::max(coarsest, place.x());
+    }
+    if (!spots.empty()) {
+        yAxis->setRange(low / 4.0, high * 8.0);
+        const double inner = std::max(80.0, axisRect()->width() - nameRoom - 24.0);
+        const double decades = std::max(0.3, std::log10(coarsest / finest)) / inner; // a px
+        xAxis->setRange(finest * std::pow(10.0, -nameRoom * decades),
+                        coarsest * std::pow(10.0, 24.0 * decades));
+    }
+    return spots;
+}
+
+void OrderPlot::drawStated(QPainter &painter, const Spot &from, const Spot &to) const
+{
+    const sim::Method &method = *rowOf(from).way.method;
+    QPen pen(inkOf(method, m_theme).color, 1.2, Qt::CustomDashLine, Qt::FlatCap);
+    pen.setDashPattern({1.5, 3.0});
+    painter.setPen(pen);
+    const double ratio = to.place.x() / from.place.x();
+    painter.drawLine(onScreen(from),
+                     onScreen(QPointF(to.place.x(), from.place.y() * std::pow(ratio, method.order()))));
+}
+
+void OrderPlot::draw(QPainter &painter)
+{
+    const QRectF area = axisRect()->rect();
+    drawAxisNames(painter, area, tr("step, frames (finer →)"), tr("error, px"), m_theme);
+    painter.save();
+    painter.setClipRect(area.adjusted(-6.0, 0.0, 6.0, 0.0));
+    std::map<int, std::vector<const Spot *>> lines;
+    for (const Spot &spot : spots())
+        lines[spot.line].push_back(&spot);
+    std::vector<EndLabel> labels;
+    for (const auto &[number, line] : lines) {
+        const sim::Method &method = *rowOf(*line.front()).way.method;
+        const MethodInk ink = inkOf(method, m_theme);
+        drawStated(painter, *line.front(), *line.back());
+        painter.setPen(QPen(ink.color, 1.8));
+        for (std::size_t i = 1; i < line.size(); ++i)
+            painter.drawLine(onScreen(*line[i - 1]), onScreen(*line[i]));
+        for (const Spot *spot : line)
+            drawMarker(painter, onScreen(*spot), ink, markerSize, m_theme.tokens().panel);
+        labels.push_back({onScreen(*line.back()), orderWords(*m_study.accuracy(), method), ink.color});
+    }
+    painter.restore();
+    drawEndLabels(painter, std::move(labels), m_theme.ui(12, QFont::Medium), area, m_theme.tokens().panel);
+    const AccuracyRow *used = m_study.inUse();
+    for (const Spot &spot : spots()) {
+        if (&rowOf(spot) == used)
+            drawRing(painter, onScreen(spot), QPen(m_theme.tokens().now, 2.5), markerSize);
+    }
+    if (chosen())
+        drawRing(painter, onScreen(*chosen()), QPen(m_theme.tokens().ink, 2.0), markerSize);
+}
+
+QString OrderPlot::tipOf(const Spot &spot) const
+{
+    QString text = rowWords(rowOf(spot));
+    const sim::Method &method = *rowOf(spot).way.method;
+    for (const Slope &slope : slopesOf(*m_study.accuracy(), method)) {
+        if (slope.fine != &rowOf(spot))
+            continue;
+        const double times = slope.coarse->way.step.h / slope.fine->way.step.h;
+        text +=
+            '\n' + tr("A step %1 times as short makes the error %2 times as small: order %3 here, %4 stated")
+                       .arg(roughNumber(times), roughNumber(slope.coarse->error / slope.fine->error),
+                            fixedNumber(slope.order, 2))
+                       .arg(method.order());
+    }
+    return text;
+}
+
+}

@@ -1,0 +1,125 @@
+#include "app/ui/measure/run_plot.h"
+
+#include "app/model/accuracy_words.h"
+#include "app/ui/measure/plot_marks.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace app {
+
+namespace {
+
+using sim::AccuracyRow;
+
+constexpr double least = 1e-15; ///< px: an error of 0 is at the lower edge
+constexpr double most = 1e4;    ///< px
+constexpr double nameRoom = 128.0;
+constexpr double markerSize = 8.0;
+
+double cost(const AccuracyRow &row)
+{
+    return row.nsPerFrame > 0.0 ? row.nsPerFrame : row.evaluations;
+}
+
+/// How many times as dear as the other, whichever is the dearer, as a logarithm.
+double apart(const AccuracyRow &a, const AccuracyRow &b)
+{
+    return cost(a) > 0.0 && cost(b) > 0.0 ? std::abs(std::log(cost(a) / cost(b))) : 1e9;
+}
+
+}
+
+RunPlot::RunPlot(AccuracyStudy &study, const Theme &theme, QWidget *parent) : SpotPlot(study, theme, parent)
+{
+    setObjectName("overTheRun");
+    setAccessibleName(tr("Error over the run"));
+    makeLogarithmic(*yAxis, PowerTicker::Writing::powers);
+    yAxis->setRange(1e-9, 100.0);
+    connect(&study.session(), &Session::moved, this, [this] {
+        if (isVisible())
+            update();
+    });
+}
+
+void RunPlot::chooseRows()
+{
+    m_rows.clear();
+    const std::vector<AccuracyRow> &rows = m_study.accuracy()->rows;
+    const AccuracyRow *used = m_study.inUse();
+    if (used && used->outcome != sim::Outcome::measured)
+        used = nullptr;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (rows[i].outcome != sim::Outcome::measured || rows[i].errorAt.size() < 2)
+            continue;
+        const bool isNew = m_rows.empty() || rows[m_rows.back()].way.method->id() != rows[i].way.method->id();
+        if (isNew)
+            m_rows.push_back(i);
+        else if (used && (&rows[i] == used || (&rows[m_rows.back()] != used &&
+                                               apart(rows[i], *used) < apart(rows[m_rows.back()], *used))))
+            m_rows.back() = i;
+    }
+}
+
+std::vector<SpotPlot::Spot> RunPlot::layOut()
+{
+    chooseRows();
+    std::vector<Spot> spots;
+    double low = 1e300;
+    double high = 0.0;
+    for (std::size_t line = 0; line < m_rows.size(); ++line) {
+        const std::vector<double> &errors = m_study.accuracy()->rows[m_rows[line]].errorAt;
+        for (std::size_t frame = 1; frame < errors.size(); ++frame) {
+            const double error = std::clamp(errors[frame], least, most);
+            low = std::min(low, error);
+            high = std::max(high, error);
+            spots.push_back({m_rows[line], {static_cast<double>(frame), error}, static_cast<int>(line)});
+        }
+    }
+    const double frames = std::max(1.0, static_cast<double>(m_study.accuracy()->horizon));
+    const double inner = std::max(80.0, axisRect()->width() - nameRoom);
+    xAxis->setRange(0.0, frames * (1.0 + nameRoom / inner));
+    if (!spots.empty())
+        yAxis->setRange(low / 3.0, high * 5.0);
+    return spots;
+}
+
+void RunPlot::draw(QPainter &painter)
+{
+    const QRectF area = axisRect()->rect();
+    drawAxisNames(painter, area, tr("frame"), tr("error, px"), m_theme);
+    painter.save();
+    painter.setClipRect(area);
+    std::vector<EndLabel> labels;
+    const AccuracyRow *used = m_study.inUse();
+    for (const std::size_t row : m_rows) {
+        QPolygonF line;
+        for (const Spot &spot : spots()) {
+            if (spot.row == row)
+                line << onScreen(spot);
+        }
+        const sim::Method &method = *m_study.accuracy()->rows[row].way.method;
+        const MethodInk ink = inkOf(method, m_theme);
+        painter.setPen(QPen(ink.color, &m_study.accuracy()->rows[row] == used ? 3.0 : 1.6));
+        painter.drawPolyline(line);
+        if (line.isEmpty())
+            continue;
+        drawMarker(painter, line.back(), ink, markerSize, m_theme.tokens().panel);
+        labels.push_back({line.back(), methodTitle(method), ink.color});
+    }
+    const double now = xAxis->coordToPixel(static_cast<double>(m_study.session().timeline().at().frame));
+    painter.setPen(QPen(m_theme.tokens().now, 2.0));
+    painter.drawLine(QPointF(now, area.top()), QPointF(now, area.bottom()));
+    painter.restore();
+    drawEndLabels(painter, std::move(labels), m_theme.ui(12, QFont::Medium), area, m_theme.tokens().panel);
+    if (chosen())
+        drawRing(painter, onScreen(*chosen()), QPen(m_theme.tokens().ink, 2.0), markerSize);
+}
+
+QString RunPlot::tipOf(const Spot &spot) const
+{
+    return tr("Frame %1: %2 off").arg(qRound(spot.place.x())).arg(pixels(spot.place.y())) + '\n' +
+           rowWords(rowOf(spot));
+}
+
+}

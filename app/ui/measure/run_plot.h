@@ -1,0 +1,29 @@
+#pragma once
+
+#include "app/ui/measure/spot_plot.h"
+
+namespace app {
+
+/// Error over the run: one line a method, at the rung that costs about as much as the one in use.
+class RunPlot : public SpotPlot
+{
+    Q_OBJECT
+
+public:
+    RunPlot(AccuracyStudy &study, const Theme &theme, QWidget *parent = nullptr);
+
+    /// The rows that are drawn, one a method.
+    const std::vector<std::size_t> &rows() const { return m_rows; }
+
+protected:
+    std::vector<Spot> layOut() override;
+    void draw(QPainter &painter) override;
+    QString tipOf(const Spot &spot) const override;
+
+private:
+    void chooseRows();
+
+    std::vector<std::size_t> m_rows;
+};
+
+}

@@ -1,0 +1,91 @@
+#pragma once
+
+#include "app/model/accuracy_study.h"
+#include "app/ui/theme/theme.h"
+
+#include <qcustomplot.h>
+
+namespace app {
+
+/// A plot of a study's rows: the axes, and spots that mouse and keyboard find. A click or Enter on a spot adopts its
+/// method and step. What is drawn and where is the plots' own business.
+class SpotPlot : public QCustomPlot
+{
+    Q_OBJECT
+
+public:
+    SpotPlot(AccuracyStudy &study, const Theme &theme, QWidget *parent = nullptr);
+
+    /// A place that means a row.
+    struct Spot
+    {
+        std::size_t row = 0; ///< of the study
+        QPointF place;       ///< on the axes
+        int line = 0;        ///< spots of one line follow each other by Left and Right
+    };
+    const std::vector<Spot> &spots() const { return m_spots; }
+    /// Where a spot is drawn, in px of the widget.
+    QPointF onScreen(const Spot &spot) const { return onScreen(spot.place); }
+    /// The spot under the mouse, or the one that the keys went to; null for none.
+    const Spot *chosen() const;
+    /// What is chosen, in words, for those who cannot see it.
+    QString sentence() const;
+
+    QSize minimumSizeHint() const override { return {320, 200}; }
+    QSize sizeHint() const override { return {520, 380}; }
+
+signals:
+    void chosenChanged();
+
+protected:
+    /// Puts the axes where the study's rows want them and returns the spots.
+    virtual std::vector<Spot> layOut() = 0;
+    /// Draws all but the axes.
+    virtual void draw(QPainter &painter) = 0;
+    /// What a tip says about a spot.
+    virtual QString tipOf(const Spot &spot) const;
+    /// Mouse and keys that are no spot's business. Returns whether they were used.
+    virtual bool press(QPointF) { return false; }
+    virtual void drag(QPointF) {}
+    virtual void drop() {}
+    virtual bool key(const QKeyEvent &) { return false; }
+    virtual bool wantsKey(const QKeyEvent &) const { return false; }
+    virtual Qt::CursorShape cursorAt(QPointF) const { return Qt::ArrowCursor; }
+
+    /// Lays out and draws anew; at once if it is seen, else as soon as it is.
+    void refresh();
+    QPointF onScreen(QPointF place) const;
+    const sim::AccuracyRow &rowOf(const Spot &spot) const { return m_study.accuracy()->rows[spot.row]; }
+
+    AccuracyStudy &m_study;
+    const Theme &m_theme;
+
+    bool event(QEvent *event) override;
+    void paintEvent(QPaintEvent *event) override;
+    void showEvent(QShowEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
+    void mouseMoveEvent(QMouseEvent *event) override;
+    void mousePressEvent(QMouseEvent *event) override;
+    void mouseReleaseEvent(QMouseEvent *event) override;
+    void leaveEvent(QEvent *event) override;
+    void keyPressEvent(QKeyEvent *event) override;
+    void focusInEvent(QFocusEvent *event) override;
+    void focusOutEvent(QFocusEvent *event) override;
+
+private:
+    void dress();
+    const Spot *nearest(QPointF at) const;
+    void choose(const Spot *spot);
+    void walk(int along, int across);
+    void showTip();
+    void adopt();
+
+    std::vector<Spot> m_spots;
+    std::optional<Spot> m_chosen;
+    sim::Way m_chosenWay; ///< by which it is found again when rows come in
+    bool m_stale = true;
+    bool m_dragging = false;
+    bool m_ringed = false; ///< the keyboard is here
+};
+
+}

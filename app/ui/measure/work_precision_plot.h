@@ -1,0 +1,56 @@
+#pragma once
+
+#include "app/ui/measure/spot_plot.h"
+
+namespace app {
+
+/// Error against time: what each rung of each method costs and how far off it is, both on logarithmic axes. Before
+/// there are times, error against how often forces are computed.
+class WorkPrecisionPlot : public SpotPlot
+{
+    Q_OBJECT
+
+public:
+    WorkPrecisionPlot(AccuracyStudy &study, const Theme &theme, QWidget *parent = nullptr);
+
+    /// The error, in px, that the learner wants to stay below: a line that can be dragged, or moved by + and -.
+    double target() const { return m_target; }
+    void setTarget(double target);
+    /// Where the handle of that line is.
+    QRectF targetHandle() const;
+    /// Whether times are known, so that the plot shows them.
+    bool showsTimes() const { return m_timed; }
+
+    static constexpr double leastTarget = 1e-10; ///< px
+    static constexpr double mostTarget = 100.0;  ///< px
+
+signals:
+    void targetChanged();
+
+protected:
+    std::vector<Spot> layOut() override;
+    void draw(QPainter &painter) override;
+    bool press(QPointF at) override;
+    void drag(QPointF at) override;
+    void drop() override;
+    bool key(const QKeyEvent &event) override;
+    bool wantsKey(const QKeyEvent &event) const override;
+    Qt::CursorShape cursorAt(QPointF at) const override;
+
+private:
+    double costOf(const sim::AccuracyRow &row) const;
+    double unstableCost(std::size_t row) const;
+    void drawFront(QPainter &painter) const;
+    void drawLadders(QPainter &painter) const;
+    void drawWhiskers(QPainter &painter) const;
+    void drawNames(QPainter &painter) const;
+    void drawUnstable(QPainter &painter) const;
+    void drawTarget(QPainter &painter) const;
+    void drawHere(QPainter &painter) const;
+
+    double m_target = 0.1;
+    bool m_timed = false;
+    double m_top = 1.0; ///< where unstable rows are marked, px of the scene
+};
+
+}

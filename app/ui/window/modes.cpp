@@ -1,0 +1,95 @@
+// What the window is arranged for: learning, or measuring what accuracy costs.
+
+#include "app/ui/window/main_window.h"
+
+#include <QActionGroup>
+#include <QButtonGroup>
+#include <QDockWidget>
+#include <QFrame>
+#include <QHBoxLayout>
+#include <QMenu>
+#include <QToolButton>
+
+namespace app {
+
+namespace {
+
+constexpr int wide =
+    1600; ///< px, from here on there is room for lessons, accuracy and code beside each other
+
+}
+
+void MainWindow::makeModeActions()
+{
+    m_modes = new QActionGroup(this);
+    const auto add = [this](const QString &text, const char *key, const QString &tip, Mode mode) {
+        QAction *made = action(text, {QKeySequence(key)}, tr("Window"));
+        made->setToolTip(tr("%1 (%2)").arg(tip, key));
+        made->setCheckable(true);
+        made->setChecked(mode == m_mode);
+        m_modes->addAction(made);
+        m_view->addAction(made);
+        connect(made, &QAction::triggered, this, [this, mode] { setMode(mode); });
+    };
+    add(tr("L&earn"), "F5", tr("Lessons, scene and code"), Mode::learn);
+    add(tr("&Measure"), "F6", tr("What accuracy costs in time, on this scene"), Mode::measure);
+    m_view->addSeparator();
+}
+
+QWidget *MainWindow::modeSwitch()
+{
+    auto *frame = new QFrame;
+    frame->setObjectName("modes");
+    auto *row = new QHBoxLayout(frame);
+    row->setContentsMargins(2, 2, 2, 2);
+    row->setSpacing(2);
+    for (QAction *mode : m_modes->actions()) {
+        auto *button = new QToolButton(frame);
+        button->setObjectName("mode");
+        button->setText(mode->text().remove('&'));
+        button->setToolTip(mode->toolTip());
+        button->setCheckable(true);
+        button->setChecked(mode->isChecked());
+        button->setFocusPolicy(Qt::TabFocus);
+        row->addWidget(button);
+        connect(button, &QToolButton::clicked, mode, [button, mode] {
+            mode->trigger();
+            button->setChecked(mode->isChecked()); // a click on the one that is on leaves it on
+        });
+        connect(mode, &QAction::toggled, button, &QToolButton::setChecked);
+    }
+    return frame;
+}
+
+void MainWindow::setMode(Mode mode)
+{
+    if (mode == m_mode)
+        return;
+    m_mode = mode;
+    m_modes->actions().at(static_cast<int>(mode))->setChecked(true);
+    if (mode == Mode::measure) {
+        m_learnDocks = saveState();
+        arrangeForMeasuring();
+    } else {
+        restoreState(m_learnDocks);
+        m_accuracyDock->hide();
+    }
+    fitParameters();
+}
+
+void MainWindow::arrangeForMeasuring()
+{
+    m_accuracyDock->show();
+    if (width() >= wide) {
+        splitDockWidget(m_accuracyDock, m_codeDock, Qt::Horizontal);
+        splitDockWidget(m_codeDock, m_parameterDock, Qt::Vertical);
+        resizeDocks({m_left, m_accuracyDock, m_codeDock}, {272, 616, 371}, Qt::Horizontal);
+        return;
+    }
+    m_left->hide();
+    m_codeDock->hide();
+    m_parameterDock->show();
+    resizeDocks({m_accuracyDock}, {560}, Qt::Horizontal);
+}
+
+}

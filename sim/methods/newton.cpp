@@ -1,0 +1,240 @@
+#include "sim/methods/newton.h"
+
+#include <Eigen/Dense>
+#include <Eigen/SparseLU>
+
+#include <algorithm>
+#include <cmath>
+
+namespace sim {
+
+namespace {
+
+/// Up to here a matrix with all its zeros is solved faster than one without.
+constexpr int mostDense = 64;
+constexpr int mostHalvings = 6;
+
+using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, mostDense, mostDense>;
+using Sparse = Eigen::SparseMatrix<double>;
+
+/// 1 on the diagonal, and entries that add up.
+Small denseOf(const std::vector<Slopes::Entry> &entries, int size)
+{
+    Small matrix = Small::Identity(size, size);
+    for (const Slopes::Entry &entry : entries)
+        matrix(entry.row, entry.column) += entry.value;
+    return matrix;
+}
+
+Sparse sparseOf(const std::vector<Slopes::Entry> &entries, int size)
+{
+    std::vector<Eigen::Triplet<double>> all;
+    all.reserve(entries.size() + static_cast<std::size_t>(size));
+    for (int i = 0; i < size; ++i)
+        all.emplace_back(i, i, 1.0);
+    for (const Slopes::Entry &entry : entries)
+        all.emplace_back(entry.row, entry.column, entry.value);
+    Sparse matrix(size, size);
+    matrix.setFromTriplets(all.begin(), all.end());
+    return matrix;
+}
+
+/// The solution of matrix * x = right, not a number where there is none. Few unknowns are solved with all their zeros.
+Eigen::VectorXd solved(const std::vector<Slopes::Entry> &entries, const Eigen::VectorXd &right)
+{
+    const auto size = static_cast<int>(right.size());
+    if (size <= mostDense)
+        return denseOf(entries, size).partialPivLu().solve(right);
+    const Eigen::SparseLU<Sparse> factors(sparseOf(entries, size));
+    if (factors.info() != Eigen::Success)
+        return Eigen::VectorXd::Constant(size, std::nan(""));
+    return factors.solve(right);
+}
+
+/// Whether a change of velocities changes the places that they lead to by no more than this share of them.
+bool isWithin(double share, const Numbers &change, double reach, const Numbers &place)
+{
+    return (reach * change.abs() <= share * (1.0 + place.abs())).all();
+}
+
+/// Whether a correction is so small that the next one is lost in rounding.
+bool isTiny(const Numbers &step, double reach, const Numbers &place)
+{
+    return isWithin(1e-12, step, reach, place);
+}
+
+/// Whether corrections are so small that pulls are straight lines along them, and shrink no more: then they correct
+/// how a stiff spring's pull is rounded.
+bool isNoise(const Numbers &next, const Numbers &step, double reach, const Numbers &place)
+{
+    return next.abs().maxCoeff() >= step.abs().maxCoeff() && isWithin(1e-6, next, reach, place);
+}
+
+}
+
+Equations::Equations(const Scene &scene, Directions directions)
+    : m_flow(scene, directions), m_points(scene.start.points())
+{
+    const bool turns = scene.start.spin.rows() > 0; // then places follow from angles
+    for (const Flow::Stretch &stretch : m_flow.stretches()) {
+        for (int row = stretch.first; row < stretch.end(); ++row)
+            m_movable.push_back(std::isfinite(stretch.rate) && scene.hasInertia(row % m_points) &&
+                                (!turns || row >= 2 * m_points));
+    }
+}
+
+Numbers Equations::kept(double h) const
+{
+    Numbers keep(m_flow.size());
+    for (const Flow::Stretch &stretch : m_flow.stretches())
+        keep.segment(stretch.first, stretch.count) = std::exp(-stretch.rate * h);
+    return keep;
+}
+
+std::vector<int> Equations::unknowns(const State &state) const
+{
+    std::vector<int> numbers(m_movable.size(), -1);
+    int next = 0;
+    for (int row = 0; row < m_flow.size(); ++row) {
+        const auto at = static_cast<std::size_t>(row);
+        if (m_movable[at] && state.feels(row % m_points))
+            numbers[at] = next++;
+    }
+    return numbers;
+}
+
+/// What solve() wants: u = drift + share a(from + reach u).
+struct ImplicitStep::Wanted
+{
+    const Numbers &from;
+    const Numbers &drift;
+    double reach;
+    const Numbers &share;
+};
+
+ImplicitStep::ImplicitStep(const Equations &equations, State &state)
+    : motion{Numbers(equations.flow().size()), Numbers(equations.flow().size())}, m_equations(equations),
+      m_state(state), m_unknowns(equations.unknowns(state))
+{
+    equations.flow().read(state, motion.x.data(), motion.v.data());
+    for (std::size_t row = 0; row < m_unknowns.size(); ++row) {
+        if (m_unknowns[row] < 0)
+            motion.v[static_cast<Eigen::Index>(row)] = 0.0;
+        else
+            ++m_count;
+    }
+}
+
+Numbers ImplicitStep::pulls(const Numbers &place)
+{
+    Numbers a(place.size());
+    m_equations.flow().place(place.data(), m_state);
+    m_equations.flow().accelerations(m_state, a.data());
+    ++m_state.evaluations;
+    for (std::size_t row = 0; row < m_unknowns.size(); ++row) {
+        if (m_unknowns[row] < 0)
+            a[static_cast<Eigen::Index>(row)] = 0.0;
+    }
+    return a;
+}
+
+/// The velocity that leads to where the state is.
+Numbers ImplicitStep::standing(const Wanted &wanted) const
+{
+    Moving now = motion;
+    m_equations.flow().read(m_state, now.x.data(), now.v.data());
+    Numbers u = Numbers::Zero(now.x.size());
+    for (std::size_t row = 0; row < m_unknowns.size(); ++row) {
+        const auto i = static_cast<Eigen::Index>(row);
+        if (m_unknowns[row] >= 0)
+            u[i] = (now.x[i] - wanted.from[i]) / wanted.reach;
+    }
+    return u;
+}
+
+/// By how much `u` misses what is wanted.
+Numbers ImplicitStep::misses(const Wanted &wanted, const Numbers &u)
+{
+    return u - wanted.drift - wanted.share * pulls(wanted.from + wanted.reach * u);
+}
+
+/// What to take off u to make good what it misses, if pulls change with places by their slopes at u.
+Numbers ImplicitStep::correction(const Wanted &wanted, const Numbers &u)
+{
+    const Numbers wrong = misses(wanted, u);
+    if (isWithin(1e-15, wrong, wanted.reach, wanted.from))
+        return Numbers::Zero(u.size()); // rounding: not worth a matrix
+    Slopes slopes(m_state.points());
+    m_equations.flow().slopes(m_state, slopes);
+    std::vector<Slopes::Entry> entries;
+    entries.reserve(slopes.entries().size());
+    for (const Slopes::Entry &entry : slopes.entries()) {
+        const int row = m_unknowns[static_cast<std::size_t>(entry.row)];
+        const int column = m_unknowns[static_cast<std::size_t>(entry.column)];
+        if (row >= 0 && column >= 0)
+            entries.push_back({row, column, -wanted.share[entry.row] * wanted.reach * entry.value});
+    }
+    Eigen::VectorXd right(m_count);
+    for (std::size_t row = 0; row < m_unknowns.size(); ++row) {
+        if (m_unknowns[row] >= 0)
+            right[m_unknowns[row]] = wrong[static_cast<Eigen::Index>(row)];
+    }
+    const Eigen::VectorXd found = solved(entries, right);
+    Numbers step = Numbers::Zero(wrong.size());
+    for (std::size_t row = 0; row < m_unknowns.size(); ++row) {
+        if (m_unknowns[row] >= 0)
+            step[static_cast<Eigen::Index>(row)] = found[m_unknowns[row]];
+    }
+    return step;
+}
+
+/// Takes `step` off u; or a half, a quarter... of it, if the whole leads to where nothing is finite. Returns the next
+/// correction; 0 if there is no way from here. That the next one is smaller is not asked for: to turn with a stiff
+/// spring, Newton's method first leaves it by a hair's breadth, which looks far worse than it is, and then comes back;
+/// steps that never may get worse creep along it instead.
+Numbers ImplicitStep::advance(const Wanted &wanted, Numbers &u, const Numbers &step)
+{
+    double part = 1.0;
+    for (int halvings = 0; halvings <= mostHalvings; ++halvings, part *= 0.5) {
+        const Numbers to = u - part * step;
+        Numbers next = correction(wanted, to);
+        if (next.isFinite().all()) {
+            u = to;
+            return next;
+        }
+    }
+    return Numbers::Zero(u.size());
+}
+
+Numbers ImplicitStep::solve(const Numbers &from, const Numbers &drift, double reach, const Numbers &share)
+{
+    const Wanted wanted{from, drift, reach, share};
+    // Shown lines are short.
+    // clang-format off
+    //! [newton]
+    // wanted: u = drift + share a(...)
+    // at first, as if nothing moved
+    Numbers u = standing(wanted);
+    // as if pulls grew evenly from here
+    Numbers step = correction(wanted, u);
+    for (int i = 0; i < 20; ++i) {
+        if (isTiny(step, reach, from))
+            return u - step;
+        Numbers next =
+            advance(wanted, u, step);
+        if (isNoise(next, step, reach, from))
+            break;
+        step = next;
+    }
+    return u;
+    //! [newton]
+    // clang-format on
+}
+
+void ImplicitStep::finish()
+{
+    m_equations.flow().place(motion.x.data(), m_state);
+    m_equations.flow().push(motion.v.data(), m_state);
+}
+
+}

@@ -1,0 +1,311 @@
+// The Accuracy panel, driven as a learner drives it, over a made-up study.
+
+#include "app/ui/measure/method_ink.h"
+#include "app/ui/measure/order_plot.h"
+#include "app/ui/measure/run_plot.h"
+#include "measure_bench.h"
+#include "sim/methods/methods.h"
+
+#include <QAccessible>
+#include <QPushButton>
+#include <QToolButton>
+#include <QtTest>
+
+#include <set>
+
+using namespace app;
+using measure_bench::Bench;
+
+class AccuracyPanelTest : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { prepareProgram(); }
+    void theCardNamesTheCheapestWayWithinTheTarget();
+    void useItAdoptsTheCheapestWay();
+    void aClickOnASpotAdoptsItsMethodAndStep();
+    void hoverTellsAllAboutASpot();
+    void arrowKeysWalkThroughTheSpotsAndEnterAdopts();
+    void theTargetFollowsTheMouse();
+    void theTargetFollowsPlusAndMinus();
+    void aTargetThatNothingReachesIsSaid();
+    void theUnstableAreMarkedAndNamed();
+    void theTabsShowTheThreeViews();
+    void theOrderViewMeasuresTheSlope();
+    void theRunViewDrawsOneRowAMethodWithTheOneInUse();
+    void everyMethodHasAnInkOfItsOwn();
+    void aScreenReaderHearsWhatIsChosen();
+    void cancelStopsAndMeasureAgainGoesOn();
+    void remarksSayWhatTheNumbersDependOn_data();
+    void remarksSayWhatTheNumbersDependOn();
+};
+
+void AccuracyPanelTest::theCardNamesTheCheapestWayWithinTheTarget()
+{
+    Bench bench;
+    QVERIFY(bench.measured());
+    // By hand, from what the study made up.
+    const sim::AccuracyRow *best = nullptr;
+    for (const sim::AccuracyRow &row : bench.study.accuracy()->rows) {
+        const bool near = row.outcome == sim::Outcome::measured && row.error <= 0.1;
+        if (near && (!best || row.nsPerFrame < best->nsPerFrame))
+            best = &row;
+    }
+    QVERIFY(best);
+    const QString said = bench.panel.verdict();
+    QVERIFY2(said.startsWith(QString("To be within 0.1\u2009px, this scene costs ")), qPrintable(said));
+    QVERIFY2(said.contains(QString::fromStdString(best->way.method->title())), qPrintable(said));
+    QVERIFY2(said.contains("Yours "), qPrintable(said));
+}
+
+void AccuracyPanelTest::useItAdoptsTheCheapestWay()
+{
+    Bench bench;
+    QVERIFY(bench.measured());
+    const sim::Way best = bench.study.accuracy()->cheapest(0.1)->way;
+    auto *use = bench.panel.findChild<QPushButton *>("use");
+    QVERIFY(use->isVisible());
+    QTest::mouseClick(use, Qt::LeftButton);
+    QCOMPARE(bench.method(), best.method->id());
+    QCOMPARE(bench.step(), best.step);
+    QVERIFY(!use->isVisible());
+    QVERIFY(bench.panel.verdict().contains("nothing is cheaper than what you use"));
+}
+
+void AccuracyPanelTest::aClickOnASpotAdoptsItsMethodAndStep()
+{
+    Bench bench;
+    QVERIFY(bench.measured());
+    const sim::StepSize quarter = sim::StepSize::of(0.25);
+    QTest::mouseClick(&bench.plot(), Qt::LeftButton, {}, bench.spotOf("semi_implicit_euler", quarter));
+    QCOMPARE(bench.method(), "semi_implicit_euler");
+    QCOMPARE(bench.step(), quarter);
+    QCOMPARE(bench.study.inUse()->way.step, quarter);
+}
+
+void AccuracyPanelTest::hoverTellsAllAboutASpot()
+{
+    Bench bench;
+    QVERIFY(bench.measured());
+    const QPoint spot = bench.spotOf("semi_implicit_euler", sim::StepSize::of(0.5));
+    QTest::mouseMove(&bench.plot(), spot);
+    QTRY_VERIFY(bench.plot().chosen());
+    const QString said = bench.plot().sentence();
+    for (const char *part : {"Semi-implicit Euler", "1/2 frame", "off", "±", "forces"})
+        QVERIFY2(said.contains(part), qPrintable(said));
+    QTest::mouseMove(&bench.plot(), QPoint(2, 2));
+    QTRY_VERIFY(!bench.plot().chosen());
+}
+
+void AccuracyPanelTest::arrowKeysWalkThroughTheSpotsAndEnterAdopts()
+{
+    Bench bench;
+    bench.world.session.setMethod("semi_implicit_euler");
+    QVERIFY(bench.measured());
+    WorkPrecisionPlot &plot = bench.plot();
+    plot.setFocus(Qt::TabFocusReason);
+    const auto chosen = [&] { return bench.study.accuracy()->rows[plot.chosen()->row].way; };
+    QTest::keyClick(&plot, Qt::Key_Right);
+    QCOMPARE(chosen().method->id(), "semi_implicit_euler"); // what is in use comes first
+    QCOMPARE(chosen().step, sim::StepSize::of(1.0));
+    QTest::keyClick(&plot, Qt::Key_Right);
+    QTest::keyClick(&plot, Qt::Key_Right);
+    QCOMPARE(chosen().step, sim::StepSize::of(0.25));
+    QTest::keyClick(&plot, Qt::Key_Left);
+    QCOMPARE(chosen().step, sim::StepSize::of(0.5));
+    QCOMPARE(bench.step(), sim::StepSize::of(1.0)); // nothing is adopted by looking
+    QTest::keyClick(&plot, Qt::Key_Return);
+    QCOMPARE(bench.method(), "semi_implicit_euler");
+    QCOMPARE(bench.step(), sim::StepSize::of(0.5));
+    QTest::keyClick(&plot, Qt::Key_Down);
+    QVERIFY(chosen().method->id() != "semi_implicit_euler");
+}
+
+void AccuracyPanelTest::theTargetFollowsTheMouse()
+{
+    Bench bench;
+    QVERIFY(bench.measured());
+    WorkPrecisionPlot &plot = bench.plot();
+    QCOMPARE(plot.target(), 0.1);
+    const QPoint from = plot.targetHandle().center().toPoint();
+    const double y1 = plot.yAxis->pixelToCoord(from.y() - 40) / plot.yAxis->pixelToCoord(from.y());
+    QVERIFY(y1 > 1.0);
+    QTest::mousePress(&plot, Qt::LeftButton, {}, from);
+    QMouseEvent move(QEvent::MouseMove, from - QPoint(0, 40), plot.mapToGlobal(from - QPoint(0, 40)),
+                     Qt::NoButton, Qt::LeftButton, {});
+    QApplication::sendEvent(&plot, &move);
+    QTest::mouseRelease(&plot, Qt::LeftButton, {}, from - QPoint(0, 40));
+    QVERIFY(plot.target() > 0.1);
+    QVERIFY2(!bench.panel.verdict().contains(QString("within 0.1\u2009px")),
+             qPrintable(bench.panel.verdict()));
+}
+
+void AccuracyPanelTest::theTargetFollowsPlusAndMinus()
+{
+    Bench bench;
+    QVERIFY(bench.measured());
+    bench.plot().setFocus();
+    QTest::keyClick(&bench.plot(), Qt::Key_Minus);
+    QCOMPARE(bench.plot().target(), 0.05);
+    QTest::keyClick(&bench.plot(), Qt::Key_Minus);
+    QCOMPARE(bench.plot().target(), 0.02);
+    QTest::keyClick(&bench.plot(), Qt::Key_Minus);
+    QCOMPARE(bench.plot().target(), 0.01);
+    QTest::keyClick(&bench.plot(), Qt::Key_Plus);
+    QCOMPARE(bench.plot().target(), 0.02);
+    QVERIFY(bench.panel.verdict().contains(QString("0.02\u2009px")));
+}
+
+void AccuracyPanelTest::aTargetThatNothingReachesIsSaid()
+{
+    Bench bench;
+    QVERIFY(bench.measured());
+    bench.plot().setTarget(1e-10);
+    QVERIFY(!bench.study.accuracy()->cheapest(1e-10));
+    QVERIFY2(bench.panel.verdict().startsWith("Nothing here comes within"),
+             qPrintable(bench.panel.verdict()));
+    QVERIFY(!bench.panel.findChild<QPushButton *>("use")->isVisible());
+}
+
+void AccuracyPanelTest::theUnstableAreMarkedAndNamed()
+{
+    Bench bench;
+    QVERIFY(bench.measured());
+    const sim::AccuracyRow &unstable = bench.study.accuracy()->rows.front();
+    const QPoint mark = bench.spotOf(unstable.way.method->id(), unstable.way.step);
+    QVERIFY(mark.y() < bench.plot().axisRect()->top() + 40);
+    auto *named = bench.panel.findChild<QLabel *>("failure");
+    QVERIFY(named->isVisible());
+    QVERIFY(named->text().contains(QString::fromStdString(unstable.way.method->title())));
+}
+
+void AccuracyPanelTest::theTabsShowTheThreeViews()
+{
+    Bench bench;
+    QVERIFY(bench.measured());
+    const QList<QToolButton *> tabs = bench.panel.findChildren<QToolButton *>("tab");
+    QCOMPARE(tabs.size(), 3);
+    for (int i = 0; i < 3; ++i) {
+        QTest::mouseClick(tabs[i], Qt::LeftButton);
+        QCOMPARE(int(bench.panel.view()), i);
+        QCOMPARE(bench.plot().isVisible(), i == 0);
+        QVERIFY(!bench.panel.grab().isNull());
+    }
+    QVERIFY(!bench.panel.findChild<OrderPlot *>()->spots().empty());
+}
+
+void AccuracyPanelTest::theOrderViewMeasuresTheSlope()
+{
+    Bench bench;
+    QVERIFY(bench.measured());
+    const sim::MethodPtr method = sim::findMethod("semi_implicit_euler");
+    QCOMPARE(OrderPlot::orderWords(*bench.study.accuracy(), *method),
+             QString("Semi-implicit Euler: 1.0, as stated"));
+    sim::Accuracy flat = *bench.study.accuracy();
+    for (sim::AccuracyRow &row : flat.rows)
+        row.error = 1.0;
+    QCOMPARE(OrderPlot::orderWords(flat, *method), QString("Semi-implicit Euler: 0.0 of 1"));
+}
+
+void AccuracyPanelTest::theRunViewDrawsOneRowAMethodWithTheOneInUse()
+{
+    Bench bench;
+    bench.world.session.use(sim::findMethod("semi_implicit_euler"), sim::StepSize::of(0.25));
+    QVERIFY(bench.measured());
+    bench.panel.setView(AccuracyPanel::overTheRun);
+    const auto &rows = bench.panel.findChild<RunPlot *>()->rows();
+    QCOMPARE(rows.size(), sim::allMethods().size());
+    bool used = false;
+    for (const std::size_t row : rows)
+        used |= &bench.study.accuracy()->rows[row] == bench.study.inUse();
+    QVERIFY(used);
+}
+
+void AccuracyPanelTest::everyMethodHasAnInkOfItsOwn()
+{
+    for (const Scheme scheme : {Scheme::light, Scheme::dark}) {
+        const Theme theme(scheme);
+        std::set<std::pair<QRgb, int>> inks;
+        std::set<int> shapes;
+        for (const sim::MethodPtr &method : sim::allMethods()) {
+            const MethodInk ink = inkOf(*method, theme);
+            inks.insert({ink.color.rgb(), ink.shape % markerShapes});
+            shapes.insert(ink.shape % markerShapes);
+        }
+        QCOMPARE(inks.size(), sim::allMethods().size());
+        QCOMPARE(shapes.size(), std::min<std::size_t>(markerShapes, sim::allMethods().size()));
+    }
+}
+
+void AccuracyPanelTest::aScreenReaderHearsWhatIsChosen()
+{
+    Bench bench;
+    QVERIFY(bench.measured());
+    bench.plot().setFocus(Qt::TabFocusReason);
+    QAccessibleInterface *access = QAccessible::queryAccessibleInterface(&bench.plot());
+    QVERIFY(access);
+    QVERIFY(access->text(QAccessible::Value).contains("Arrow keys"));
+    QTest::keyClick(&bench.plot(), Qt::Key_Right);
+    QVERIFY(access->text(QAccessible::Value).contains("step "));
+    QCOMPARE(access->text(QAccessible::Name), QString("Error against time"));
+}
+
+void AccuracyPanelTest::cancelStopsAndMeasureAgainGoesOn()
+{
+    Bench bench;
+    QVERIFY(bench.measured());
+    auto *button = bench.panel.findChild<QPushButton *>("measure");
+    bench.puppet.held = true;
+    QTest::mouseClick(button, Qt::LeftButton);
+    QCOMPARE(button->text(), QString("Cancel"));
+    QTRY_COMPARE(bench.puppet.begun.load(), 2);
+    QTest::mouseClick(button, Qt::LeftButton);
+    QCOMPARE(bench.study.stage(), AccuracyStudy::Stage::cancelled);
+    QTRY_COMPARE(bench.puppet.stopped.load(), 1);
+    QVERIFY(bench.study.accuracy()); // what was measured stays
+    bench.puppet.held = false;
+    QTest::mouseClick(button, Qt::LeftButton);
+    QVERIFY(bench.measured());
+    QCOMPARE(bench.puppet.begun.load(), 3);
+}
+
+void AccuracyPanelTest::remarksSayWhatTheNumbersDependOn_data()
+{
+    QTest::addColumn<sim::Accuracy>("accuracy");
+    QTest::addColumn<QString>("part");
+    sim::Accuracy noisy;
+    noisy.noise = 0.3;
+    QTest::newRow("a noisy machine") << noisy << "busy with other things";
+    sim::Accuracy chaotic;
+    chaotic.span = 200;
+    chaotic.horizon = 80;
+    chaotic.reference.end = sim::ReferenceRun::End::parted;
+    QTest::newRow("a horizon") << chaotic << "up to frame 80 of 200";
+    sim::Accuracy jumping;
+    jumping.reference.kind = sim::ReferenceRun::Kind::ownRefinement;
+    jumping.reference.method = "own_refinement";
+    QTest::newRow("no continuous limit") << jumping << "no exact motion to compare with";
+    sim::Accuracy unfit;
+    unfit.rows.resize(1);
+    unfit.rows[0].way.method = sim::findMethod("semi_implicit_euler");
+    unfit.rows[0].outcome = sim::Outcome::doesNotFit;
+    QTest::newRow("a method that does not fit") << unfit << "Semi-implicit Euler";
+}
+
+void AccuracyPanelTest::remarksSayWhatTheNumbersDependOn()
+{
+    QFETCH(sim::Accuracy, accuracy);
+    QFETCH(QString, part);
+    World world;
+    AccuracyStudy study(world.session, [&](const sim::Script &, const sim::StudyPlan &,
+                                           const sim::StudyProgress &) { return accuracy; });
+    AccuracyPanel panel(study, world.theme);
+    show(panel, {560, 560});
+    QTRY_COMPARE(study.stage(), AccuracyStudy::Stage::done);
+    QVERIFY2(panel.remarks().contains(part), qPrintable(panel.remarks()));
+}
+
+
+QTEST_MAIN(AccuracyPanelTest)
+#include "tst_accuracy_panel.moc"

@@ -1,0 +1,268 @@
+#include "implicit_scenes.h"
+
+#include "support.h"
+
+#include "sim/effects/damping.h"
+#include "sim/effects/gait_clock.h"
+#include "sim/effects/gravity.h"
+#include "sim/effects/gust.h"
+#include "sim/effects/joints.h"
+#include "sim/effects/leg_spring.h"
+#include "sim/effects/point_spring.h"
+#include "sim/effects/radial_spring.h"
+#include "sim/effects/torsion.h"
+#include "sim/effects/wind_torque.h"
+
+#include <complex>
+
+namespace implicit_scenes {
+
+namespace {
+
+using sim::Vec2;
+using Numbers = Eigen::ArrayXd;
+using Pulls = std::function<Numbers(double t, const Numbers &x)>;
+using std::make_shared;
+
+constexpr double k = 0.1;
+constexpr double radius = 50.0;
+
+/// x'' = a(t, x) - c x' by the classical Runge-Kutta method, in steps of 1/400 frame: the test's own, so that it
+/// shares nothing with what is tested.
+Ends integrate(const Pulls &pulls, double damp, Ends at, int frames)
+{
+    const double c = -std::log(damp);
+    const auto rate = [&](double t, const Ends &e) { return Ends{e.v, pulls(t, e.x) - c * e.v}; };
+    const auto ahead = [](const Ends &e, const Ends &by, double h) {
+        return Ends{e.x + h * by.x, e.v + h * by.v};
+    };
+    constexpr int parts = 400;
+    constexpr double h = 1.0 / parts;
+    for (int i = 0; i < frames * parts; ++i) {
+        const double t = i * h;
+        const Ends a = rate(t, at);
+        const Ends b = rate(t + h / 2, ahead(at, a, h / 2));
+        const Ends d = rate(t + h / 2, ahead(at, b, h / 2));
+        const Ends e = rate(t + h, ahead(at, d, h));
+        at.x += h / 6 * (a.x + 2 * b.x + 2 * d.x + e.x);
+        at.v += h / 6 * (a.v + 2 * b.v + 2 * d.v + e.v);
+    }
+    return at;
+}
+
+/// Feet 0... and a last point, the body: x of all, then y of all.
+Numbers creaturePulls(const Numbers &x)
+{
+    const Eigen::Index points = x.size() / 2, body = points - 1;
+    Numbers a = Numbers::Zero(x.size());
+    a.tail(points) = gravity;
+    for (Eigen::Index foot = 0; foot < body; ++foot) {
+        const std::complex<double> d(x[body] - x[foot], x[points + body] - x[points + foot]);
+        const std::complex<double> pull = k * (std::abs(d) - radius) * d / std::abs(d);
+        a[foot] += pull.real();
+        a[points + foot] += pull.imag();
+        a[body] -= pull.real();
+        a[points + body] -= pull.imag();
+    }
+    return a;
+}
+
+constexpr double gaitSpeed = 0.3;
+
+/// Feet 0 and 1 on legs of 40 px half a turn apart, body 2, which feels them.
+Numbers walkerPulls(double t, const Numbers &x)
+{
+    Numbers a = Numbers::Zero(6);
+    a.tail(3) = gravity;
+    for (int foot = 0; foot < 2; ++foot) {
+        const double angle = 0.3 + 3.0 * foot + gaitSpeed * t;
+        const double pullX = k * (x[2] - 40.0 * std::cos(angle) - x[foot]);
+        const double pullY = k * (x[5] - 40.0 * std::sin(angle) + 60.0 - x[3 + foot]);
+        a[foot] += pullX;
+        a[3 + foot] += pullY;
+        a[2] -= pullX;
+        a[5] -= pullY;
+    }
+    return a;
+}
+
+/// x'' = -k x - c x', solved by its two roots.
+Ends swing(const Ends &start, double stiffness, double damp, double t)
+{
+    using Complex = std::complex<double>;
+    const double c = -std::log(damp);
+    const Complex root = std::sqrt(Complex(c * c / 4 - stiffness, 0.0));
+    const Complex r1 = -c / 2 + root, r2 = -c / 2 - root;
+    Ends end = start;
+    for (Eigen::Index i = 0; i < start.x.size(); ++i) {
+        const Complex a = (start.v[i] - r2 * start.x[i]) / (r1 - r2), b = start.x[i] - a;
+        end.x[i] = (a * std::exp(r1 * t) + b * std::exp(r2 * t)).real();
+        end.v[i] = (a * r1 * std::exp(r1 * t) + b * r2 * std::exp(r2 * t)).real();
+    }
+    return end;
+}
+
+sim::TreePtr smallTree()
+{
+    sim::Tree tree = sim::Tree::ofTrunk(100.0);
+    tree.sprout(0, -120.0, 0.8);
+    tree.sprout(0, -65.0, 0.7);
+    tree.sprout(1, -150.0, 0.6);
+    tree.sprout(1, -95.0, 0.5);
+    return make_shared<const sim::Tree>(tree);
+}
+
+/// A bent tree of springs, without wind.
+sim::Scene bentTree(double damp)
+{
+    const sim::TreePtr tree = smallTree();
+    const int branches = tree->branches();
+    sim::Scene scene;
+    scene.start = sim::State::ofPoints(branches);
+    scene.start.place(0, {270, 380});
+    scene.start.spin.setZero(branches);
+    scene.start.angle.resize(branches);
+    for (int i = 0; i < branches; ++i) {
+        scene.start.angle[i] = tree->rest[std::size_t(i)] + 5.0 + 3.0 * i;
+        scene.names.push_back("branch" + std::to_string(i));
+    }
+    scene.groups = {{"branches", {0, branches}}};
+    scene.effects = {make_shared<sim::Torsion>(tree, sim::limbsOf(*tree, k)),
+                     make_shared<sim::SpinDamping>(damp),
+                     make_shared<sim::Joints>(tree, sim::degreesPerRadian)};
+    return scene;
+}
+
+/// Each joint pulls its branch back, and its parent the other way.
+Numbers treePulls(const Numbers &angles)
+{
+    const sim::TreePtr tree = smallTree();
+    const sim::Limbs limbs = sim::limbsOf(*tree, k);
+    Numbers torque = Numbers::Zero(angles.size());
+    for (int i = 0; i < tree->branches(); ++i) {
+        const auto bend = [&](int branch) { return angles[branch] - tree->rest[std::size_t(branch)]; };
+        const int parent = tree->parent[std::size_t(i)];
+        const double back = limbs.stiffness[i] * (bend(i) - (parent < 0 ? 0.0 : bend(parent)));
+        torque[i] -= back;
+        if (parent >= 0)
+            torque[parent] += back;
+    }
+    return torque / limbs.inertia;
+}
+
+SmoothScene smooth(std::string name, const sim::Scene &scene, double damp, const Pulls &pulls)
+{
+    const Ends start = endsOf(scene.start);
+    return {std::move(name), scene, [=](int frames) { return integrate(pulls, damp, start, frames); }};
+}
+
+SmoothScene spring(std::string name, double stiffness, double damp)
+{
+    const sim::Scene scene = oscillator(stiffness, damp);
+    const Ends start = endsOf(scene.start);
+    return {std::move(name), scene, [=](int frames) { return swing(start, stiffness, damp, frames); }};
+}
+
+}
+
+Ends endsOf(const sim::State &state)
+{
+    if (state.spin.rows() > 0)
+        return {state.angle, state.spin};
+    return {state.position.reshaped(), state.velocity.reshaped()};
+}
+
+double distance(const Ends &a, const Ends &b)
+{
+    return std::max((a.x - b.x).abs().maxCoeff(), (a.v - b.v).abs().maxCoeff());
+}
+
+const std::vector<SmoothScene> &smoothScenes()
+{
+    const Pulls onCreature = [](double, const Numbers &x) { return creaturePulls(x); };
+    const Pulls onTree = [](double, const Numbers &x) { return treePulls(x); };
+    static const std::vector<SmoothScene> all = {
+        spring("a swinging spring", 0.2, 0.9),
+        spring("a creeping spring", 0.05, 0.5),
+        spring("an undamped spring", 0.2, 1.0),
+        smooth("a creature in the air", creature(5, 0.9), 0.9, onCreature),
+        smooth("an undamped creature", creature(5, 1.0), 1.0, onCreature),
+        smooth("forty feet", creature(40, 0.9), 0.9, onCreature),
+        smooth("legs that swing", walker(0.9), 0.9, walkerPulls),
+        smooth("undamped legs that swing", walker(1.0), 1.0, walkerPulls),
+        smooth("a tree", bentTree(0.95), 0.95, onTree),
+    };
+    return all;
+}
+
+sim::Scene oscillator(double stiffness, double damp)
+{
+    sim::Scene scene;
+    scene.start = sim::State::ofPoints(1);
+    scene.start.place(0, {100.0, -40.0});
+    scene.start.push(0, {3.0, 8.0});
+    scene.names = {"foot"};
+    scene.groups = {{"foot", {0, 1}}};
+    scene.effects = {make_shared<sim::PointSpring>(0, Vec2{0, 0}, stiffness),
+                     make_shared<sim::Damping>(damp)};
+    return scene;
+}
+
+sim::Scene creature(int feet, double damp)
+{
+    sim::Scene scene = support::pointsOf(feet);
+    for (int i = 0; i < feet; ++i) { // so spread that none comes near the body soon
+        const double angle = 0.4 + 2.0 * i, far = 70.0 + 5.0 * (i % 8);
+        scene.start.place(i, {270.0 + far * std::cos(angle), 200.0 + far * std::sin(angle)});
+        scene.start.push(i, {2.0 - i % 4, 1.0 - i % 3});
+    }
+    scene.effects = {make_shared<sim::RadialSpring>(support::legs(feet), k, radius),
+                     make_shared<sim::Gravity>(gravity), make_shared<sim::Damping>(damp)};
+    return scene;
+}
+
+sim::Scene walker(double damp)
+{
+    sim::Scene scene = support::pointsOf(2);
+    scene.start.place(0, {230.0, 240.0});
+    scene.start.place(1, {320.0, 270.0});
+    scene.start.gait.setZero(1);
+    scene.start.gaitSpeed.setConstant(1, gaitSpeed);
+    const std::vector<sim::Leg> legs = {{0, 2, 0.3, 0}, {1, 2, 3.3, 0}};
+    scene.effects = {
+        make_shared<sim::LegSpring>(legs, sim::LegRule{k, 40.0, 60.0, sim::Aim::swing, sim::Reaction::equal}),
+        make_shared<sim::Gravity>(gravity), make_shared<sim::Damping>(damp), make_shared<sim::GaitClock>()};
+    return scene;
+}
+
+sim::Scene hanging(double stiffness, double damp)
+{
+    sim::Scene scene;
+    scene.start = sim::State::ofPoints(6);
+    const Vec2 places[] = {{290, 230}, {230, 160}, {90, 260}, {180, 260}, {200, 200}, {300, 100}};
+    for (int i = 0; i < 6; ++i)
+        scene.start.place(i, places[i]);
+    scene.start.inverseMass.tail(2).setZero();
+    scene.names = {"foot0", "foot1", "foot2", "foot3", "hook0", "hook1"};
+    scene.groups = {{"feet", {0, 4}}};
+    const std::vector<sim::Link> links = {{0, 4}, {1, 5}, {1, 3}, {3, 1}};
+    scene.effects = {make_shared<sim::RadialSpring>(links, stiffness, radius),
+                     make_shared<sim::PointSpring>(2, Vec2{120.0, 150.0}, stiffness),
+                     make_shared<sim::Gravity>(gravity), make_shared<sim::Damping>(damp)};
+    return scene;
+}
+
+sim::Scene windyTree()
+{
+    sim::Scene scene = bentTree(0.95);
+    const sim::TreePtr tree = smallTree();
+    scene.start.outside.pointer = Vec2{150.0, 250.0};
+    scene.start.outside.pointerDown = true;
+    scene.start.gale = {500.0, 0.0};
+    scene.effects.insert(scene.effects.begin(), make_shared<sim::GustFront>(12.0));
+    scene.effects.insert(scene.effects.begin() + 2,
+                         make_shared<sim::WindTorque>(tree, sim::limbsOf(*tree, k).inertia, 8.0, 0.4));
+    return scene;
+}
+
+}

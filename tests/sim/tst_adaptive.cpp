@@ -1,0 +1,313 @@
+// Methods of higher order and those that choose their steps, against closed forms: order, tolerance, contacts located
+// in time, and that what they compute ahead changes nothing.
+
+#include "support.h"
+
+#include "sim/effects/damping.h"
+#include "sim/effects/gait_clock.h"
+#include "sim/effects/gravity.h"
+#include "sim/effects/ground.h"
+#include "sim/effects/leg_spring.h"
+#include "sim/effects/point_spring.h"
+#include "sim/effects/radial_spring.h"
+#include "sim/effects/walls.h"
+#include "sim/methods/methods.h"
+
+#include <QTest>
+
+#include <complex>
+
+using namespace sim;
+
+namespace {
+
+Scene onePoint(Vec2 x, Vec2 v, std::vector<EffectPtr> effects)
+{
+    Scene scene;
+    scene.start = State::ofPoints(1);
+    scene.start.place(0, x);
+    scene.start.push(0, v);
+    scene.names = {"ball"};
+    scene.groups = {{"ball", {0, 1}}};
+    scene.effects = std::move(effects);
+    return scene;
+}
+
+/// x'' = -k x - c x' with c = -ln(damp), solved by its two roots (which may be complex).
+double closedForm(double x0, double v0, double k, double damp, double t)
+{
+    using Complex = std::complex<double>;
+    const double c = -std::log(damp);
+    const Complex root = std::sqrt(Complex(c * c / 4 - k, 0.0));
+    const Complex r1 = -c / 2 + root, r2 = -c / 2 - root;
+    const Complex a = (v0 - r2 * x0) / (r1 - r2);
+    return (a * std::exp(r1 * t) + (x0 - a) * std::exp(r2 * t)).real();
+}
+
+const QStringList ids = {"dormand_prince", "dop853"};
+
+/// Every frame of a run by `method` within `tolerance`, the start included.
+std::vector<State> run(const Scene &scene, const std::string &method, double tolerance, int frames)
+{
+    const MethodPtr rule = findMethod(method);
+    Scene prepared = scene;
+    rule->prepare(prepared.start);
+    const Pipeline pipeline = compose(prepared, *rule, StepSize::within(tolerance));
+    std::vector<State> all = {prepared.start};
+    for (int frame = 1; frame <= frames; ++frame) {
+        all.push_back(all.back());
+        all.back().frame = frame;
+        for (const Phase &phase : pipeline.phases)
+            phase.run(all.back());
+    }
+    return all;
+}
+
+/// Where a ball is that falls with `gravity` from `height` px over the floor and keeps `bounce` of its speed there:
+/// its parabolas, one after the other.
+struct Falling
+{
+    double gravity;
+    double height;
+    double bounce;
+    double at(double t) const
+    {
+        double speed = std::sqrt(2 * gravity * height), since = t - speed / gravity;
+        if (since < 0)
+            return height - gravity * t * t / 2;
+        for (;;) {
+            speed *= bounce;
+            const double whole = 2 * speed / gravity;
+            if (since < whole || whole < 1e-9)
+                return std::max(0.0, speed * since - gravity * since * since / 2);
+            since -= whole;
+        }
+    }
+};
+
+}
+
+class TestAdaptive : public QObject
+{
+    Q_OBJECT
+
+private:
+    static void addAdaptiveRows()
+    {
+        QTest::addColumn<QString>("method");
+        for (const QString &id : ids)
+            QTest::newRow(qPrintable(id)) << id;
+    }
+
+private slots:
+    void aDampedSpringIsAsExactAsAsked_data()
+    {
+        QTest::addColumn<QString>("method");
+        QTest::addColumn<double>("damp");
+        QTest::addColumn<double>("tolerance");
+        for (const QString &id : ids) {
+            for (const double damp : {1.0, 0.9, 0.3}) {
+                for (const double tolerance : {1e-2, 1e-5, 1e-8, 1e-11})
+                    QTest::addRow("%s, damp %g, %g px", qPrintable(id), damp, tolerance)
+                        << id << damp << tolerance;
+            }
+        }
+    }
+    void aDampedSpringIsAsExactAsAsked()
+    {
+        QFETCH(QString, method);
+        QFETCH(double, damp);
+        QFETCH(double, tolerance);
+        const Scene scene =
+            onePoint({100, -40}, {3, 8},
+                     {std::make_shared<PointSpring>(0, Vec2{0, 0}, 0.2), std::make_shared<Damping>(damp)});
+        const std::vector<State> all = run(scene, method.toStdString(), tolerance, 100);
+        for (std::size_t frame = 0; frame < all.size(); ++frame) {
+            const double t = double(frame);
+            // The errors of some hundred steps add up at most; rounding adds its share.
+            const double bound = 300 * tolerance + 1e-10;
+            QVERIFY(std::abs(all[frame].at(0).x - closedForm(100, 3, 0.2, damp, t)) < bound);
+            QVERIFY(std::abs(all[frame].at(0).y - closedForm(-40, 8, 0.2, damp, t)) < bound);
+        }
+        QVERIFY(all.back().evaluations > 0);
+    }
+
+    void theErrorFallsWithTheOrderOfTheMethod_data()
+    {
+        QTest::addColumn<QString>("method");
+        QTest::addColumn<double>("coarse");
+        QTest::addColumn<double>("fine");
+        QTest::newRow("Dormand-Prince") << "dormand_prince" << 1e-6 << 1e-10;
+        QTest::newRow("DOP853") << "dop853" << 1e-5 << 1e-9;
+    }
+    void theErrorFallsWithTheOrderOfTheMethod()
+    {
+        QFETCH(QString, method);
+        QFETCH(double, coarse);
+        QFETCH(double, fine);
+        constexpr int frames = 1000;
+        const Scene scene = onePoint({100, -40}, {3, 8}, {std::make_shared<PointSpring>(0, Vec2{0, 0}, 0.2)});
+        const auto measure = [&](double tolerance) {
+            const std::vector<State> all = run(scene, method.toStdString(), tolerance, frames);
+            double error = 0.0, length = 0.0;
+            for (int frame = frames - 40; frame <= frames; ++frame) {
+                const State &state = all[std::size_t(frame)];
+                error = std::max(error, std::abs(state.at(0).x - closedForm(100, 3, 0.2, 1.0, frame)));
+                length += state.ahead.length / 41;
+            }
+            return std::pair(error, length);
+        };
+        const auto [coarseError, coarseStep] = measure(coarse);
+        const auto [fineError, fineStep] = measure(fine);
+        const double order = std::log(coarseError / fineError) / std::log(coarseStep / fineStep);
+        QVERIFY2(std::abs(order - findMethod(method.toStdString())->order()) < 0.15,
+                 qPrintable(QString::number(order)));
+    }
+
+    void dampingAloneIsExact_data() { addAdaptiveRows(); }
+    void dampingAloneIsExact()
+    {
+        QFETCH(QString, method);
+        for (const double damp : {1.0, 0.9, 1e-3, 1e-300, 0.0}) {
+            const Scene scene = onePoint({5, 5}, {3, 8}, {std::make_shared<Damping>(damp)});
+            const std::vector<State> all = run(scene, method.toStdString(), 1e-9, 20);
+            for (std::size_t frame = 1; frame < all.size(); ++frame) {
+                const double kept = std::pow(damp, double(frame));
+                // Steps are exact. The velocity of a frame between their ends is the slope of a polynomial, which is
+                // off by one power of the step more than its places are.
+                QVERIFY(std::abs(all[frame].speed(0).y - 8 * kept) <= 1e-11 * 8 * kept + 3e-8);
+                // The way so far: the integral of v.
+                const double c = -std::log(damp);
+                const double way = damp == 1.0 ? double(frame) : damp == 0.0 ? 0.0 : (1 - kept) / c;
+                QVERIFY(std::abs(all[frame].at(0).x - (5 + 3 * way)) < 1e-6);
+            }
+        }
+    }
+
+    void bouncesAreLocatedInTime_data()
+    {
+        QTest::addColumn<QString>("method");
+        QTest::addColumn<double>("bounce");
+        QTest::addColumn<double>("tolerance");
+        for (const QString &id : ids) {
+            for (const double bounce : {1.0, 0.8, 0.3, 0.0}) {
+                for (const double tolerance : {1e-3, 1e-9})
+                    QTest::addRow("%s, bounce %g, %g px", qPrintable(id), bounce, tolerance)
+                        << id << bounce << tolerance;
+            }
+        }
+    }
+    void bouncesAreLocatedInTime()
+    {
+        QFETCH(QString, method);
+        QFETCH(double, bounce);
+        QFETCH(double, tolerance);
+        const Falling exact{0.5, 100.0, bounce};
+        const Scene scene =
+            onePoint({0, 280}, {2, 0},
+                     {std::make_shared<Gravity>(0.5),
+                      std::make_shared<Walls>(Room{-1e6, 1e6, 380, bounce}, Eigen::ArrayXd::Zero(1))});
+        const std::vector<State> all = run(scene, method.toStdString(), tolerance, 300);
+        for (std::size_t frame = 0; frame < all.size(); ++frame) {
+            const double off = (380 - all[frame].at(0).y) - exact.at(double(frame));
+            // A rest in place of the last small bounces is worth the tolerance, and a millionth of a pixel.
+            QVERIFY2(std::abs(off) < 10 * tolerance + 1e-5, qPrintable(QString("frame %1").arg(frame)));
+            QVERIFY(std::abs(all[frame].at(0).x - 2 * double(frame)) < 1e-6);
+        }
+        if (bounce < 0.9)
+            QCOMPARE(all.back().speed(0).y, 0.0); // it lies, and no longer trembles
+    }
+
+    void aFootSticksWhereItLandsAndLiftsWhenItIsPulledUp()
+    {
+        // A foot on a spring whose other end goes round: it lands, stands dead still, and is pulled off again.
+        Scene scene;
+        scene.start = State::ofPoints(2);
+        scene.start.place(0, {0, 40});
+        scene.start.inverseMass[1] = 0.0;
+        scene.start.gait.setZero(1);
+        scene.start.gaitSpeed.setConstant(1, 0.05);
+        scene.names = {"foot", "body"};
+        scene.groups = {{"foot", {0, 1}}};
+        scene.effects = {std::make_shared<LegSpring>(std::vector<Leg>{{0, 1, 0.0, 0}},
+                                                     LegRule{0.1, 50.0, 0.0, Aim::swing, Reaction::none}),
+                         std::make_shared<Damping>(0.9),
+                         std::make_shared<Ground>(std::vector<int>{0}, Soil{20.0, 0.0, Traction::full}),
+                         std::make_shared<GaitClock>()};
+        const std::vector<State> all = run(scene, "dop853", 1e-9, 300);
+        // Standing, it lifts when its place comes above the ground: -50 sin(gait) = 20.
+        int stands = 0, landings = 0;
+        for (std::size_t frame = 1; frame < all.size(); ++frame) {
+            const State &state = all[frame];
+            QVERIFY(state.at(0).y <= 20.0);
+            const bool on = state.at(0).y == 20.0, was = all[frame - 1].at(0).y == 20.0;
+            stands += on;
+            landings += on && !was;
+            if (on && was) {
+                QCOMPARE(state.at(0).x, all[frame - 1].at(0).x);
+                QVERIFY(-50 * std::sin(0.05 * double(frame)) > 20.0 - 1e-9);
+            }
+            if (was && !on)
+                QVERIFY(-50 * std::sin(0.05 * double(frame)) < 20.0);
+        }
+        QVERIFY(stands > 40 && landings == 2);
+        // Two other methods agree on all of it.
+        const std::vector<State> other = run(scene, "dormand_prince", 1e-10, 300);
+        for (std::size_t frame = 0; frame < all.size(); ++frame)
+            QVERIFY(length(all[frame].at(0) - other[frame].at(0)) < 1e-6);
+    }
+
+    void methodsOfFixedStepLoseTheirOrderAtABounce()
+    {
+        const Falling exact{0.5, 100.0, 1.0};
+        const Scene scene =
+            onePoint({0, 280}, {0, 0},
+                     {std::make_shared<Gravity>(0.5),
+                      std::make_shared<Walls>(Room{-1e6, 1e6, 380, 1.0}, Eigen::ArrayXd::Zero(1))});
+        const auto error = [&](double h) {
+            double most = 0.0;
+            for (int frame = 1; frame <= 60; ++frame) {
+                const State state = support::plainRun(scene, "rk4", h, frame);
+                most = std::max(most, std::abs(380 - state.at(0).y - exact.at(frame)));
+            }
+            return most;
+        };
+        // In free fall the method is exact; after the bounce its error goes with h, not with its fourth power.
+        const double coarse = error(1.0 / 8), fine = error(1.0 / 64);
+        QVERIFY(fine > coarse / 64 && fine > 1e-2);
+    }
+
+    void whatIsComputedAheadIsForgottenWhenAHandComes_data() { addAdaptiveRows(); }
+    void whatIsComputedAheadIsForgottenWhenAHandComes()
+    {
+        QFETCH(QString, method);
+        const Scene scene = onePoint({100, -40}, {3, 8}, {std::make_shared<PointSpring>(0, Vec2{0, 0}, 0.2)});
+        Script script = support::script(scene, method.toStdString());
+        script.step = StepSize::within(1e-9);
+        script.input = {{10, Grab{"ball"}}, {10, Move{{50, 60}}}, {12, Release{}}};
+        Track track(script, 0);
+        track.seek({9, 0});
+        QVERIFY(track.now().ahead.to > 0.0);
+        track.seek({11, 0});
+        QVERIFY(track.now().at(0) == (Vec2{50, 60}));
+        track.seek({30, 0}); // free from frame 11 on, at rest
+        QVERIFY(std::abs(track.now().at(0).x - closedForm(50, 0, 0.2, 1.0, 19)) < 1e-6);
+    }
+
+    void aStepThatCannotBeFoundEndsTheRun()
+    {
+        // Walls closer together than the ball is wide: there is no place for it.
+        const Scene scene =
+            onePoint({0, 0}, {1, 0},
+                     {std::make_shared<Gravity>(0.5),
+                      std::make_shared<Walls>(Room{-1, 1, 380, 1.0}, Eigen::ArrayXd::Constant(1, 5.0))});
+        Script script = support::script(scene, "dormand_prince");
+        Track track(script, 0);
+        track.seek({10, 0});
+        QVERIFY(track.stop());
+        QCOMPARE(track.stop()->body, std::string("ball"));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestAdaptive)
+#include "tst_adaptive.moc"

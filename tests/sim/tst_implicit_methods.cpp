@@ -1,0 +1,330 @@
+// Methods that solve for where things come to: their order, what they keep, and what no stiffness can break.
+
+#include "implicit_scenes.h"
+#include "support.h"
+
+#include "sim/effects/damping.h"
+#include "sim/effects/gravity.h"
+#include "sim/effects/point_spring.h"
+#include "sim/effects/radial_spring.h"
+#include "sim/effects/split_damping.h"
+#include "sim/effects/sticks.h"
+#include "sim/error.h"
+#include "sim/methods/methods.h"
+
+#include <QTest>
+
+using namespace sim;
+using namespace implicit_scenes;
+
+namespace {
+
+const char *const implicitMethods[] = {"backward_euler", "implicit_midpoint", "tr_bdf2"};
+
+template <class Visit>
+State runOf(const Scene &scene, const std::string &method, double h, int frames, Visit &&visit)
+{
+    const MethodPtr rule = findMethod(method);
+    const Pipeline pipeline = compose(scene, *rule, StepSize::of(h));
+    State state = scene.start;
+    rule->prepare(state);
+    for (int frame = 0; frame < frames; frame += pipeline.step.rowFrames) {
+        for (int i = 0; i < pipeline.phasesPerRow(); ++i)
+            pipeline.phaseAt(i).run(state);
+        visit(state);
+    }
+    return state;
+}
+
+std::string refusal(const Scene &scene, const std::string &method)
+{
+    try {
+        compose(scene, *findMethod(method), StepSize::of(1.0));
+    } catch (const Error &error) {
+        return error.id() + (error.values().contains("effect") ? " " + error.values().at("effect") : "");
+    }
+    return "accepted";
+}
+
+}
+
+class TestImplicitMethods : public QObject
+{
+    Q_OBJECT
+
+private:
+    static void addMethodRows()
+    {
+        QTest::addColumn<QString>("method");
+        for (const char *id : implicitMethods)
+            QTest::newRow(id) << id;
+    }
+
+private slots:
+    void theErrorShrinksWithTheStatedOrder_data()
+    {
+        QTest::addColumn<QString>("method");
+        QTest::addColumn<int>("number");
+        for (const char *id : implicitMethods) {
+            for (std::size_t i = 0; i < smoothScenes().size(); ++i)
+                QTest::addRow("%s, %s", id, smoothScenes()[i].name.c_str()) << id << int(i);
+        }
+    }
+    void theErrorShrinksWithTheStatedOrder()
+    {
+        QFETCH(QString, method);
+        QFETCH(int, number);
+        const SmoothScene &smooth = smoothScenes()[std::size_t(number)];
+        constexpr int frames = 10;
+        const Ends exact = smooth.exact(frames);
+        std::vector<double> errors;
+        for (const int n : {5, 6, 7})
+            errors.push_back(distance(
+                endsOf(support::plainRun(smooth.scene, method.toStdString(), std::ldexp(1.0, -n), frames)),
+                exact));
+        const int order = findMethod(method.toStdString())->order();
+        const double measured = std::log2(errors[1] / errors[2]);
+        QVERIFY2(std::abs(measured - order) < 0.15, qPrintable(QString("order %1, errors %2 %3 %4")
+                                                                   .arg(measured)
+                                                                   .arg(errors[0])
+                                                                   .arg(errors[1])
+                                                                   .arg(errors[2])));
+    }
+
+    void oneStepIsTheClosedFormOfALinearSpring()
+    {
+        const double k = 0.7, damp = 0.8, h = 0.5;
+        const Scene scene = oscillator(k, damp);
+        const double keep = std::pow(damp, h), x = 100.0, v = 3.0;
+        const auto step = [&](const char *method) {
+            State state = scene.start;
+            findMethod(method)->prepare(state);
+            for (const Phase &phase : compose(scene, *findMethod(method), StepSize::of(h)).phases)
+                phase.run(state);
+            return state;
+        };
+        // x1 = x + h keep (v - h k x1), solved by hand
+        const double x1 = (x + h * keep * v) / (1 + h * h * k * keep);
+        const State euler = step("backward_euler");
+        QVERIFY(std::abs(euler.at(0).x - x1) < 1e-12);
+        QVERIFY(std::abs(euler.speed(0).x - (x1 - x) / h) < 1e-12);
+        // Cayley's form of the rotation: the middle m = (v - h/2 k x) / (1 + h^2/4 k)
+        const double slowed = std::sqrt(keep) * v;
+        const double middle = (slowed - h / 2 * k * x) / (1 + h * h / 4 * k);
+        const State midpoint = step("implicit_midpoint");
+        QVERIFY(std::abs(midpoint.at(0).x - (x + h * middle)) < 1e-12);
+        QVERIFY(std::abs(midpoint.speed(0).x - std::sqrt(keep) * (2 * middle - slowed)) < 1e-12);
+    }
+
+    void dampingAloneIsExactAtAnyStep_data() { addMethodRows(); }
+    void dampingAloneIsExactAtAnyStep()
+    {
+        QFETCH(QString, method);
+        Scene scene = oscillator(0.2, 0.9);
+        scene.effects.erase(scene.effects.begin());
+        for (const double h : {0.001, 0.125, 1.0 / 3, 1.0, 2.0, 10.0}) {
+            const State end = support::plainRun(scene, method.toStdString(), h, 30);
+            const double kept = std::pow(0.9, 30);
+            // Two factors a step, each wrong by a bit and rounded once more; and c itself is rounded.
+            const double tolerance = 2.3e-16 * (3 * (30 / h) + 30 * 0.11);
+            QVERIFY2(std::abs(end.speed(0).x / (3.0 * kept) - 1.0) < tolerance,
+                     qPrintable(QString::number(h)));
+            QVERIFY(std::abs(end.speed(0).y / (8.0 * kept) - 1.0) < tolerance);
+        }
+    }
+
+    void whatIsStoppedAtOnceStaysWhereItIs_data() { addMethodRows(); }
+    void whatIsStoppedAtOnceStaysWhereItIs()
+    {
+        QFETCH(QString, method);
+        const Scene scene = oscillator(0.2, 0.0);
+        for (const double h : {0.25, 1.0, 3.0}) {
+            const State end = support::plainRun(scene, method.toStdString(), h, 12);
+            QCOMPARE(end.at(0), scene.start.at(0));
+            QCOMPARE(end.speed(0), Vec2());
+        }
+    }
+
+    void withoutDragDampingIsAsIfItWereNotThere_data() { addMethodRows(); }
+    void withoutDragDampingIsAsIfItWereNotThere()
+    {
+        QFETCH(QString, method);
+        Scene scene = creature(5, 1.0);
+        const State damped = support::plainRun(scene, method.toStdString(), 0.5, 40);
+        scene.effects.pop_back();
+        const State bare = support::plainRun(scene, method.toStdString(), 0.5, 40);
+        QCOMPARE(support::difference(damped, bare), std::string());
+    }
+
+    void implicitMidpointKeepsTheEnergyOfASpring_data()
+    {
+        QTest::addColumn<double>("k");
+        QTest::newRow("as in the lessons") << 0.2;
+        QTest::newRow("far stiffer than the step follows") << 1e4;
+    }
+    void implicitMidpointKeepsTheEnergyOfASpring()
+    {
+        QFETCH(double, k);
+        Scene scene = oscillator(k, 1.0);
+        const auto energy = [&](const State &state) {
+            const Vec2 x = state.at(0), v = state.speed(0);
+            return v.x * v.x + v.y * v.y + k * (x.x * x.x + x.y * x.y);
+        };
+        const double start = energy(scene.start);
+        double worst = 0.0;
+        runOf(scene, "implicit_midpoint", 1.0, 1'000'000,
+              [&](const State &state) { worst = std::max(worst, std::abs(energy(state) / start - 1.0)); });
+        // Some roundings a step of 1e-16, all to one side at worst: 10^6 times that.
+        QVERIFY2(worst < 1e-10, qPrintable(QString::number(worst)));
+    }
+
+    void implicitMidpointIsTheSameBackwards_data()
+    {
+        QTest::addColumn<bool>("walks");
+        QTest::newRow("a creature in the air") << false;
+        QTest::newRow("legs that swing") << true;
+    }
+    void implicitMidpointIsTheSameBackwards()
+    {
+        QFETCH(bool, walks);
+        const Scene scene = walks ? walker(1.0) : creature(5, 1.0);
+        const auto wayBack = [&](const char *method) {
+            Scene back = scene;
+            back.start = support::plainRun(scene, method, 0.5, 20);
+            back.start.velocity *= -1.0;
+            back.start.gaitSpeed *= -1.0;
+            const State end = support::plainRun(back, method, 0.5, 20);
+            return (end.position - scene.start.position).abs().maxCoeff();
+        };
+        QVERIFY2(wayBack("implicit_midpoint") < 1e-8,
+                 qPrintable(QString::number(wayBack("implicit_midpoint"))));
+        QVERIFY(wayBack("backward_euler") > 1.0);
+    }
+
+    void stiffSpringsComeToRestWhereTheyMust_data()
+    {
+        QTest::addColumn<QString>("method");
+        QTest::addColumn<double>("k");
+        for (const QString id : {"backward_euler", "tr_bdf2"}) {
+            for (const double k : {1.0, 1e3, 1e6, 1e9})
+                QTest::addRow("%s, k = %g", qPrintable(id), k) << id << k;
+        }
+    }
+    void stiffSpringsComeToRestWhereTheyMust()
+    {
+        QFETCH(QString, method);
+        QFETCH(double, k);
+        const Scene scene = hanging(k, 0.85);
+        double farthest = 0.0;
+        const State end = runOf(scene, method.toStdString(), 1.0, 600, [&](const State &state) {
+            farthest = std::max(farthest, (state.position - 200.0).abs().maxCoeff());
+        });
+        QVERIFY2(farthest < 400.0, qPrintable(QString::number(farthest)));
+        // A pull is rounded to k times a bit of 256 px; sideways only weight pulls back, 0.5 / 50 a px.
+        const double even = 1e-6, sideways = 1e-6 + k * 2.9e-14 / 0.01 * 4;
+        const Vec2 hung[] = {end.at(0) - Vec2{200.0, 200.0}, end.at(3) - end.at(1)};
+        for (const Vec2 below : hung) {
+            QVERIFY2(std::abs(below.x) < sideways, qPrintable(QString::number(below.x)));
+            QVERIFY2(std::abs(length(below) - (50.0 + gravity / k)) < even,
+                     qPrintable(QString::number(length(below), 'g', 15)));
+            QVERIFY(below.y > 0.0);
+        }
+        // the one in between carries both
+        QVERIFY(std::abs(length(end.at(1) - end.at(5)) - (50.0 + 2 * gravity / k)) < even);
+        QVERIFY(length(end.at(2) - Vec2{120.0, 150.0 + gravity / k}) < 1e-9);
+        QVERIFY2(end.velocity.abs().maxCoeff() < sideways,
+                 qPrintable(QString::number(end.velocity.abs().maxCoeff())));
+    }
+
+    void aStiffModeIsDampedByTwoAndKeptByOne()
+    {
+        constexpr double k = 1e4;
+        const Scene scene = oscillator(k, 1.0);
+        const auto energy = [k](const State &state) {
+            return (state.velocity.square() + k * state.position.square()).sum();
+        };
+        const auto left = [&](const char *method) {
+            return energy(support::plainRun(scene, method, 1.0, 20)) / energy(scene.start);
+        };
+        QVERIFY(left("backward_euler") < 1e-12);
+        QVERIFY(left("tr_bdf2") < 1e-12);
+        QVERIFY(std::abs(left("implicit_midpoint") - 1.0) < 1e-12);
+    }
+
+    void twoRunsAreTheSameBitForBit_data() { addMethodRows(); }
+    void twoRunsAreTheSameBitForBit()
+    {
+        QFETCH(QString, method);
+        for (const int feet : {5, 40}) { // few unknowns and many are solved in two ways
+            const Scene scene = creature(feet, 0.9);
+            const State one = support::plainRun(scene, method.toStdString(), 1.0, 100);
+            const State two = support::plainRun(scene, method.toStdString(), 1.0, 100);
+            QVERIFY(sameBits(one, two));
+            QCOMPARE(firstNotFinite(one), -1);
+            QVERIFY(one.evaluations >= 200 && one.evaluations < 100 * 50);
+        }
+    }
+
+    void aPointInAHandPullsAndIsNotMoved_data() { addMethodRows(); }
+    void aPointInAHandPullsAndIsNotMoved()
+    {
+        QFETCH(QString, method);
+        Scene scene = creature(2, 0.7);
+        scene.effects.erase(scene.effects.begin() + 1); // gravity
+        Script script = support::script(scene, method.toStdString());
+        script.input = {{0, Grab{"foot0"}}, {0, Move{{100.0, 100.0}}}};
+        Track track(script, 100'000);
+        track.seek({400, 0});
+        QCOMPARE(track.now().at(0), (Vec2{100.0, 100.0}));
+        const double far = length(track.now().at(2) - track.now().at(0));
+        QVERIFY2(std::abs(far - 50.0) < 1e-6, qPrintable(QString::number(far)));
+    }
+
+    void aTreeOfSpringsSwaysAsTwoUnlikeMethodsSay()
+    {
+        const Scene scene = windyTree();
+        const State one = support::plainRun(scene, "implicit_midpoint", 1.0 / 64, 60);
+        const State two = support::plainRun(scene, "tr_bdf2", 1.0 / 64, 60);
+        const State plain = support::plainRun(scene, "semi_implicit_euler", 1.0 / 4096, 60);
+        QVERIFY((one.angle - scene.start.angle).abs().maxCoeff() > 5.0); // it does sway
+        QVERIFY((one.angle - two.angle).abs().maxCoeff() < 0.01);
+        QVERIFY((one.angle - plain.angle).abs().maxCoeff() < 0.02);
+        QVERIFY((one.position - plain.position).abs().maxCoeff() < 0.02);
+        for (const char *method : implicitMethods)
+            QCOMPARE(firstNotFinite(support::plainRun(scene, method, 2.0, 600)), -1);
+    }
+
+    void everythingThatGoesWithTimeIsInOnePhase()
+    {
+        const support::Sample &walkers = support::sample("walkers");
+        const Scene scene = walkers.build(walkers.values);
+        std::string ids;
+        std::string within;
+        for (const Phase &phase : compose(scene, *findMethod("tr_bdf2"), StepSize::of(1.0)).phases) {
+            ids += phase.id + " ";
+            for (const EffectPtr &effect : phase.within)
+                within += effect->id() + " ";
+        }
+        QCOMPARE(ids, std::string("steering solve ground walls turn_round "));
+        QCOMPARE(within, std::string("leg_spring push gravity damping gait_clock "));
+    }
+
+    void whatHasNoEquationsIsRefused_data() { addMethodRows(); }
+    void whatHasNoEquationsIsRefused()
+    {
+        QFETCH(QString, method);
+        const std::string id = method.toStdString();
+        Scene scene = creature(2, 0.9);
+        QCOMPARE(refusal(scene, id), std::string("accepted"));
+        scene.effects.push_back(std::make_shared<SplitDamping>(0, 1, 0.7, 0.5));
+        QCOMPARE(refusal(scene, id), std::string("method-does-not-fit split_damping"));
+        scene.effects.back() = std::make_shared<Sticks>(std::vector<Stick>{{}}, 3);
+        QCOMPARE(refusal(scene, id), std::string("method-does-not-fit sticks"));
+        scene.effects.pop_back();
+        scene.groups.front().inertia = Inertia::none;
+        QCOMPARE(refusal(scene, id), std::string("needs-inertia"));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestImplicitMethods)
+#include "tst_implicit_methods.moc"
