@@ -313,22 +313,22 @@ void Session::select(const QString &body)
 
 void Session::checkTries()
 {
+    const bool mayMeasure =
+        !m_sinceMeasured.isValid() || m_sinceMeasured.elapsed() >= measureAgainMilliseconds;
+    const auto keeps = [&](const lessons::Budget &budget) {
+        if (!mayMeasure)
+            return false;
+        const bool kept = lessons::keeps(budget, m_timeline->script(), lessons::measuredTime);
+        m_sinceMeasured.start();
+        return kept;
+    };
     const std::vector<lessons::Try> &tries = step().tries;
     for (int i = 0; i < static_cast<int>(tries.size()); ++i) {
         const lessons::Try &one = tries[static_cast<std::size_t>(i)];
         if (!m_progress.isDone(lesson().id, step().id, i) && one.done(*m_timeline) &&
-            (!one.budget || keepsNow(*one.budget)))
+            (!one.budget || keeps(*one.budget)))
             m_progress.markDone(lesson().id, step().id, i);
     }
-}
-
-bool Session::keepsNow(const lessons::Budget &budget)
-{
-    if (m_sinceMeasured.isValid() && m_sinceMeasured.elapsed() < measureAgainMilliseconds)
-        return false;
-    const bool keeps = lessons::keeps(budget, m_timeline->script(), lessons::measuredTime);
-    m_sinceMeasured.start();
-    return keeps;
 }
 
 }

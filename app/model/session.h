@@ -158,8 +158,6 @@ private:
     template <class Change>
     void edit(const QString &before, Change &&change);
     void checkTries();
-    /// Whether the run keeps a budget, measured now; false, too, while the last measurement is hardly over.
-    bool keepsNow(const lessons::Budget &budget);
     QString keyOf(const QString &lesson, const QString &step) const { return lesson + '/' + step; }
 
     const LessonLibrary &m_library;

@@ -113,21 +113,41 @@ std::vector<Guide> exactMarks(ExactRun &exact, const Look &look, const Script &s
     if (!right || right->points() != state.points())
         return {};
     std::vector<Guide> marks;
-    int farthest = 0;
-    double distance = 0.0;
+    std::size_t worst = 0;
+    int farthest = -1;
+    double distance = leastShown;
     for (int i = 0; i < state.points(); ++i) {
-        const double size = look.bodies[static_cast<std::size_t>(i)].radius;
-        marks.push_back({Guide::Shape::ring, right->at(i), {}, size, {}});
+        if (!state.feels(i)) // it is wherever it was put
+            continue;
         const double away = sim::length(state.at(i) - right->at(i));
-        if (away > distance) {
+        if (away >= distance) {
+            worst = marks.size();
             farthest = i;
             distance = away;
         }
+        marks.push_back(
+            {Guide::Shape::ring, right->at(i), {}, look.bodies[static_cast<std::size_t>(i)].radius, {}});
     }
-    if (distance >= leastShown)
-        marks.push_back({Guide::Shape::line, state.at(farthest), right->at(farthest), 0.0,
-                         Text::tr("%1 px off").arg(QLocale::c().toString(distance, 'f', 1))});
+    if (farthest >= 0) {
+        marks[worst].label = Text::tr("%1 px off").arg(QLocale::c().toString(distance, 'f', 1));
+        marks.push_back({Guide::Shape::line, state.at(farthest), right->at(farthest), 0.0, {}});
+    }
     return marks;
+}
+
+std::vector<Guide> turningPlaces(const Scene &scene, const State &, const Values &)
+{
+    const sim::Vec2 start = scene.start.at(foot);
+    return {{Guide::Shape::cross, centre, {}, 0.0, {}},
+            {Guide::Shape::cross, start, {}, 0.0, {}},
+            {Guide::Shape::cross, centre + (centre - start), {}, 0.0, {}}};
+}
+
+std::vector<Guide> turningRings(const Scene &scene, const State &state, const Values &values)
+{
+    const sim::Vec2 middle = state.at(1);
+    return {{Guide::Shape::ring, middle, {}, values["radius"], {}},
+            {Guide::Shape::ring, middle, {}, sim::length(scene.start.at(foot) - scene.start.at(1)), {}}};
 }
 
 }

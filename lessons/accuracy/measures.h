@@ -24,9 +24,17 @@ lessons::Measure driftMeasure(const Exact &exact);
 lessons::Measure stepMeasure();
 lessons::Measure computationsMeasure();
 
-/// Where everything should be: a ring a point, and a line to the farthest one with its distance.
+/// Where everything should be: a ring for each point that moves by itself, and a line from the one that is farthest
+/// off, with its distance.
 std::vector<lessons::Guide> exactMarks(lessons::ExactRun &exact, const lessons::Look &look,
                                        const sim::Script &script, const sim::State &state,
                                        std::int64_t frame);
+
+/// Where the spring of the first two steps ends, and the two places between which its foot swings without damping.
+std::vector<lessons::Guide> turningPlaces(const sim::Scene &scene, const sim::State &state,
+                                          const sim::Values &values);
+/// Where the spring of `adapt` has its length, and how far out its foot comes without damping.
+std::vector<lessons::Guide> turningRings(const sim::Scene &scene, const sim::State &state,
+                                         const sim::Values &values);
 
 }

@@ -56,14 +56,15 @@ Step bigStep()
     step.narration = Text::tr(
         "A real spring pulls **all the time**. A computed one asks for its pull once a **step**, and goes "
         "straight on until the next. Here a step is one frame.\n\n"
-        "Without damping the exact motion is known: a cosine that swings once in 14.05 frames. The dashed "
+        "Without damping the exact motion is known: a cosine that swings once in 14.05 frames. The dashed "
         "ring "
         "is there. The foot is not: each step turns a bend into a straight line, so it swings a little too "
-        "fast, and after 100 frames it is 66 px off.\n\n"
+        "fast, and after 100 frames it is 66 px off.\n\n"
         "More, smaller steps follow the bend more closely, and each one is **work**: the pull has to be "
         "computed anew. You choose the step above the scene.");
     step.tries = bigStepTries(exact);
     step.scene = big_step::setUp;
+    step.guides = turningPlaces;
     step.measures.push_back(computationsMeasure());
     return step;
 }
@@ -79,13 +80,14 @@ Step energyStep()
         "**Explicit Euler** moves by the old velocity, and pulls by the old place. Each step multiplies the "
         "energy by exactly 1 + k h², whatever the motion: at k = 0.02 and h = 1 by 1.02. That doubles it "
         "every "
-        "35 frames. A smaller step only takes longer.\n\n"
+        "35 frames. A smaller step only takes longer.\n\n"
         "**Semi-implicit Euler** moves by the new velocity. One line in another place, the same work: now "
         "the "
-        "energy swings 7 % round the true one, for ever, and never runs away. **Verlet** methods swing only "
+        "energy swings 7 % round the true one, for ever, and never runs away. **Verlet** methods swing only "
         "half a percent.");
     step.tries = energyTries(exact);
     step.scene = energy::setUp;
+    step.guides = turningPlaces;
     step.measures.insert(step.measures.begin(), driftMeasure(exact));
     return step;
 }
@@ -100,9 +102,9 @@ Step halveStep()
         "A method of **order 1** gets half the error. **Order 2**: a quarter. **Order 4**: a sixteenth. "
         "The order says nothing about one step alone; it says what halving is worth.\n\n"
         "Runge–Kutta 4 asks for the forces four times a step, Semi-implicit Euler once. Yet with 8 "
-        "computations a frame the one is 0.13 px off at frame 60, and the other 0.44 px. With 64, it "
-        "is 0.00003 px against 0.05.\n\n"
-        "Steps must be small enough first: at 2 frames both are far off.\n\n"
+        "computations a frame the one is 0.13 px off at frame 60, and the other 0.44 px. With 64, it "
+        "is 0.00003 px against 0.05.\n\n"
+        "Steps must be small enough first: at 2 frames both are far off.\n\n"
         "The **Accuracy** plot (Measure, at the top) shows each method as a ladder. Steeper is a higher "
         "order.");
     step.tries = halveTries(exact, step.presets());
@@ -122,13 +124,18 @@ Step adaptStep()
         "**Dormand–Prince** chooses. It computes each step twice at once, with order 5 and order 4. If the "
         "two "
         "differ by more than the **tolerance**, the step was too long, and it tries a shorter one.\n\n"
-        "Watch **its step**: almost 4 frames far out, under 0.3 in the middle. The tolerance is for one "
+        "Watch **its step**: almost 4 frames far out, under 0.3 in the middle. The tolerance is for one "
         "step; "
-        "errors add up on the way, so after 150 frames more than 0.001 px is missing.");
+        "errors add up on the way, so after 150 frames more than 0.001 px is missing.");
     step.method = "dormand_prince";
     step.tries = adaptTries(exact, step.presets());
     step.scene = adapt::setUp;
-    step.look = [](const sim::Scene &scene, const sim::Values &) { return creatureLook(scene); };
+    step.guides = turningRings;
+    step.look = [](const sim::Scene &scene, const sim::Values &) {
+        Look look = creatureLook(scene);
+        look.bodies[1] = {BodyLook::Shape::joint, 4.0}; // so that what happens there is seen
+        return look;
+    };
     step.measures.push_back(stepMeasure());
     step.measures.push_back(computationsMeasure());
     return step;
@@ -142,13 +149,13 @@ Step bounceStep()
     step.addParameters(room());
     step.narration = Text::tr(
         "Between two bounces a ball flies a parabola, and Runge–Kutta 4 computes that **without any error**. "
-        "But it is first at the floor after 30.66 frames, in the middle of a step. The step ends in the "
+        "But it is first at the floor after 30.66 frames, in the middle of a step. The step ends in the "
         "floor, "
         "and only then the ball is put back. That mistake is as big as a step is long: **at a bounce every "
         "order is 1**.\n\n"
         "Dormand–Prince looks back along its step, finds the moment of the touch, ends the step there, turns "
         "the velocity round, and goes on. This is called **event finding**.\n\n"
-        "With a bounce of 0.5 each flight takes half as long as the one before. Infinitely many fit into 92 "
+        "With a bounce of 0.5 each flight takes half as long as the one before. Infinitely many fit into 92 "
         "frames. So a ball that hardly leaves the floor is put to rest.");
     step.method = "rk4";
     step.tries = bounceTries(exact, step.presets());
@@ -169,10 +176,10 @@ Step budgetStep()
     step.addParameters({stiffness(0.1), damping(0.97), radius()});
     step.narration = Text::tr(
         "No method is best. The question is: **how far off may it be, and what may it cost?** A game that "
-        "moves 10 000 creatures 60 times a second has 1.7 µs for each, and more to do.\n\n"
-        "Here you may be 1 px off, and spend **half a microsecond** a frame. The way you start with is "
+        "moves 10 000 creatures 60 times a second has 1.7 µs for each, and more to do.\n\n"
+        "Here you may be 1 px off, and spend **half a microsecond** a frame. The way you start with is "
         "cheap, "
-        "and 15 px off. Small steps of it are exact, and dear. Which method, with which step?\n\n"
+        "and 15 px off. Small steps of it are exact, and dear. Which method, with which step?\n\n"
         "When you come to frame 200 the program compares your run with the exact one, and times it on this "
         "machine, several times over. Nothing else may be changed. On a busy machine it may need another "
         "try, "

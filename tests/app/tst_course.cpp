@@ -12,6 +12,8 @@
 #include <QStandardPaths>
 #include <QtTest>
 
+#include <limits>
+
 using namespace app;
 
 namespace {
@@ -65,12 +67,35 @@ lessons::Step plain()
     return look_scenes::step("plain", scene, look_scenes::feetOnly(scene));
 }
 
+/// A step that looks at its run as a whole. Its run is exact, so that only the price decides.
+lessons::Step whole()
+{
+    sim::Scene scene = look_scenes::pointsAt({{start, 100}});
+    look_scenes::letGlide(scene, {speed, 0.0});
+    lessons::Step step = look_scenes::step("whole", scene, look_scenes::feetOnly(scene));
+    lessons::Measure measure = {"Step", "frames", "The step of the run.", 2, {}};
+    measure.ofRun = [](const sim::Script &script, const sim::Scene &, const sim::State &, const sim::State *,
+                       const sim::Values &) { return script.step.h; };
+    step.measures = {measure};
+    step.guidesOfRun = [](const sim::Script &script, const sim::State &, std::int64_t frame) {
+        return std::vector<lessons::Guide>{
+            {lessons::Guide::Shape::cross, {double(frame), script.step.h}, {}, 0.0, {}}};
+    };
+    const auto came = [](const sim::Timeline &run) { return run.at().frame >= 10; };
+    const double anyPrice = std::numeric_limits<double>::infinity();
+    step.tries = {{"For nothing.", came, lessons::Budget{1e-6, 0.0, 10}},
+                  {"At any price.", came, lessons::Budget{1e-6, anyPrice, 10}},
+                  {"More exact than can be.", came, lessons::Budget{-1.0, anyPrice, 10}},
+                  {"Just there.", came}};
+    return step;
+}
+
 struct Bench
 {
     LessonLibrary library = [] {
         LessonEntry entry;
         entry.id = "lesson";
-        entry.steps = {glide(), plain()};
+        entry.steps = {glide(), plain(), whole()};
         LessonLibrary made;
         made.lessons = {entry};
         return made;
@@ -198,6 +223,35 @@ private slots:
         QCOMPARE(rows[0]->accessibleDescription(), QString("130.0 px. Where p0 is."));
         bench.session.openStep("lesson", "plain");
         QVERIFY(panel.isEmpty());
+    }
+
+    void whatLooksAtTheWholeRunIsGivenItsScript()
+    {
+        Bench bench;
+        bench.session.openStep("lesson", "whole");
+        bench.session.setStepSize(0.5);
+        QVERIFY(bench.goTo(20));
+        QCOMPARE(bench.course.at(20)->measures.at(0), 0.5);
+        const std::vector<lessons::Guide> guides = bench.session.picture().guides;
+        QCOMPARE(guides.size(), std::size_t{1});
+        QCOMPARE(guides[0].a, (sim::Vec2{20.0, 0.5}));
+    }
+
+    void aTryWithABudgetIsDoneByARunThatKeepsIt()
+    {
+        Bench bench;
+        bench.session.progress().forgetAll();
+        bench.session.openStep("lesson", "whole");
+        const auto done = [&](int number) {
+            return bench.session.progress().isDone("lesson", "whole", number);
+        };
+        bench.session.goTo({9, 0});
+        QVERIFY(!done(1) && !done(3));
+        bench.session.goTo({10, 0});
+        QVERIFY(!done(0));
+        QVERIFY(done(1));
+        QVERIFY(!done(2));
+        QVERIFY(done(3));
     }
 
     void nothingIsMeasuredWhereNothingIsAsked()

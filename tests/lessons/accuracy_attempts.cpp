@@ -68,8 +68,8 @@ std::vector<Attempt> attempts()
         {"adapt", 1, "thrown past the middle",
          [](Player &p) {
              p.grab("foot");
-             p.carryTo({150, 120}, 5);
-             p.carryTo({200, 160}, 3);
+             p.carryTo({120, 110}, 8);
+             p.carryTo({195, 158}, 3);
              p.letGo();
              p.playUntilDone(60);
          }},

@@ -71,7 +71,7 @@ sim::Script scriptOf(const lessons::Step &step, const std::string &method, doubl
 {
     sim::Script script = step.script();
     script.method = sim::findMethod(method);
-    script.step = sim::StepSize::of(h);
+    script.step = sim::stepFor(*script.method, sim::StepSize::of(h));
     for (const auto &[id, value] : changes)
         script.values.set(id, value);
     return script;

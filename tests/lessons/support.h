@@ -30,7 +30,8 @@ LoadedLesson loadLesson(const QString &id);
 /// The text of a region as it was embedded; empty unless the file is there and has exactly two marker lines.
 std::optional<QString> regionText(const sim::Region &region);
 
-/// The script of `step` with another method and step, and other values for some parameters.
+/// The script of `step` with another method and step, and other values for some parameters. Methods that choose their
+/// steps get the preset tolerance in place of `h`.
 using Changes = std::vector<std::pair<std::string, double>>;
 sim::Script scriptOf(const lessons::Step &step, const std::string &method = "published", double h = 1.0,
                      const Changes &changes = {});

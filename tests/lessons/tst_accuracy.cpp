@@ -283,15 +283,15 @@ void AccuracyLesson::pastItsHorizonTheExactRunSaysNothing()
 
 void AccuracyLesson::aBigStepIsAsFarOffAsTheTextSays()
 {
-    QVERIFY(saysOf("big_step", u"once in 14.05 frames"_qs));
+    QVERIFY(saysOf("big_step", u"once in 14.05 frames"_qs));
     QVERIFY(std::abs(2 * std::numbers::pi / std::sqrt(0.2) - 14.05) < 0.005);
-    QVERIFY(saysOf("big_step", u"after 100 frames it is 66 px off"_qs));
+    QVERIFY(saysOf("big_step", u"after 100 frames it is 66 px off"_qs));
     const sim::Script script = step("big_step").script();
     const double off = std::abs(stateAfter(script, 100).at(0).x - 270.0 - cosine(130.0, 0.2, 100));
     QCOMPARE(std::round(off), 66.0);
     QVERIFY(std::abs(measured("big_step", 0, script, 100).back() - off) < 1e-6);
     QVERIFY(offAt("big_step", "semi_implicit_euler", 0.125, 100) < 5.0);
-    QVERIFY(offAt(scriptOf(step("big_step"), "semi_implicit_euler", 1.0, {{"k", 0.02}}), 100) < 10.0);
+    QVERIFY(offAt(scriptOf(step("big_step"), "semi_implicit_euler", 1.0, {{"k", 0.02}}), 100) < 20.0);
 }
 
 void AccuracyLesson::explicitEulerMultipliesTheEnergyByWhatTheTextSays_data()
@@ -318,7 +318,7 @@ void AccuracyLesson::explicitEulerMultipliesTheEnergyByWhatTheTextSays()
 
 void AccuracyLesson::theEnergyOfOtherMethodsSwingsByWhatTheTextSays()
 {
-    QVERIFY(saysOf("energy", u"swings 7 % round"_qs) && saysOf("energy", u"half a percent"_qs));
+    QVERIFY(saysOf("energy", u"swings 7 % round"_qs) && saysOf("energy", u"half a percent"_qs));
     const auto range = [&](const char *method) {
         const std::vector<double> drift = measured("energy", 0, scriptOf(step("energy"), method, 1.0), 1000);
         const auto [least, most] = std::minmax_element(drift.begin(), drift.end());
@@ -361,10 +361,10 @@ void AccuracyLesson::halvingIsWorthWhatTheOrderSays()
 
 void AccuracyLesson::eightAndSixtyFourComputationsGiveWhatTheTextSays()
 {
-    QVERIFY(saysOf("halve", u"the one is 0.13 px off at frame 60, and the other 0.44 px"_qs));
+    QVERIFY(saysOf("halve", u"the one is 0.13 px off at frame 60, and the other 0.44 px"_qs));
     QVERIFY(std::abs(offAt("halve", "rk4", 1.0 / 2, 60) - 0.13) < 0.005);
     QVERIFY(std::abs(offAt("halve", "semi_implicit_euler", 1.0 / 8, 60) - 0.44) < 0.005);
-    QVERIFY(saysOf("halve", u"it is 0.00003 px against 0.05"_qs));
+    QVERIFY(saysOf("halve", u"it is 0.00003 px against 0.05"_qs));
     QVERIFY(std::abs(offAt("halve", "rk4", 1.0 / 16, 60) - 0.00003) < 0.000005);
     QVERIFY(std::abs(offAt("halve", "semi_implicit_euler", 1.0 / 64, 60) - 0.05) < 0.005);
     for (const auto &[method, h] : {std::pair{"rk4", 0.5}, std::pair{"semi_implicit_euler", 0.125}})
@@ -374,7 +374,7 @@ void AccuracyLesson::eightAndSixtyFourComputationsGiveWhatTheTextSays()
 
 void AccuracyLesson::stepsGetShortOnlyAtTheMiddle()
 {
-    QVERIFY(saysOf("adapt", u"almost 4 frames far out, under 0.3 in the middle"_qs));
+    QVERIFY(saysOf("adapt", u"almost 4 frames far out, under 0.3 in the middle"_qs));
     const sim::Script script = step("adapt").script();
     QCOMPARE(script.step.tolerance, 1e-3);
     const std::vector<double> length = measured("adapt", 1, script, 150);
@@ -407,7 +407,7 @@ void AccuracyLesson::adaptiveStepsPayLess()
 
 void AccuracyLesson::aFixedStepAtABounceHasOrderOne()
 {
-    QVERIFY(saysOf("bounce", u"after 30.66 frames"_qs));
+    QVERIFY(saysOf("bounce", u"after 30.66 frames"_qs));
     QVERIFY(std::abs(std::sqrt(2 * 235.0 / 0.5) - 30.66) < 0.005);
     // Without any error up to the first bounce; then by what the last step was in the floor.
     QVERIFY(offAt("bounce", "rk4", 1.0, 30) < 1e-9);
@@ -430,7 +430,7 @@ void AccuracyLesson::eventFindingKeepsTheParabolas()
 
 void AccuracyLesson::aBallComesToRestAfterAFiniteTime()
 {
-    QVERIFY(saysOf("bounce", u"Infinitely many fit into 92 frames"_qs));
+    QVERIFY(saysOf("bounce", u"Infinitely many fit into 92 frames"_qs));
     const double first = std::sqrt(2 * 235.0 / 0.5);
     QCOMPARE(std::round(first + 2 * first * 0.5 / (1 - 0.5)), 92.0);
     sim::Script script = within("bounce", 1e-3);
@@ -467,7 +467,7 @@ void AccuracyLesson::theBudgetIsKeptByTheRightWaysAlone()
     const auto free = [](const sim::Script &, std::int64_t) { return 0.0; };
     QCOMPARE(lessons::keeps(*step("budget").tries[1].budget, script, free), isNear);
     if (h == 1.0 && method == u"semi_implicit_euler") {
-        QVERIFY(saysOf("budget", u"15 px off"_qs));
+        QVERIFY(saysOf("budget", u"15 px off"_qs));
         QCOMPARE(std::round(worst(script, 200)), 15.0);
     }
 }
@@ -508,7 +508,7 @@ void AccuracyLesson::theMarksShowWhereTheExactMotionIs()
     QVERIFY(std::abs(marks[0].a.x - 270.0 - cosine(130.0, 0.2, 100)) < 1e-7);
     QCOMPARE(marks[1].a, state.at(0));
     QCOMPARE(marks[1].b, marks[0].a);
-    QVERIFY(marks[1].label.startsWith(u"66."));
+    QVERIFY(marks[0].label.startsWith(u"66."));
 }
 
 void AccuracyLesson::aBudgetIsNotKeptByWhatTakesTooLong()
