@@ -8,7 +8,7 @@ namespace sim {
 
 namespace {
 
-constexpr int mostTries = 50'000;    ///< steps a frame, the rejected ones included
+constexpr int mostTries = 20'000;    ///< steps a frame, the rejected ones included
 constexpr double longestStep = 10.0; ///< frames
 /// What damping leaves in one step is at least e^-2: past that, the polynomial through a step would have to follow
 /// e^(c t), which the error at its end does not show.

@@ -22,6 +22,7 @@ std::vector<Phase> ExplicitEuler::phases(const Scene &scene, StepSize size) cons
     step.flow(1);
     step.kick(all);
     step.damping(all);
+    step.comeFrom(all);
     step.constraints(all);
     step.contacts(all);
     step.jumpsLast();

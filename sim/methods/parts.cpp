@@ -235,10 +235,18 @@ std::function<void(State &)> PhaseList::remembering(const Share &share) const
     };
 }
 
-void PhaseList::remember(const Share &share)
+void PhaseList::comeFrom(const Share &share)
 {
-    m_keep = remembering(share);
+    if (!hasConstraint(share))
+        return;
     m_keepBefore = m_phases.size();
+    m_keep = [points = share.points, h = m_h](State &state) {
+        if (state.previous.rows() != state.points())
+            state.previous = state.position;
+        state.previous.middleRows(points.first, points.count) =
+            state.position.middleRows(points.first, points.count) -
+            h * state.velocity.middleRows(points.first, points.count);
+    };
 }
 
 std::vector<Phase> PhaseList::take()

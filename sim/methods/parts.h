@@ -135,8 +135,9 @@ public:
     void move(const Share &share, double part = 1.0);
     /// A phase of the method's own, which runs on all points.
     void own(Phase phase) { m_phases.push_back(std::move(phase)); }
-    /// Before anything moves: keeps the places for constraints, which give what they move its velocity by them.
-    void remember(const Share &share);
+    /// Before constraints, where a step is not one kick and one move: takes for the place that a point came from the
+    /// one from which its velocity has led it. So the velocity that constraints give it is that one and what they add.
+    void comeFrom(const Share &share);
     /// Each constraint of the scene, then the velocities of what they moved.
     void constraints(const Share &share);
     /// Each contact of the scene.

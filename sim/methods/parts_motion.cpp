@@ -71,7 +71,7 @@ void PhaseList::move(const Share &share, double part)
     }
     Phase phase = ownPhase("move", half(part, SIM_TEXT("move"), SIM_TEXT("half move")), share);
     phase.moves = true;
-    const std::function<void(State &)> keep = m_keep ? nullptr : remembering(share);
+    const std::function<void(State &)> keep = remembering(share);
     phase.run = [runs, h = part * m_h, keep](State &state) {
         if (keep)
             keep(state);

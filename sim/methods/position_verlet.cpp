@@ -17,7 +17,6 @@ std::vector<Phase> PositionVerlet::phases(const Scene &scene, StepSize size) con
     // half a move, kick, half a move
     Share all = step.everything();
     step.jumpsFirst();
-    step.remember(all);
     step.move(all, 0.5);
     step.flow(0.5);
     step.damping(all, 0.5);
@@ -26,6 +25,7 @@ std::vector<Phase> PositionVerlet::phases(const Scene &scene, StepSize size) con
     step.damping(all, 0.5);
     step.move(all, 0.5);
     step.flow(0.5);
+    step.comeFrom(all);
     step.constraints(all);
     step.contacts(all);
     step.jumpsLast();

@@ -189,7 +189,6 @@ std::vector<Phase> RungeKutta::phases(const Scene &scene, StepSize size) const
     // another, then one step from all
     Share all = step.everything();
     step.jumpsFirst();
-    step.remember(all);
     for (int i = 0; i < stages; ++i) {
         if (i > 0)
             step.own(trial(i));
@@ -198,6 +197,7 @@ std::vector<Phase> RungeKutta::phases(const Scene &scene, StepSize size) const
     if (stages > 0)
         step.own(move());
     step.dampingWithoutRate(all);
+    step.comeFrom(all);
     step.constraints(all);
     step.contacts(all);
     step.jumpsLast();

@@ -25,6 +25,7 @@ std::vector<Phase> VelocityVerlet::phases(const Scene &scene, StepSize size) con
     step.gather(all);
     step.damping(all, 0.5);
     step.kick(all, 0.5);
+    step.comeFrom(all);
     step.constraints(all);
     step.contacts(all);
     step.jumpsLast();
