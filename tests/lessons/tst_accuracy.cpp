@@ -181,6 +181,7 @@ private slots:
     void theExactRunOfABallIsMadeOfParabolas_data();
     void theExactRunOfABallIsMadeOfParabolas();
     void pastItsHorizonTheExactRunSaysNothing();
+    void anExactRunThatTakesTooMuchIsLeftOff();
     void aBigStepIsAsFarOffAsTheTextSays();
     void explicitEulerMultipliesTheEnergyByWhatTheTextSays_data();
     void explicitEulerMultipliesTheEnergyByWhatTheTextSays();
@@ -279,6 +280,14 @@ void AccuracyLesson::pastItsHorizonTheExactRunSaysNothing()
     QVERIFY(m_exact.at(script, lessons::ExactRun::longest));
     QVERIFY(!m_exact.at(script, lessons::ExactRun::longest + 1));
     QVERIFY(!m_exact.at(script, -1));
+}
+
+void AccuracyLesson::anExactRunThatTakesTooMuchIsLeftOff()
+{
+    const sim::Script script = scriptOf(step("big_step"), "rk4", 1.0, {{"k", 1e6}});
+    QVERIFY(m_exact.at(script, 1));
+    QVERIFY(!m_exact.at(script, 1000));
+    QVERIFY(m_exact.at(script, 1));
 }
 
 void AccuracyLesson::aBigStepIsAsFarOffAsTheTextSays()
