@@ -1,6 +1,7 @@
 #include "app/cli/accuracy_plot.h"
 
 #include "app/cli/plot_axis.h"
+#include "app/model/numbers.h"
 #include "app/model/sentences.h"
 
 #include <QCoreApplication>
@@ -27,7 +28,8 @@ constexpr double left = 76, right = 720, top = 64, bottom = 530; ///< of the axe
 constexpr std::array colors = {"#0072b2", "#c04f00", "#00805d", "#b3538a", "#2f8fc4", "#857300", "#3c4046"};
 enum class Shape { circle, square, triangle, diamond };
 constexpr std::array shapes = {Shape::circle, Shape::square, Shape::triangle, Shape::diamond};
-constexpr auto ink = "#22262b", faint = "#e0dcd2", caption = "#555b62", now = "#f5b301", paper = "#fbfaf7";
+constexpr auto ink = "#22262b", faint = "#e0dcd2", caption = "#555b62", now = "#f5b301", shade = "#d8d5ce",
+               paper = "#fbfaf7";
 
 using Attributes = std::vector<std::pair<QString, QString>>;
 
@@ -148,17 +150,9 @@ private:
         m_svg.writeEndElement();
     }
 
-    /// "10" with its exponent raised.
     void power(QPointF at, int exponent, const QString &anchor)
     {
-        m_svg.writeStartElement("text");
-        attributes({{"x", px(at.x())}, {"y", px(at.y())}, {"text-anchor", anchor}, {"fill", caption}});
-        m_svg.writeCharacters("10");
-        m_svg.writeStartElement("tspan");
-        attributes({{"dy", "-5"}, {"font-size", "10"}});
-        m_svg.writeCharacters(QString::number(exponent).replace('-', QChar(0x2212)));
-        m_svg.writeEndElement();
-        m_svg.writeEndElement();
+        text(at, powerOfTen(exponent), {{"text-anchor", anchor}, {"fill", caption}});
     }
 
     void drawTitle()
@@ -198,11 +192,11 @@ private:
         }
         std::sort(front.begin(), front.end(),
                   [](const auto *a, const auto *b) { return a->nsPerFrame < b->nsPerFrame; });
-        polyline(front, ink, "9", {{"stroke-opacity", "0.15"}});
+        polyline(front, shade, "9");
     }
 
     void polyline(const std::vector<const sim::AccuracyRow *> &rows, const QString &color,
-                  const QString &thickness, const Attributes &more)
+                  const QString &thickness)
     {
         QStringList points;
         for (const sim::AccuracyRow *row : rows)
@@ -214,12 +208,11 @@ private:
                     {"stroke-width", thickness},
                     {"stroke-linejoin", "round"},
                     {"stroke-linecap", "round"}});
-        attributes(more);
     }
 
     void drawLadder(const Ladder &ladder)
     {
-        polyline(ladder.rows, ladder.color, "1.8", {});
+        polyline(ladder.rows, ladder.color, "1.8");
         for (const sim::AccuracyRow *row : ladder.rows) {
             const double y = at(*row).y();
             line({m_times.at(row->nsPerFrame - row->spread), y},

@@ -93,6 +93,9 @@ QString horizonRemark(const sim::Accuracy &accuracy)
     case End::span:
         return {};
     case End::parted:
+        if (accuracy.reference.kind == sim::ReferenceRun::Kind::ownRefinement)
+            return upTo + ' ' +
+                   Text::tr("After it, even the two finest steps part: here the smallest difference grows.");
         return upTo + ' ' +
                Text::tr("After it, two very exact solutions part: here the smallest difference grows until "
                         "nobody can say where the bodies really are.");
@@ -187,14 +190,21 @@ QString verdictOn(const sim::Accuracy &accuracy, double target, const sim::Accur
 {
     const QString goal = bold(pixels(target));
     const sim::AccuracyRow *best = accuracy.cheapest(target);
+    QString text;
     if (best && best == inUse)
-        return Text::tr(
-                   "To be within %1, nothing is cheaper than what you use: %2, at %3 a frame and %4 off.")
-            .arg(goal, bold(wayWords(inUse->way)), bold(duration(inUse->nsPerFrame)), pixels(inUse->error));
-    const QString first = best ? Text::tr("To be within %1, this scene costs %2 a frame: %3.")
-                                     .arg(goal, bold(duration(best->nsPerFrame)), bold(wayWords(best->way)))
-                               : nothingWithin(accuracy, goal);
-    return (first + ' ' + inUseWords(inUse).toHtmlEscaped()).trimmed();
+        text =
+            Text::tr("To be within %1, nothing is cheaper than what you use: %2, at %3 a frame and %4 off.")
+                .arg(goal, bold(wayWords(inUse->way)), bold(duration(inUse->nsPerFrame)),
+                     pixels(inUse->error));
+    else if (best)
+        text = Text::tr("To be within %1, this scene costs %2 a frame: %3.")
+                   .arg(goal, bold(duration(best->nsPerFrame)), bold(wayWords(best->way)));
+    else
+        text = nothingWithin(accuracy, goal);
+    if (!best || best != inUse)
+        text += ' ' + inUseWords(inUse).toHtmlEscaped();
+    // Rich text breaks lines at thin spaces: a number and its unit stay together.
+    return text.trimmed().replace(QChar(0x2009), QChar(QChar::Nbsp));
 }
 
 QStringList remarksOn(const sim::Accuracy &accuracy)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/accuracy/cpu_clock.h"
 #include "sim/accuracy/watch.h"
 #include "sim/track.h"
 
@@ -24,6 +25,7 @@ struct RunResult
     RunEnd end = RunEnd::done;
     std::int64_t frames = 0; ///< computed, all finite
     double seconds = 0.0;
+    double computed = 0.0;        ///< seconds without what other programs took
     std::int64_t evaluations = 0; ///< as State counts them
 };
 
@@ -48,6 +50,7 @@ RunResult runFrames(const Script &script, std::int64_t frames, double seconds, W
     using Clock = std::chrono::steady_clock;
     Track track(script, 0);
     const auto start = Clock::now();
+    const double computedBefore = computedSeconds();
     RunResult result;
     const std::int64_t before = track.now().evaluations;
     for (std::int64_t frame = track.rowFrames(); frame <= frames; frame += track.rowFrames()) {
@@ -69,6 +72,7 @@ RunResult runFrames(const Script &script, std::int64_t frames, double seconds, W
             continue;
         break;
     }
+    result.computed = computedSeconds() - computedBefore;
     return result;
 }
 

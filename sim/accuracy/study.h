@@ -36,6 +36,7 @@ struct AccuracyRow
     double error = 0.0;       ///< px, the largest distance of any body at any whole frame up to the horizon
     std::vector<double> errorAt; ///< px, at each whole frame from 0 to the horizon
     double evaluations = 0.0;    ///< how often it computes all forces, a frame
+    double firstRun = 0.0;       ///< ns a frame, of the run that told the error; 0: there was none
     double nsPerFrame = 0.0;     ///< the median of the repeated runs; 0: not timed
     double spread = 0.0;         ///< ns, half of the distance between the quartiles of the runs
     bool front = false;          ///< nothing that was measured is at least as exact and cheaper

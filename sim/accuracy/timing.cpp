@@ -14,6 +14,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double shortestSample = 100e-6; ///< s: far above what reading the clock takes
 constexpr double longestSample = 1e-3;    ///< s: mostly too short for another program to come in between
+constexpr double dearRun = 0.05;          ///< s: from here on the run that told the error is the first sample
 constexpr int mostRuns = 25;
 constexpr int fewestMoreRuns = 2; ///< after the first one, in which the sizes of samples are chosen
 
@@ -90,12 +91,13 @@ struct Sampled
     std::int64_t frames = 0;          ///< a run
     int repeats = 1;                  ///< runs a sample
     std::vector<double> samples = {}; ///< ns a frame
+    bool isDear = false;              ///< runs that are long, and can not be cut
 
     /// ns a frame.
     double sample(Watch &watch, double share)
     {
         double total = 0.0;
-        for (int i = 0; i < repeats; ++i)
+        for (int i = 0; i < repeats && !watch.isStopped(); ++i)
             total += run.seconds(frames, watch, share);
         return 1e9 * total / (static_cast<double>(frames) * repeats);
     }
@@ -144,6 +146,8 @@ public:
         double round = 0.0; // seconds
         for (std::size_t i = 0; i < m_all.size() && m_watch.goesOn(0.1 * shareOf(i)); ++i)
             round += size(m_all[i], 0.1 * shareOf(i));
+        m_repeatsDear = m_dear * fewestMoreRuns <= m_plan.secondsOfTiming;
+        round -= m_repeatsDear ? 0.0 : m_dear;
         const auto start = Clock::now();
         for (int runs = 0; runs < mostRuns && !m_watch.isStopped(); ++runs) {
             const double spent = std::chrono::duration<double>(Clock::now() - start).count();
@@ -165,6 +169,14 @@ private:
     double size(Sampled &one, double share)
     {
         one.frames = one.run.frames();
+        const double first = 1e-9 * one.row->firstRun * static_cast<double>(one.frames);
+        if (one.row->way.step.adaptive() && first > dearRun) {
+            one.isDear = true;
+            one.samples.push_back(one.row->firstRun);
+            note(one);
+            m_dear += first;
+            return first;
+        }
         double whole = one.run.seconds(one.frames, m_watch, share);
         if (whole < shortestSample) // the first run found nothing in the caches
             whole = std::max(1e-9, one.run.seconds(one.frames, m_watch, share));
@@ -194,6 +206,8 @@ private:
         for (std::size_t i = 0; i < count; ++i) {
             const std::size_t step = round % 2 == 0 ? i : count - 1 - i;
             Sampled &one = m_all[(step + static_cast<std::size_t>(round) * 7) % count];
+            if (one.isDear && !m_repeatsDear)
+                continue;
             const double ns = one.sample(m_watch, told);
             if (m_watch.isStopped())
                 return;
@@ -207,6 +221,8 @@ private:
     Accuracy &m_found;
     Watch &m_watch;
     std::vector<Sampled> m_all;
+    double m_dear = 0.0;        ///< s: one run of all that are dear
+    bool m_repeatsDear = false; ///< whether there is time to run those more often
 };
 
 }

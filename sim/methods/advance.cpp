@@ -43,8 +43,10 @@ double nextStep(
 {
     double fit = 0.9
         * std::pow(error, -1.0 / order);
-    h = h * std::clamp(fit, 0.2, 6.0);
-    return h;
+    fit = std::clamp(fit, 0.2, 6.0);
+    // the same length is cheaper
+    bool same = fit > 1 && fit < 1.15;
+    return same ? h : h * fit;
 }
 //! [next_step]
 // clang-format on
@@ -55,12 +57,15 @@ double kept(const Flow::Stretch &rows, double time)
     return rows.rate == 0.0 || std::isinf(rows.rate) ? 1.0 : std::exp(-rows.rate * time);
 }
 
+/// Infinite where a number is not finite.
 double largest(const double *numbers, int size)
 {
-    double most = 0.0;
-    for (int i = 0; i < size; ++i)
+    double most = 0.0, sum = 0.0;
+    for (int i = 0; i < size; ++i) {
         most = std::max(most, std::abs(numbers[i]));
-    return most;
+        sum += numbers[i] - numbers[i]; // 0, or not a number
+    }
+    return sum == 0.0 ? most : std::numeric_limits<double>::infinity();
 }
 
 }
@@ -169,10 +174,10 @@ void Advance::stage(int number, double start, double h)
     const std::vector<Flow::Stretch> &stretches = m_course.flow.stretches();
     const auto row = static_cast<std::size_t>(number);
     for (std::size_t i = 0; i < stretches.size(); ++i) {
-        blend(m_trial, m_place, 1.0, m_speeds, m_weights[i].place[row].data(), number, stretches[i].first,
-              stretches[i].end(), m_size);
-        blend(speedOf(number), m_speed, m_weights[i].keep[row], m_slopes, m_weights[i].speed[row].data(),
-              number, stretches[i].first, stretches[i].end(), m_size);
+        blendRows(m_trial, m_place, 1.0, m_speeds, m_weights[i].place[row].data(), number, stretches[i].first,
+                  stretches[i].end(), m_size);
+        blendRows(speedOf(number), m_speed, m_weights[i].keep[row], m_slopes, m_weights[i].speed[row].data(),
+                  number, stretches[i].first, stretches[i].end(), m_size);
     }
     clockTo(start + m_course.pair.tableau().c[row] * h);
     m_course.flow.place(m_trial, m_state);
@@ -215,39 +220,35 @@ void Advance::shorten(double h)
 
 double Advance::error(double h) const
 {
-    const Tableau::Row &weights = m_course.pair.error(), &lower = m_course.pair.lowerError();
-    const std::vector<Flow::Stretch> &stretches = m_course.flow.stretches();
-    const int last = m_course.pair.tableau().stages - 1;
-    double most = 0.0, mostLower = 0.0;
-    bool broken = false;
-    for (std::size_t n = 0; n < stretches.size(); ++n) {
-        Tableau::Row since{}; // what damping leaves at the end of what each stage's slope has made
-        for (std::size_t j = 0; j <= static_cast<std::size_t>(last); ++j)
-            since[j] = kept(stretches[n], h * (1.0 - m_course.pair.tableau().c[j]));
-        for (int i = stretches[n].first; i < stretches[n].end(); ++i) {
-            double place = 0.0, speed = 0.0, lowPlace = 0.0, lowSpeed = 0.0;
-            for (int j = 0; j <= last; ++j) {
-                const auto from = static_cast<std::size_t>(j);
-                const double v = m_speeds[j * m_size + i];
-                const double a = since[from] * m_slopes[j * m_size + i];
-                place += weights[from] * v;
-                speed += weights[from] * a;
-                lowPlace += lower[from] * v;
-                lowSpeed += lower[from] * a;
-            }
-            most = std::max({most, std::abs(place), std::abs(speed)});
-            mostLower = std::max({mostLower, std::abs(lowPlace), std::abs(lowSpeed)});
-            broken = broken || !std::isfinite(place + speed);
-        }
-    }
-    if (broken)
+    const double most = estimate(m_course.pair.error());
+    if (!std::isfinite(most))
         return std::numeric_limits<double>::infinity();
     // Two estimates are put together so that the lower one counts only where the higher is unsure.
-    if (most > 0.0 && mostLower > 0.0)
-        most *= most / std::hypot(most, 0.1 * mostLower);
+    const double lower = m_course.pair.hasLowerError() ? estimate(m_course.pair.lowerError()) : 0.0;
+    const double both = most > 0.0 ? most * (most / std::hypot(most, 0.1 * lower)) : 0.0;
     // Nothing is more exact than the digits of a place allow.
     const double digits = 8.0 * std::numeric_limits<double>::epsilon() * largest(m_place, m_size);
-    return h * most / std::max(m_course.tolerance, digits);
+    return h * (lower > 0.0 ? both : most) / std::max(m_course.tolerance, digits);
+}
+
+double Advance::estimate(const Tableau::Row &weights) const
+{
+    const std::vector<Flow::Stretch> &stretches = m_course.flow.stretches();
+    const int stages = m_course.pair.tableau().stages;
+    double most = 0.0;
+    for (std::size_t n = 0; n < stretches.size(); ++n) {
+        const int first = stretches[n].first, end = stretches[n].end();
+        Tableau::Row since{}; // with what damping leaves at the end of what each stage's slope has made
+        const auto &keep = m_weights[n].keep;
+        for (std::size_t j = 0; j < static_cast<std::size_t>(stages); ++j)
+            since[j] =
+                keep[j] > 0.0 ? weights[j] * keep[static_cast<std::size_t>(stages) - 1] / keep[j] : 0.0;
+        blendRows(m_lift, m_speeds, 0.0, m_speeds, weights.data(), stages, first, end, m_size);
+        most = std::max(most, largest(m_lift + first, end - first));
+        blendRows(m_lift, m_slopes, 0.0, m_slopes, since.data(), stages, first, end, m_size);
+        most = std::max(most, largest(m_lift + first, end - first));
+    }
+    return most;
 }
 
 void Advance::accept(double start, double h)
@@ -273,8 +274,10 @@ void Advance::makeDense(double h)
     const double start = m_state.ahead.from;
     for (int i = m_course.pair.tableau().stages; i < m_stages; ++i)
         stage(i, start, h);
-    StepData step{m_place, m_speed, m_speeds, m_slopes, m_size, 0, 0, 0.0, h};
-    for (const Flow::Stretch &rows : m_course.flow.stretches()) {
+    StepData step{m_place, m_speed, m_speeds, m_slopes, m_size, 0, 0, 0.0, h, nullptr};
+    for (std::size_t n = 0; n < m_course.flow.stretches().size(); ++n) {
+        const Flow::Stretch &rows = m_course.flow.stretches()[n];
+        step.keep = m_weights[n].keep.data();
         step.first = rows.first;
         step.end = rows.end();
         step.rate = std::isinf(rows.rate) ? 0.0 : rows.rate; // it stands still

@@ -42,6 +42,8 @@ private:
     void stage(int number, double start, double h);
     /// The largest error of the step just tried, as a share of the tolerance.
     double error(double h) const;
+    /// The largest number that the stages' slopes come to with these weights, px/frame; infinite if one is not finite.
+    double estimate(const Tableau::Row &weights) const;
     void accept(double start, double h);
     void makeDense(double h);
     /// The step's end, early where a point touches a surface.

@@ -183,24 +183,20 @@ public:
     int order() const override { return 8; }
     const Tableau::Row &error() const override { return orderFive; }
     const Tableau::Row &lowerError() const override { return orderThree; }
+    bool hasLowerError() const override { return true; }
     int extraStages() const override { return 3; }
     int denseColumns() const override { return 16; }
 
     void makeDense(const StepData &step, const double *endPlace, const double *endSpeed,
                    double *columns) const override
     {
-        const double h = step.h;
-        std::array<double, Tableau::most> undamped{};
+        Tableau::Row undamped{};
         for (std::size_t j = 0; j < undamped.size(); ++j)
-            undamped[j] = step.rate == 0.0 ? 1.0 : std::exp(step.rate * h * m_tableau.c[j]);
-        for (int i = step.first; i < step.end; ++i) {
-            const auto speed = [&](int stage) { return step.speeds[stage * step.size + i]; };
-            const auto slope = [&](int stage) {
-                return undamped[static_cast<std::size_t>(stage)] * step.slopes[stage * step.size + i];
-            };
-            fill(h, step.place[i], endPlace[i], speed, columns + i, step.size);
-            fill(h, step.speed[i], undamped[12] * endSpeed[i], slope, columns + 8 * step.size + i, step.size);
-        }
+            undamped[j] = step.rate == 0.0 ? 1.0 : 1.0 / step.keep[j];
+        Tableau::Row one{};
+        one.fill(1.0);
+        fill(step, step.place, endPlace, 1.0, step.speeds, one, columns);
+        fill(step, step.speed, endSpeed, undamped[12], step.slopes, undamped, columns + 8 * step.size);
     }
 
     At dense(const double *columns, int size, int row, double kept, double, double theta) const override
@@ -211,21 +207,26 @@ public:
     }
 
 private:
-    /// The columns of one number that goes from `start` to `end`; `f(stage)` is its rate of change.
-    template <class Rate>
-    static void fill(double h, double start, double end, Rate &&f, double *column, int size)
+    /// The columns of numbers that go from `start` to `share` times `end`, with rates of change that are `factors` times
+    /// `rates`, a column a stage.
+    static void fill(const StepData &step, const double *start, const double *end, double share,
+                     const double *rates, const Tableau::Row &factors, double *columns)
     {
-        const double rise = end - start;
-        const double bend = h * f(0) - rise;
-        column[0] = start;
-        column[size] = rise;
-        column[2 * size] = bend;
-        column[3 * size] = rise - h * f(12) - bend;
-        for (std::size_t k = 0; k < middle.size(); ++k) {
-            double sum = 0.0;
-            for (int j = 0; j < Tableau::most; ++j)
-                sum += middle[k][static_cast<std::size_t>(j)] * f(j);
-            column[(4 + static_cast<int>(k)) * size] = h * sum;
+        const int size = step.size;
+        for (int i = step.first; i < step.end; ++i) {
+            const double rise = share * end[i] - start[i];
+            const double bend = step.h * factors[0] * rates[i] - rise;
+            columns[i] = start[i];
+            columns[size + i] = rise;
+            columns[2 * size + i] = bend;
+            columns[3 * size + i] = rise - step.h * factors[12] * rates[12 * size + i] - bend;
+        }
+        for (int k = 0; k < 4; ++k) {
+            Tableau::Row weights = middle[static_cast<std::size_t>(k)];
+            for (std::size_t j = 0; j < weights.size(); ++j)
+                weights[j] *= step.h * factors[j];
+            blendRows(columns + (4 + k) * size, rates, 0.0, rates, weights.data(), Tableau::most, step.first,
+                      step.end, size);
         }
     }
 

@@ -39,6 +39,7 @@ public:
     int order() const override { return 5; }
     const Tableau::Row &error() const override { return fifthLessFourth; }
     const Tableau::Row &lowerError() const override { return none; }
+    bool hasLowerError() const override { return false; }
     int extraStages() const override { return 0; }
     int denseColumns() const override { return 6; }
 

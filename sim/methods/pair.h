@@ -15,8 +15,9 @@ struct StepData
     int size = 0;
     int first = 0; ///< the rows that this is about, which all have the same rate
     int end = 0;
-    double rate = 0.0; ///< 1/frame
-    double h = 0.0;    ///< frames
+    double rate = 0.0;            ///< 1/frame
+    double h = 0.0;               ///< frames
+    const double *keep = nullptr; ///< what damping leaves of a velocity until each stage
 };
 
 /// What makes an adaptive Runge-Kutta method: a tableau whose last stage stands at the end of the step, an estimate
@@ -29,9 +30,10 @@ public:
     /// The order of the step.
     virtual int order() const = 0;
     /// The error of a step, from weights: for the difference to a method of lower order, and for that to a still
-    /// lower one (all 0 where there is none).
+    /// lower one (if it has one).
     virtual const Tableau::Row &error() const = 0;
     virtual const Tableau::Row &lowerError() const = 0;
+    virtual bool hasLowerError() const = 0;
 
     /// How many more stages its polynomial needs: rows of the tableau past the last.
     virtual int extraStages() const = 0;

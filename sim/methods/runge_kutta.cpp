@@ -87,9 +87,9 @@ void keepSlope(State &state, const Plan &plan, int stage)
     for (std::size_t i = 0; i < plan.weights.size(); ++i) {
         const Flow::Stretch &rows = plan.flow.stretches()[i];
         const auto row = static_cast<std::size_t>(stage);
-        blend(column(state, at.speed(stage)), column(state, at.startSpeed()), plan.weights[i].keep[row],
-              column(state, at.slope(0)), plan.weights[i].speed[row].data(), stage, rows.first, rows.end(),
-              size);
+        blendRows(column(state, at.speed(stage)), column(state, at.startSpeed()), plan.weights[i].keep[row],
+                  column(state, at.slope(0)), plan.weights[i].speed[row].data(), stage, rows.first,
+                  rows.end(), size);
     }
 }
 
@@ -99,9 +99,9 @@ void goTo(State &state, const Plan &plan, int stage)
     const Columns &at = plan.columns;
     for (std::size_t i = 0; i < plan.weights.size(); ++i) {
         const Flow::Stretch &rows = plan.flow.stretches()[i];
-        blend(column(state, at.place()), column(state, at.startPlace()), 1.0, column(state, at.speed(0)),
-              plan.weights[i].place[static_cast<std::size_t>(stage)].data(), stage, rows.first, rows.end(),
-              plan.flow.size());
+        blendRows(column(state, at.place()), column(state, at.startPlace()), 1.0, column(state, at.speed(0)),
+                  plan.weights[i].place[static_cast<std::size_t>(stage)].data(), stage, rows.first,
+                  rows.end(), plan.flow.size());
     }
     plan.flow.tick(state, plan.timeOf(stage) - plan.timeOf(stage - 1));
     plan.flow.place(column(state, at.place()), state);
@@ -116,9 +116,9 @@ void finish(State &state, const Plan &plan)
     for (std::size_t i = 0; i < plan.weights.size(); ++i) {
         const Flow::Stretch &rows = plan.flow.stretches()[i];
         const auto row = static_cast<std::size_t>(last);
-        blend(column(state, at.place()), column(state, at.startSpeed()), plan.weights[i].keep[row],
-              column(state, at.slope(0)), plan.weights[i].speed[row].data(), last, rows.first, rows.end(),
-              plan.flow.size());
+        blendRows(column(state, at.place()), column(state, at.startSpeed()), plan.weights[i].keep[row],
+                  column(state, at.slope(0)), plan.weights[i].speed[row].data(), last, rows.first, rows.end(),
+                  plan.flow.size());
     }
     plan.flow.push(column(state, at.place()), state);
 }

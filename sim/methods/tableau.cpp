@@ -14,31 +14,35 @@ double decay(double rate, double time)
 
 }
 
-void StageWeights::set(const Tableau &tableau, double rate, double h, int rows)
+void StageWeights::set(const Tableau &of, double c, double step, int count)
 {
-    if (std::isinf(rate)) {
-        *this = {};
+    if (&of == tableau && c == rate && step == h && count == rows)
         return;
-    }
+    *this = {};
+    tableau = &of;
+    rate = c;
+    h = step;
+    rows = count;
+    if (std::isinf(rate))
+        return;
     const auto last = static_cast<std::size_t>(rows);
     for (std::size_t i = 0; i < last; ++i)
-        keep[i] = decay(rate, tableau.c[i] * h);
+        keep[i] = decay(rate, of.c[i] * h);
     keep[last] = decay(rate, h);
     // Quotients save most of the exponentials, as long as they are numbers.
     const bool quotients = rate * h < 300.0;
     for (std::size_t i = 0; i <= last; ++i) {
-        const bool step = i == last;
-        const Tableau::Row &a = step ? tableau.b : tableau.a[i];
-        const double c = step ? 1.0 : tableau.c[i];
+        const Tableau::Row &a = i == last ? of.b : of.a[i];
+        const double time = i == last ? 1.0 : of.c[i];
         for (std::size_t j = 0; j < i; ++j) {
+            if (a[j] == 0.0)
+                continue;
             place[i][j] = h * a[j];
             if (rate == 0.0)
                 speed[i][j] = place[i][j];
-            else if (a[j] != 0.0)
-                speed[i][j] =
-                    place[i][j] * (quotients ? keep[i] / keep[j] : decay(rate, (c - tableau.c[j]) * h));
             else
-                speed[i][j] = 0.0;
+                speed[i][j] =
+                    place[i][j] * (quotients ? keep[i] / keep[j] : decay(rate, (time - of.c[j]) * h));
         }
     }
 }

@@ -28,34 +28,58 @@ struct StageWeights
     std::array<Tableau::Row, Tableau::most + 1> speed{};
     std::array<double, Tableau::most + 1> keep{};
 
-    /// Of the first `rows` rows of the tableau's a, and as one more of the step itself, which has weights b. An infinite
-    /// rate stops everything: all weights are 0.
-    void set(const Tableau &tableau, double rate, double h, int rows);
+    /// What the weights are for: asked for the same again, set() leaves them.
+    const Tableau *tableau = nullptr;
+    double rate = 0.0;
+    double h = 0.0;
+    int rows = 0;
+
+    /// Of the first `count` rows of the tableau's a, and as one more of the step itself, which has weights b. An infinite
+    /// rate c stops everything: all weights are 0.
+    void set(const Tableau &of, double c, double step, int count);
 };
 
-/// out = share * base + sum of weights[j] * columns[j], number by number.
+/// sum = share * base + sum of weights[j] * columns[j], for `lanes` numbers: few enough to stay in registers.
 /// @param columns one after the other, `size` numbers each
 // Shown lines are short.
 // clang-format off
-inline
+template <int lanes>
 //! [blend]
 void blend(
     double *out, const double *base,
     double share, const double *columns,
     const double *weights, int count,
-    int first, int end, int size)
+    int size)
 {
-    for (int i = first; i < end; ++i)
-        out[i] = share * base[i];
+    double sum[lanes];
+    for (int i = 0; i < lanes; ++i)
+        sum[i] = share * base[i];
     for (int j = 0; j < count; ++j) {
         double w = weights[j];
         const double *slope =
             columns + j * size;
-        for (int i = first; i < end; ++i)
-            out[i] += w * slope[i];
+        if (w == 0)
+            continue;
+        for (int i = 0; i < lanes; ++i)
+            sum[i] += w * slope[i];
     }
+    for (int i = 0; i < lanes; ++i)
+        out[i] = sum[i];
 }
 //! [blend]
 // clang-format on
+
+/// The same for the rows from `first` to before `end`.
+inline void blendRows(double *out, const double *base, double share, const double *columns,
+                      const double *weights, int count, int first, int end, int size)
+{
+    int i = first;
+    for (; i + 8 <= end; i += 8)
+        blend<8>(out + i, base + i, share, columns + i, weights, count, size);
+    for (; i + 4 <= end; i += 4)
+        blend<4>(out + i, base + i, share, columns + i, weights, count, size);
+    for (; i < end; ++i)
+        blend<1>(out + i, base + i, share, columns + i, weights, count, size);
+}
 
 }

@@ -2,6 +2,7 @@
 
 #include "sim/methods/methods.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <thread>
@@ -13,6 +14,7 @@ namespace measure_bench {
 namespace {
 
 constexpr int rungs = 8;
+constexpr double mostExact = 1e-9; ///< px
 
 sim::AccuracyRow rowOf(const sim::MethodPtr &method, int rung, std::size_t number)
 {
@@ -22,7 +24,7 @@ sim::AccuracyRow rowOf(const sim::MethodPtr &method, int rung, std::size_t numbe
     row.way.step =
         adaptive ? sim::StepSize::within(std::pow(10.0, -rung)) : sim::StepSize::of(1.0 / (1 << rung));
     row.outcome = sim::Outcome::measured;
-    row.error = 4.0 * std::pow(0.5, method->order() * rung);
+    row.error = std::max(mostExact, 4.0 * std::pow(0.5, method->order() * rung));
     row.evaluations = std::pow(2.0, rung);
     row.nsPerFrame = 50.0 * (1.0 + 0.1 * static_cast<double>(number)) * row.evaluations;
     row.spread = 0.02 * row.nsPerFrame;

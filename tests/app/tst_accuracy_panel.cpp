@@ -54,7 +54,7 @@ void AccuracyPanelTest::theCardNamesTheCheapestWayWithinTheTarget()
     }
     QVERIFY(best);
     const QString said = bench.panel.verdict();
-    QVERIFY2(said.startsWith(QString("To be within 0.1\u2009px, this scene costs ")), qPrintable(said));
+    QVERIFY2(said.startsWith("To be within 0.1 px, this scene costs "), qPrintable(said));
     QVERIFY2(said.contains(QString::fromStdString(best->way.method->title())), qPrintable(said));
     QVERIFY2(said.contains("Yours "), qPrintable(said));
 }
@@ -137,8 +137,7 @@ void AccuracyPanelTest::theTargetFollowsTheMouse()
     QApplication::sendEvent(&plot, &move);
     QTest::mouseRelease(&plot, Qt::LeftButton, {}, from - QPoint(0, 40));
     QVERIFY(plot.target() > 0.1);
-    QVERIFY2(!bench.panel.verdict().contains(QString("within 0.1\u2009px")),
-             qPrintable(bench.panel.verdict()));
+    QVERIFY2(!bench.panel.verdict().contains("within 0.1 px"), qPrintable(bench.panel.verdict()));
 }
 
 void AccuracyPanelTest::theTargetFollowsPlusAndMinus()
@@ -154,7 +153,7 @@ void AccuracyPanelTest::theTargetFollowsPlusAndMinus()
     QCOMPARE(bench.plot().target(), 0.01);
     QTest::keyClick(&bench.plot(), Qt::Key_Plus);
     QCOMPARE(bench.plot().target(), 0.02);
-    QVERIFY(bench.panel.verdict().contains(QString("0.02\u2009px")));
+    QVERIFY(bench.panel.verdict().contains("0.02 px"));
 }
 
 void AccuracyPanelTest::aTargetThatNothingReachesIsSaid()
@@ -305,7 +304,6 @@ void AccuracyPanelTest::remarksSayWhatTheNumbersDependOn()
     QTRY_COMPARE(study.stage(), AccuracyStudy::Stage::done);
     QVERIFY2(panel.remarks().contains(part), qPrintable(panel.remarks()));
 }
-
 
 QTEST_MAIN(AccuracyPanelTest)
 #include "tst_accuracy_panel.moc"

@@ -12,6 +12,7 @@
 #include <QThread>
 
 #include <algorithm>
+#include <ctime>
 
 using namespace app;
 
@@ -21,11 +22,21 @@ constexpr qint64 givenUp = 60'000; ///< ms
 
 struct Stall
 {
-    double longest = 0.0;     ///< ms between two turns of the event loop
+    double opening = 0.0; ///< ms that arranging the window takes, before there is anything to measure
+    double longest = 0.0; ///< ms between two turns of the event loop
+    double work = 0.0;    ///< ms of processor time in the longest turn: what a busy machine does not add to
     double firstPoints = 0.0; ///< ms
     double done = 0.0;        ///< ms
     std::size_t rows = 0;
 };
+
+/// Processor time of this thread in ms.
+double threadTime()
+{
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
+}
 
 bool hasPoints(const sim::Accuracy *accuracy)
 {
@@ -46,9 +57,13 @@ Stall measure(Session &session, Theme &theme)
     clock.start();
     const auto ms = [&] { return static_cast<double>(clock.nsecsElapsed()) / 1e6; };
     window.setMode(MainWindow::Mode::measure);
+    QApplication::processEvents();
+    stall.opening = ms();
     double last = ms();
     while (window.study().stage() == AccuracyStudy::Stage::measuring && clock.elapsed() < givenUp) {
+        const double before = threadTime();
         QApplication::processEvents();
+        stall.work = std::max(stall.work, threadTime() - before);
         stall.longest = std::max(stall.longest, ms() - last);
         last = ms();
         if (stall.firstPoints == 0.0 && hasPoints(window.study().accuracy()))
@@ -82,8 +97,9 @@ int main(int count, char **arguments)
         session.openStep(step.section('/', 0, 0), step.section('/', 1));
         const Stall stall = measure(session, theme);
         out << step << ": first points after " << qRound(stall.firstPoints) << " ms, " << stall.rows
-            << " rows after " << qRound(stall.done) << " ms, longest gap " << qRound(stall.longest) << " ms"
-            << Qt::endl;
+            << " rows after " << qRound(stall.done) << " ms; opening " << qRound(stall.opening)
+            << " ms, longest gap " << qRound(stall.longest) << " ms, longest work " << qRound(stall.work)
+            << " ms" << Qt::endl;
     }
     return 0;
 }

@@ -16,7 +16,7 @@ using sim::AccuracyRow;
 
 constexpr double least = 1e-15; ///< px
 constexpr double most = 1e4;    ///< px
-constexpr double nameRoom = 172.0;
+constexpr double nameRoom = 196.0;
 constexpr double markerSize = 9.0;
 constexpr double near = 0.15; ///< of an order
 

@@ -265,7 +265,7 @@ void SpotPlot::leaveEvent(QEvent *event)
 
 void SpotPlot::focusInEvent(QFocusEvent *event)
 {
-    m_ringed = event->reason() != Qt::MouseFocusReason;
+    m_ringed = event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason;
     QCustomPlot::focusInEvent(event);
     update();
 }
