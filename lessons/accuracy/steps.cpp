@@ -124,9 +124,8 @@ Step adaptStep()
         "**Dormand–Prince** chooses. It computes each step twice at once, with order 5 and order 4. If the "
         "two "
         "differ by more than the **tolerance**, the step was too long, and it tries a shorter one.\n\n"
-        "Watch **its step**: almost 4 frames far out, under 0.3 in the middle. The tolerance is for one "
-        "step; "
-        "errors add up on the way, so after 150 frames more than 0.001 px is missing.");
+        "Watch **its step**: almost 4 frames far out, less than half a frame in the middle. The tolerance is "
+        "for one step; errors add up on the way, so after 150 frames more than 0.001 px is missing.");
     step.method = "dormand_prince";
     step.tries = adaptTries(exact, step.presets());
     step.scene = adapt::setUp;

@@ -49,7 +49,9 @@ const sim::State *ExactRun::at(const sim::Script &script, std::int64_t frame)
     sim::Track *track = frame >= 0 && frame <= longest ? trackOf(script) : nullptr;
     if (!track)
         return nullptr;
-    track->seek({frame, 0});
+    track->seek({std::min(frame, track->computed()), 0});
+    while (track->at().frame < frame && track->now().evaluations < mostEvaluations && !track->stop())
+        track->seek({track->at().frame + 1, 0});
     return track->at().frame == frame ? &track->now() : nullptr;
 }
 
