@@ -34,8 +34,10 @@ std::vector<Phase> Adaptive::phases(const Scene &scene, StepSize size) const
     phase.points = {0, scene.start.points()};
     phase.moves = true;
     phase.within = course->effects();
-    phase.regions = {
-        {"sim/methods/advance.cpp", "try_step"}, {"sim/methods/advance.cpp", "next_step"}, m_shown};
+    phase.regions = {{"sim/methods/advance.cpp", "try_step"},
+                     {"sim/methods/advance.cpp", "next_step"},
+                     {"sim/methods/advance.cpp", "read_off"},
+                     m_shown};
     for (const EffectPtr &effect : phase.within) {
         for (const Region &region : effect->regions(directions()))
             phase.regions.push_back(region);

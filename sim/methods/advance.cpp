@@ -310,19 +310,28 @@ void Advance::denseAll(double h, double theta, double *x, double *v) const
     }
 }
 
+// Shown lines are short.
+// clang-format off
+//! [read_off]
 void Advance::readOff()
 {
-    const Ahead &ahead = m_state.ahead;
-    clockTo(1.0);
-    if (ahead.to == 1.0) {
-        m_course.flow.place(endPlace(), m_state);
-        m_course.flow.push(endSpeed(), m_state);
-        return;
+    Ahead &ahead = m_state.ahead;
+    double *x = endPlace();
+    double *v = endSpeed();
+    if (ahead.to > 1) {
+        // inside the step
+        double h = ahead.length;
+        double part = (1 - ahead.from) / h;
+        x = m_place;
+        v = m_speed;
+        denseAll(h, part, x, v);
     }
-    denseAll(ahead.length, (1.0 - ahead.from) / ahead.length, m_place, m_speed);
-    m_course.flow.place(m_place, m_state);
-    m_course.flow.push(m_speed, m_state);
+    clockTo(1);
+    m_course.flow.place(x, m_state);
+    m_course.flow.push(v, m_state);
 }
+//! [read_off]
+// clang-format on
 
 void Advance::giveUp()
 {

@@ -69,6 +69,8 @@ struct Plan
     {
         return stage < columns.stages ? h * c[static_cast<std::size_t>(stage)] : h;
     }
+    /// Takes time on from the stage before.
+    void tickTo(State &state, int stage) const { flow.tick(state, timeOf(stage) - timeOf(stage - 1)); }
 };
 
 double *column(State &state, int number)
@@ -76,52 +78,73 @@ double *column(State &state, int number)
     return state.stages.data() + number * state.stages.rows();
 }
 
+/// The place of a stage (or of the step's end), from the velocities of the stages before it.
+double *placeOf(State &state, const Plan &plan, int stage)
+{
+    const Columns &at = plan.columns;
+    for (std::size_t i = 0; i < plan.weights.size(); ++i) {
+        const Flow::Stretch &rows = plan.flow.stretches()[i];
+        const double *weights = plan.weights[i].place[static_cast<std::size_t>(stage)].data();
+        blendRows(column(state, at.place()), column(state, at.startPlace()), 1.0, column(state, at.speed(0)),
+                  weights, stage, rows.first, rows.end(), plan.flow.size());
+    }
+    return column(state, at.place());
+}
+
+/// The velocity of a stage (or of the step's end), from the pulls at the stages before it, in column `out`.
+double *velocityOf(State &state, const Plan &plan, int stage, int out)
+{
+    const Columns &at = plan.columns;
+    for (std::size_t i = 0; i < plan.weights.size(); ++i) {
+        const Flow::Stretch &rows = plan.flow.stretches()[i];
+        const auto row = static_cast<std::size_t>(stage);
+        const double *weights = plan.weights[i].speed[row].data();
+        blendRows(column(state, out), column(state, at.startSpeed()), plan.weights[i].keep[row],
+                  column(state, at.slope(0)), weights, stage, rows.first, rows.end(), plan.flow.size());
+    }
+    return column(state, out);
+}
+
 /// Keeps what the forces have gathered as the slope of `stage`, with the velocity that belongs to it.
 void keepSlope(State &state, const Plan &plan, int stage)
 {
     const Columns &at = plan.columns;
-    const int size = plan.flow.size();
     if (stage == 0)
         plan.flow.read(state, column(state, at.startPlace()), column(state, at.startSpeed()));
     plan.flow.gathered(state, column(state, at.slope(stage)));
-    for (std::size_t i = 0; i < plan.weights.size(); ++i) {
-        const Flow::Stretch &rows = plan.flow.stretches()[i];
-        const auto row = static_cast<std::size_t>(stage);
-        blendRows(column(state, at.speed(stage)), column(state, at.startSpeed()), plan.weights[i].keep[row],
-                  column(state, at.slope(0)), plan.weights[i].speed[row].data(), stage, rows.first,
-                  rows.end(), size);
-    }
+    velocityOf(state, plan, stage, at.speed(stage));
 }
 
-/// Goes to the place of `stage`, from the velocities of the stages before it.
-void goTo(State &state, const Plan &plan, int stage)
+// Shown lines are short.
+// clang-format off
+/// Goes to the place of `stage`, or of the step's end.
+//! [trial_place]
+void goTo(State &state,
+    const Plan &plan, int stage)
 {
-    const Columns &at = plan.columns;
-    for (std::size_t i = 0; i < plan.weights.size(); ++i) {
-        const Flow::Stretch &rows = plan.flow.stretches()[i];
-        blendRows(column(state, at.place()), column(state, at.startPlace()), 1.0, column(state, at.speed(0)),
-                  plan.weights[i].place[static_cast<std::size_t>(stage)].data(), stage, rows.first,
-                  rows.end(), plan.flow.size());
-    }
-    plan.flow.tick(state, plan.timeOf(stage) - plan.timeOf(stage - 1));
-    plan.flow.place(column(state, at.place()), state);
+    // by the velocities found so far
+    double *x =
+        placeOf(state, plan, stage);
+    plan.tickTo(state, stage);
+    plan.flow.place(x, state);
 }
+//! [trial_place]
 
 /// The end of the step: its place, and its velocity.
-void finish(State &state, const Plan &plan)
+//! [step_end]
+void finish(State &state,
+    const Plan &plan)
 {
-    const Columns &at = plan.columns;
-    const int last = at.stages;
-    goTo(state, plan, last);
-    for (std::size_t i = 0; i < plan.weights.size(); ++i) {
-        const Flow::Stretch &rows = plan.flow.stretches()[i];
-        const auto row = static_cast<std::size_t>(last);
-        blendRows(column(state, at.place()), column(state, at.startSpeed()), plan.weights[i].keep[row],
-                  column(state, at.slope(0)), plan.weights[i].speed[row].data(), last, rows.first, rows.end(),
-                  plan.flow.size());
-    }
-    plan.flow.push(column(state, at.place()), state);
+    int end = plan.columns.stages;
+    goTo(state, plan, end);
+    // by the pulls of all stages
+    int out = plan.columns.place();
+    double *v = velocityOf(
+        state, plan, end, out);
+    plan.flow.push(v, state);
 }
+//! [step_end]
+// clang-format on
 
 Phase stagePhase(const char *id, const char *title, const Scene &scene, const char *tableau)
 {
@@ -129,7 +152,8 @@ Phase stagePhase(const char *id, const char *title, const Scene &scene, const ch
     phase.id = id;
     phase.title = title;
     phase.points = {0, scene.start.points()};
-    phase.regions = {{here, tableau}, {"sim/methods/tableau.h", "blend"}};
+    phase.regions = {
+        {here, "trial_place"}, {here, "step_end"}, {here, tableau}, {"sim/methods/tableau.h", "blend"}};
     phase.moves = true;
     phase.explain = [](const State &before, const State &after, int point) {
         return changeOf(before, after, point);
@@ -184,6 +208,8 @@ std::vector<Phase> RungeKutta::phases(const Scene &scene, StepSize size) const
         return phase;
     };
     const int stages = step.anyMoves() ? m_tableau.stages : 0;
+    if (stages == 0)
+        step.flow(1);
     //! [runge_kutta_order]
     // forces at one trial place after
     // another, then one step from all

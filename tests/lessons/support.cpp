@@ -67,6 +67,16 @@ std::optional<QString> regionText(const sim::Region &region)
     return text;
 }
 
+std::vector<sim::MethodPtr> walkingMethods()
+{
+    std::vector<sim::MethodPtr> methods = sim::allMethods();
+    std::erase_if(methods, [](const sim::MethodPtr &one) {
+        return one->stepping() == sim::Stepping::adaptive || one->id() == "explicit_euler" ||
+               one->order() > 2;
+    });
+    return methods;
+}
+
 sim::Script scriptOf(const lessons::Step &step, const std::string &method, double h, const Changes &changes)
 {
     sim::Script script = step.script();

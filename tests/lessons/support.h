@@ -30,6 +30,11 @@ LoadedLesson loadLesson(const QString &id);
 /// The text of a region as it was embedded; empty unless the file is there and has exactly two marker lines.
 std::optional<QString> regionText(const sim::Region &region);
 
+/// The methods that the walking lesson is tested with: of fixed step, since a hand that steers acts once a step; that hold
+/// at a step a frame, which explicit Euler does not (the lesson `accuracy` shows it); and whose errors are not lost in
+/// rounding at the steps at which orders are measured there.
+std::vector<sim::MethodPtr> walkingMethods();
+
 /// The script of `step` with another method and step, and other values for some parameters. Methods that choose their
 /// steps get the preset tolerance in place of `h`.
 using Changes = std::vector<std::pair<std::string, double>>;

@@ -30,7 +30,7 @@ class WalkingCompany : public QObject
     static void addMethodRows()
     {
         QTest::addColumn<QString>("method");
-        for (const sim::MethodPtr &method : sim::allMethods())
+        for (const sim::MethodPtr &method : walkingMethods())
             QTest::addRow("%s", method->id().c_str()) << QString::fromStdString(method->id());
     }
 

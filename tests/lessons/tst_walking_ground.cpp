@@ -23,7 +23,7 @@ class WalkingGround : public QObject
     static void addMethodRows()
     {
         QTest::addColumn<QString>("method");
-        for (const sim::MethodPtr &method : sim::allMethods())
+        for (const sim::MethodPtr &method : walkingMethods())
             QTest::addRow("%s", method->id().c_str()) << QString::fromStdString(method->id());
     }
 
@@ -94,7 +94,7 @@ void WalkingGround::itWalksTheWayThatTheSignOfTheSpeedSays_data()
     QTest::addColumn<QString>("method");
     QTest::addColumn<double>("speed");
     QTest::addColumn<double>("least");
-    for (const sim::MethodPtr &method : sim::allMethods()) {
+    for (const sim::MethodPtr &method : walkingMethods()) {
         for (const auto &[speed, least] : {std::pair{0.02, 0.4}, {0.05, 1.1}, {0.1, 2.4}, {0.15, 3.5}}) {
             for (double sign : {1.0, -1.0})
                 QTest::addRow("%s, speed %g", method->id().c_str(), sign * speed)
