@@ -51,10 +51,10 @@ struct Outside
 /// frames inside it are read off; State::stages holds what for.
 struct Ahead
 {
-    double from = 0.0; ///< frames, where its last step began; 0 or less
-    double to = 0.0;   ///< frames, where that ended; nothing is ahead if it is not above 0
+    double from = 0.0;   ///< frames, where its last step began; 0 or less
+    double to = 0.0;     ///< frames, where that ended; nothing is ahead if it is not above 0
     double length = 0.0; ///< frames, of that step before a contact cut it short
-    double next = 0.0; ///< frames, the length that its next step should have; 0: not known yet
+    double next = 0.0;   ///< frames, the length that its next step should have; 0: not known yet
 };
 
 /// All that a step reads and writes, as plain values. Copying it is the snapshot; two equal States run on alike.

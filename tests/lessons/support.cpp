@@ -71,8 +71,8 @@ std::vector<sim::MethodPtr> walkingMethods()
 {
     std::vector<sim::MethodPtr> methods = sim::allMethods();
     std::erase_if(methods, [](const sim::MethodPtr &one) {
-        return one->stepping() == sim::Stepping::adaptive || one->id() == "explicit_euler" ||
-               one->order() > 2;
+        return one->stepping() == sim::Stepping::adaptive || one->order() > 2 ||
+               one->id() == "explicit_euler" || one->id() == "midpoint";
     });
     return methods;
 }

@@ -31,8 +31,8 @@ LoadedLesson loadLesson(const QString &id);
 std::optional<QString> regionText(const sim::Region &region);
 
 /// The methods that the walking lesson is tested with: of fixed step, since a hand that steers acts once a step; that hold
-/// at a step a frame, which explicit Euler does not (the lesson `accuracy` shows it); and whose errors are not lost in
-/// rounding at the steps at which orders are measured there.
+/// at a step a frame for ever, which explicit Euler and the midpoint rule do not, as both gain energy where nothing
+/// damps; and whose errors are not lost in rounding at the steps at which orders are measured there.
 std::vector<sim::MethodPtr> walkingMethods();
 
 /// The script of `step` with another method and step, and other values for some parameters. Methods that choose their
