@@ -153,10 +153,7 @@ QString accuracyTable(const AccuracyReport &report)
     if (found.noisy())
         lines.push_back(Text::tr("This machine is busy with other things: times vary by %1 %.")
                             .arg(std::lround(100.0 * found.noise)));
-    const auto isExact = [](const sim::AccuracyRow &row) {
-        return row.outcome != sim::Outcome::measured || row.error == 0.0;
-    };
-    if (found.horizon > 0 && std::all_of(found.rows.begin(), found.rows.end(), isExact))
+    if (found.isExact())
         lines.push_back(
             Text::tr("Nothing moves here unless you do something: save a run in which you do, and "
                      "measure that file."));

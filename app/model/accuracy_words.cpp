@@ -188,6 +188,10 @@ QString rowWords(const sim::AccuracyRow &row)
 
 QString verdictOn(const sim::Accuracy &accuracy, double target, const sim::AccuracyRow *inUse)
 {
+    if (accuracy.isExact())
+        return Text::tr(
+            "Nothing moves here unless you do something, so nothing can be off: drag a body or change a "
+            "number, then measure again.");
     const QString goal = bold(pixels(target));
     const sim::AccuracyRow *best = accuracy.cheapest(target);
     QString text;

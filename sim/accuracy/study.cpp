@@ -9,6 +9,14 @@
 
 namespace sim {
 
+bool Accuracy::isExact() const
+{
+    const auto isOff = [](const AccuracyRow &row) {
+        return row.outcome == Outcome::waiting || row.outcome == Outcome::unstable || row.error > 0.0;
+    };
+    return horizon > 0 && !rows.empty() && std::none_of(rows.begin(), rows.end(), isOff);
+}
+
 const AccuracyRow *Accuracy::cheapest(double error) const
 {
     const AccuracyRow *best = nullptr;

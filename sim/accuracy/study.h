@@ -78,6 +78,8 @@ struct Accuracy
     double noise = 0.0;
 
     bool noisy() const { return noise > 0.1; }
+    /// Whether no method is off at all, as where nothing moves until somebody does something.
+    bool isExact() const;
     /// The cheapest measured row with an error of at most `error` px, or null.
     const AccuracyRow *cheapest(double error) const;
 };

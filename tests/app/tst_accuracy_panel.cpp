@@ -1,5 +1,6 @@
 // The Accuracy panel, driven as a learner drives it, over a made-up study.
 
+#include "app/model/accuracy_words.h"
 #include "app/ui/measure/method_ink.h"
 #include "app/ui/measure/order_plot.h"
 #include "app/ui/measure/run_plot.h"
@@ -37,6 +38,7 @@ private slots:
     void everyMethodHasAnInkOfItsOwn();
     void aScreenReaderHearsWhatIsChosen();
     void cancelStopsAndMeasureAgainGoesOn();
+    void whereNothingMovesTheVerdictSaysSo();
     void remarksSayWhatTheNumbersDependOn_data();
     void remarksSayWhatTheNumbersDependOn();
 };
@@ -267,6 +269,21 @@ void AccuracyPanelTest::cancelStopsAndMeasureAgainGoesOn()
     QTest::mouseClick(button, Qt::LeftButton);
     QVERIFY(bench.measured());
     QCOMPARE(bench.puppet.begun.load(), 3);
+}
+
+void AccuracyPanelTest::whereNothingMovesTheVerdictSaysSo()
+{
+    sim::Accuracy still;
+    still.span = still.horizon = 200;
+    still.rows.resize(2);
+    for (sim::AccuracyRow &row : still.rows) {
+        row.way = {sim::findMethod("semi_implicit_euler"), sim::StepSize::of(1.0)};
+        row.outcome = sim::Outcome::measured;
+        row.nsPerFrame = 100.0;
+    }
+    QVERIFY(verdictOn(still, 0.1, nullptr).startsWith("Nothing moves here"));
+    still.rows[1].error = 1e-9;
+    QVERIFY(!verdictOn(still, 0.1, nullptr).startsWith("Nothing moves here"));
 }
 
 void AccuracyPanelTest::remarksSayWhatTheNumbersDependOn_data()
