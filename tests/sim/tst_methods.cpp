@@ -174,6 +174,72 @@ private slots:
         QVERIFY2(std::abs(kept() / start - 1.0) < 1e-10, qPrintable(QString::number(kept() / start - 1.0)));
     }
 
+    void symplecticMethodsKeepTheEnergyOfASpringForEver_data()
+    {
+        QTest::addColumn<QString>("method");
+        QTest::addColumn<double>("most"); // how far the energy swings, as a share of its least
+        // Each keeps a quadratic form to rounding, and the energy swings between what the form allows (Hairer, Lubich
+        // and Wanner, "Geometric numerical integration", section IX.3). With k = 0.2 and h = 1:
+        // semi-implicit Euler v^2 + k x^2 - h k x v; velocity Verlet v^2 + k (1 - h^2 k / 4) x^2; position Verlet
+        // (1 - h^2 k / 4) v^2 + k x^2.
+        const double k = 0.2, root = std::sqrt(k);
+        QTest::newRow("semi-implicit Euler") << "semi_implicit_euler" << (1 + root / 2) / (1 - root / 2) - 1;
+        QTest::newRow("position Verlet") << "position_verlet" << 1 / (1 - k / 4) - 1;
+        QTest::newRow("velocity Verlet") << "velocity_verlet" << 1 / (1 - k / 4) - 1;
+    }
+    void symplecticMethodsKeepTheEnergyOfASpringForEver()
+    {
+        QFETCH(QString, method);
+        QFETCH(double, most);
+        Scene scene = oscillator(0.2, 1.0);
+        scene.effects.pop_back();
+        const MethodPtr rule = findMethod(method.toStdString());
+        QVERIFY(rule->symplectic() == Symplectic::yes);
+        rule->prepare(scene.start);
+        const Pipeline frame = compose(scene, *rule, StepSize::of(1.0));
+        State state = scene.start;
+        struct Swing
+        {
+            double least = HUGE_VAL, greatest = 0.0, mean = 0.0;
+        };
+        const auto watch = [&](int frames) {
+            Swing swing;
+            for (int i = 0; i < frames; ++i) {
+                for (const Phase &phase : frame.phases)
+                    phase.run(state);
+                const double energy =
+                    state.speed(0).x * state.speed(0).x + 0.2 * state.at(0).x * state.at(0).x;
+                swing.least = std::min(swing.least, energy);
+                swing.greatest = std::max(swing.greatest, energy);
+                swing.mean += energy / frames;
+            }
+            return swing;
+        };
+        const Swing first = watch(10'000);
+        watch(980'000);
+        const Swing last = watch(10'000);
+        for (const Swing &swing : {first, last})
+            QVERIFY2(std::abs((swing.greatest / swing.least - 1) / most - 1) < 0.02,
+                     qPrintable(QString::number(swing.greatest / swing.least - 1)));
+        // Means over ten thousand frames differ by where in a swing they begin and end: by some parts in a million.
+        QVERIFY2(std::abs(last.mean / first.mean - 1) < 1e-4,
+                 qPrintable(QString::number(last.mean / first.mean - 1)));
+        QVERIFY(std::abs(last.greatest / first.greatest - 1) < 1e-4);
+    }
+
+    void explicitEulerGainsEnergyAtEveryStep()
+    {
+        Scene scene = oscillator(0.2, 1.0);
+        scene.effects.pop_back();
+        for (const double h : {1.0, 0.25}) {
+            const State end = support::plainRun(scene, "explicit_euler", h, 50);
+            const double start = 3.0 * 3.0 + 0.2 * 100.0 * 100.0;
+            const double energy = end.speed(0).x * end.speed(0).x + 0.2 * end.at(0).x * end.at(0).x;
+            const double gain = std::pow(1.0 + 0.2 * h * h, 50 / h);
+            QVERIFY2(std::abs(energy / (start * gain) - 1.0) < 1e-10, qPrintable(QString::number(energy)));
+        }
+    }
+
     void semiImplicitKeepsTheMomentumOfACreature()
     {
         Scene scene = smoothScene();
