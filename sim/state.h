@@ -55,6 +55,8 @@ struct Ahead
     double to = 0.0;     ///< frames, where that ended; nothing is ahead if it is not above 0
     double length = 0.0; ///< frames, of that step before a contact cut it short
     double next = 0.0;   ///< frames, the length that its next step should have; 0: not known yet
+    int stuck =
+        -1; ///< the point pulled hardest where too many steps did not reach the next frame; -1: they did
 };
 
 /// All that a step reads and writes, as plain values. Copying it is the snapshot; two equal States run on alike.
@@ -124,6 +126,7 @@ void visitMemory(const State &state, Visit &&visit)
     one(state.ahead.to);
     one(state.ahead.length);
     one(state.ahead.next);
+    one(state.ahead.stuck);
     one(state.evaluations);
     array(state.gait);
     array(state.gaitSpeed);

@@ -16,6 +16,22 @@ std::size_t costOf(const State &state)
     return memoryOf(state) + bookkeeping;
 }
 
+struct Failure
+{
+    StopReason reason;
+    int point; ///< the point count for what belongs to no point
+};
+
+/// What keeps a run from going on from `state`, if anything does.
+std::optional<Failure> failureOf(const State &state)
+{
+    if (state.ahead.stuck >= 0) // first: where steps lead no further, tries may have left any numbers
+        return Failure{StopReason::tooManySteps, state.ahead.stuck};
+    if (const int point = firstNotFinite(state); point >= 0)
+        return Failure{StopReason::notFinite, point};
+    return {};
+}
+
 /// What a method has computed ahead holds as long as nothing comes in from outside.
 void forgetAhead(State &state)
 {
@@ -84,9 +100,9 @@ void Track::seek(Cursor target)
     if (target < m_at || kept->first > m_at.frame)
         restore(kept->first);
     bool goesOn = true;
-    // Inside a row the numbers are looked at only where the cursor stops: where they are not finite, the rest of
-    // the row tells whether the run ends here.
-    while (goesOn && (m_at < target || (m_at.phase > 0 && firstNotFinite(m_now) >= 0)))
+    // Inside a row the numbers are looked at only where the cursor stops: where they are no good, the rest of the
+    // row tells whether the run ends here.
+    while (goesOn && (m_at < target || (m_at.phase > 0 && failureOf(m_now))))
         goesOn = runPhase();
     if (!goesOn)
         seek(target); // now that the end is known
@@ -181,7 +197,7 @@ bool Track::runPhase()
 
 bool Track::endRow()
 {
-    if (firstNotFinite(m_now) >= 0) {
+    if (failureOf(m_now)) {
         stopHere();
         return false;
     }
@@ -198,20 +214,25 @@ void Track::stopHere()
     m_at = {last, 0};
     m_segment = segmentFor(last);
     const std::shared_ptr<const Segment> segment = segmentFor(last + rowFrames());
-    Stop stop{last, 0, {}, {}};
+    Stop stop;
+    stop.frame = last;
     State state = m_now;
     begin(state, last + rowFrames());
-    int guilty = firstNotFinite(state);
-    while (guilty < 0 && stop.phases < segment->pipeline.phasesPerRow()) {
+    std::optional<Failure> failure = failureOf(state);
+    while (!failure && stop.phases < segment->pipeline.phasesPerRow()) {
         const Phase &next = segment->pipeline.phaseAt(stop.phases);
         next.run(state);
-        guilty = firstNotFinite(state);
+        failure = failureOf(state);
         stop.phase = next.title;
-        if (guilty < 0)
+        if (!failure)
             ++stop.phases;
     }
-    if (guilty >= 0 && guilty < static_cast<int>(segment->scene.names.size()))
-        stop.body = segment->scene.names[static_cast<std::size_t>(guilty)];
+    if (failure) {
+        stop.reason = failure->reason;
+        const auto guilty = static_cast<std::size_t>(failure->point);
+        if (guilty < segment->scene.names.size())
+            stop.body = segment->scene.names[guilty];
+    }
     m_stop = stop;
 }
 

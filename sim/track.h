@@ -26,13 +26,20 @@ struct Segment
     Pipeline pipeline;
 };
 
-/// Why a run ends: after `frame` the numbers stop being finite.
+/// What keeps a run from its next frame.
+enum class StopReason {
+    notFinite,    ///< a number stopped being finite
+    tooManySteps, ///< a method that chooses its steps needs more of them for one frame than it may take
+};
+
+/// Where and why a run ends.
 struct Stop
 {
-    std::int64_t frame = 0; ///< the last finite one
-    int phases = 0;         ///< how many phases of the row after it leave finite numbers
-    std::string phase;      ///< title of the phase that went first
-    std::string body;       ///< name of the point that went first
+    StopReason reason = StopReason::notFinite;
+    std::int64_t frame = 0; ///< the last good one
+    int phases = 0;         ///< how many phases of the row after it leave good numbers
+    std::string phase;      ///< title of the phase that failed first
+    std::string body;       ///< name of the point that failed first
 };
 
 /// What one phase did to one point.
@@ -67,8 +74,8 @@ public:
     int phasesPerRow() const { return next()->pipeline.phasesPerRow(); }
 
     /// Goes to `target`. A frame between two rows is rounded down to a row; a phase past the row's last leads to
-    /// the next row; past the end of what is finite it goes to stop()->frame, from inside the row in which the
-    /// numbers end to the last phase that leaves finite ones.
+    /// the next row; past the end of the run it goes to stop()->frame, from inside the row that fails to the last
+    /// phase that leaves good numbers.
     void seek(Cursor target);
     /// The state at the cursor after the input that the next row begins with; `segment` is set to its segment.
     State preview(std::shared_ptr<const Segment> &segment) const;
@@ -104,7 +111,7 @@ private:
     void begin(State &state, std::int64_t rowEnd) const;
     void apply(State &state, const Scene &scene, const Event &event) const;
     void applyHand(State &state, const Scene &scene, const Event &event) const;
-    /// These two return whether the run goes on: false when its numbers stopped being finite.
+    /// These two return whether the run goes on.
     bool runPhase();
     bool endRow();
     void stopHere();

@@ -88,6 +88,12 @@ QString sentenceFor(const sim::Error &error)
 QString sentenceFor(const sim::Stop &stop)
 {
     const QString name = QString::fromStdString(stop.body);
+    if (stop.reason == sim::StopReason::tooManySteps)
+        return Text::tr(
+                   "Stopped at frame %1: the method needs too many steps for the next one. What is pulled "
+                   "hardest is %2. Try a larger tolerance, or a method whose steps all have one length.")
+            .arg(stop.frame)
+            .arg(name);
     if (stop.phase.empty())
         return Text::tr("Stopped at frame %1: the next one is not finite. It began at %2.")
             .arg(stop.frame)

@@ -4,6 +4,11 @@
 
 namespace sim {
 
+RunEnd endOf(const Stop &stop)
+{
+    return stop.reason == StopReason::tooManySteps ? RunEnd::tooLong : RunEnd::notFinite;
+}
+
 Script scriptFor(const Script &script, const Way &way)
 {
     Script other = script;

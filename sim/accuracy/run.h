@@ -29,6 +29,9 @@ struct RunResult
     std::int64_t evaluations = 0; ///< as State counts them
 };
 
+/// How a run ends that stops by itself.
+RunEnd endOf(const Stop &stop);
+
 /// `script` computed in another way.
 Script scriptFor(const Script &script, const Way &way);
 
@@ -57,7 +60,7 @@ RunResult runFrames(const Script &script, std::int64_t frames, double seconds, W
         track.seek({frame, 0});
         result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
         if (track.stop()) {
-            result.end = RunEnd::notFinite;
+            result.end = endOf(*track.stop());
             break;
         }
         result.frames = frame;

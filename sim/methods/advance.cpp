@@ -335,14 +335,12 @@ void Advance::readOff()
 
 void Advance::giveUp()
 {
-    // A run stops where numbers stop being finite: at the point that is pulled hardest.
     int worst = 0;
     for (int i = 0; i < m_points; ++i) {
         if (!(length(at(endSlope(), i)) <= length(at(endSlope(), worst))))
             worst = i;
     }
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    m_state.place(worst, {nan, nan});
+    m_state.ahead.stuck = worst;
 }
 
 }

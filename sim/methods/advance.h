@@ -61,6 +61,7 @@ private:
     void settle();
     void hold(double *numbers) const;
     void readOff();
+    /// Notes in the state that its steps lead no further.
     void giveUp();
 
     void clockTo(double time);

@@ -49,6 +49,35 @@ private slots:
             given[values[i].toStdString()] = values[i + 1].toStdString();
         QCOMPARE(app::sentenceFor(sim::Error(id.toStdString(), given)), sentence);
     }
+
+    void stops_data()
+    {
+        QTest::addColumn<int>("reason");
+        QTest::addColumn<QString>("phase");
+        QTest::addColumn<QString>("sentence");
+        QTest::newRow("a number that is not finite")
+            << int(sim::StopReason::notFinite) << "spring"
+            << "Stopped at frame 7: the next one is not finite. It began at foot3, in spring.";
+        QTest::newRow("one that no phase made")
+            << int(sim::StopReason::notFinite) << QString()
+            << "Stopped at frame 7: the next one is not finite. It began at foot3.";
+        QTest::newRow("too many steps")
+            << int(sim::StopReason::tooManySteps) << "steps of its own"
+            << "Stopped at frame 7: the method needs too many steps for the next one. What is pulled hardest "
+               "is foot3. Try a larger tolerance, or a method whose steps all have one length.";
+    }
+    void stops()
+    {
+        QFETCH(int, reason);
+        QFETCH(QString, phase);
+        QFETCH(QString, sentence);
+        sim::Stop stop;
+        stop.reason = sim::StopReason(reason);
+        stop.frame = 7;
+        stop.phase = phase.toStdString();
+        stop.body = "foot3";
+        QCOMPARE(app::sentenceFor(stop), sentence);
+    }
 };
 
 QTEST_GUILESS_MAIN(Sentences)

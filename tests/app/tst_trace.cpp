@@ -115,6 +115,22 @@ private slots:
         QVERIFY(!answer.out.contains("nan") && !answer.out.contains("inf"));
     }
 
+    void aRunThatNeedsTooManyStepsIsAnswered1()
+    {
+        const Answer answer = springstep(
+            {"trace", fileWith("\"frames\": 100, \"method\": \"dormand_prince\", \"tolerance\": 1e-9, "
+                               "\"parameters\": {\"feet\": 60, \"k\": 1e9}")});
+        QCOMPARE(answer.code, 1);
+        QVERIFY2(isOneLine(answer.err), qPrintable(answer.err));
+        const auto match =
+            QRegularExpression("\\AStopped at frame (\\d+): the method needs too many steps for the "
+                               "next one. What is pulled hardest is (foot\\d+|body). Try a larger "
+                               "tolerance, or a method whose steps all have one length.\n\\z")
+                .match(answer.err);
+        QVERIFY2(match.hasMatch(), qPrintable(answer.err));
+        QCOMPARE(answer.out.trimmed().section('\n', -1).section(',', 0, 1), match.captured(1) + ",body");
+    }
+
     void aReaderThatGoesAwayEndsTheRunQuietly()
     {
         const Answer answer =

@@ -294,6 +294,53 @@ private slots:
         QVERIFY(std::abs(track.now().at(0).x - closedForm(50, 0, 0.2, 1.0, 19)) < 1e-6);
     }
 
+    void aFrameThatNeedsTooManyStepsEndsTheRun_data() { addAdaptiveRows(); }
+    void aFrameThatNeedsTooManyStepsEndsTheRun()
+    {
+        QFETCH(QString, method);
+        // 4000 rad a frame: some 600 swings, each in as many steps as the tolerance asks for.
+        const Scene scene = onePoint({100, 0}, {}, {std::make_shared<PointSpring>(0, Vec2{0, 0}, 1.6e7)});
+        Script script = support::script(scene, method.toStdString());
+        script.step = StepSize::within(1e-13);
+        Track track(script, 0);
+        track.seek({10, 0});
+        QVERIFY(track.stop());
+        QVERIFY(track.stop()->reason == StopReason::tooManySteps);
+        QCOMPARE(track.stop()->frame, std::int64_t(0));
+        QCOMPARE(track.stop()->body, std::string("ball"));
+        QVERIFY(sameBits(track.now(), Track(script, 0).now())); // as it was before the frame
+        script.step = StepSize::within(1.0);                    // what the sentence offers
+        Track rough(script, 0);
+        rough.seek({10, 0});
+        QVERIFY(!rough.stop());
+        QCOMPARE(rough.at().frame, std::int64_t(10));
+    }
+
+    void aRunThatCannotGoOnKeepsWhatItHas()
+    {
+        // Calm, until the spring is far too stiff.
+        support::Sample sample;
+        sample.values.set("k", 0.2);
+        sample.build = [](const Values &values) {
+            return onePoint({100, 0}, {0, 3}, {std::make_shared<PointSpring>(0, Vec2{0, 0}, values["k"])});
+        };
+        Script script = support::script(sample, "dormand_prince");
+        script.step = StepSize::within(1e-9);
+        const Script calm = script;
+        script.input = {{21, Set{"k", 1e14}}};
+        Track track(script, 0);
+        track.seek({20, 1});
+        track.seek({40, 0});
+        QVERIFY(track.stop() && track.stop()->reason == StopReason::tooManySteps);
+        QVERIFY(track.at() == (Cursor{20, 0}));
+        Track plain(calm, 0);
+        plain.seek({20, 0});
+        QVERIFY(sameBits(track.now(), plain.now()));
+        track.replaceInput({}, 21); // and goes on when that is mended
+        track.seek({40, 0});
+        QVERIFY(!track.stop());
+    }
+
     void aStepThatCannotBeFoundEndsTheRun()
     {
         // Walls closer together than the ball is wide: there is no place for it.
@@ -305,6 +352,7 @@ private slots:
         Track track(script, 0);
         track.seek({10, 0});
         QVERIFY(track.stop());
+        QVERIFY(track.stop()->reason == StopReason::tooManySteps);
         QCOMPARE(track.stop()->body, std::string("ball"));
     }
 };
