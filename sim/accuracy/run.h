@@ -53,12 +53,14 @@ RunResult runFrames(const Script &script, std::int64_t frames, double seconds, W
     using Clock = std::chrono::steady_clock;
     Track track(script, 0);
     const auto start = Clock::now();
+    const double awayBefore = watch.secondsAway();
     const double computedBefore = computedSeconds();
     RunResult result;
     const std::int64_t before = track.now().evaluations;
     for (std::int64_t frame = track.rowFrames(); frame <= frames; frame += track.rowFrames()) {
         track.seek({frame, 0});
-        result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+        result.seconds =
+            std::chrono::duration<double>(Clock::now() - start).count() - (watch.secondsAway() - awayBefore);
         if (track.stop()) {
             result.end = endOf(*track.stop());
             break;

@@ -4,6 +4,8 @@
 
 namespace app {
 
+class LabelPlaces;
+
 /// Error against time: what each rung of each method costs and how far off it is, both on logarithmic axes. Before
 /// there are times, error against how often forces are computed.
 class WorkPrecisionPlot : public SpotPlot
@@ -38,19 +40,25 @@ protected:
     Qt::CursorShape cursorAt(QPointF at) const override;
 
 private:
-    double costOf(const sim::AccuracyRow &row) const;
-    double unstableCost(std::size_t row) const;
+    static QString hereText();
+    /// What the names must not cover.
+    LabelPlaces takenPlaces() const;
+    /// The spots that nothing beats, on the screen, from cheap to dear; empty before there are times.
+    QPolygonF frontLine() const;
+    /// The spot of the way in use; null where it is not shown.
+    const Spot *here() const;
+    QRectF hereTag() const;
     void drawFront(QPainter &painter) const;
     void drawLadders(QPainter &painter) const;
     void drawWhiskers(QPainter &painter) const;
-    void drawNames(QPainter &painter) const;
+    void drawNames(QPainter &painter, LabelPlaces &places) const;
+    void drawFrontNote(QPainter &painter, LabelPlaces &places) const;
     void drawUnstable(QPainter &painter) const;
     void drawTarget(QPainter &painter) const;
     void drawHere(QPainter &painter) const;
 
     double m_target = 0.1;
     bool m_timed = false;
-    double m_top = 1.0; ///< where unstable rows are marked, px of the scene
 };
 
 }
