@@ -9,6 +9,7 @@ namespace sim {
 namespace {
 
 constexpr int mostTries = 20'000;    ///< steps a frame, the rejected ones included
+constexpr int triesBetween = 20;     ///< looks at whether anybody waits
 constexpr double longestStep = 10.0; ///< frames
 /// What damping leaves in one step is at least e^-2: past that, the polynomial through a step would have to follow
 /// e^(c t), which the error at its end does not show.
@@ -114,7 +115,12 @@ double *Advance::slopeOf(int number) const
     return m_slopes + number * m_size;
 }
 
-void Advance::toNextFrame()
+bool Advance::isLeftOff(int tries, const GoesOn &goesOn)
+{
+    return tries % triesBetween == triesBetween - 1 && !goesOn();
+}
+
+bool Advance::toNextFrame(const GoesOn &goesOn)
 {
     Ahead &ahead = m_state.ahead;
     //! [adaptive_order]
@@ -122,8 +128,12 @@ void Advance::toNextFrame()
         begin();
     // until a step ends past the frame
     for (int i = 0; ahead.to < 1; ++i) {
-        if (i == mostTries)
-            return giveUp();
+        if (isLeftOff(i, goesOn))
+            return false;
+        if (i == mostTries) {
+            giveUp();
+            return true;
+        }
         tryStep();
     }
     // then the frame is read off it
@@ -131,6 +141,7 @@ void Advance::toNextFrame()
     //! [adaptive_order]
     ahead.from -= 1.0;
     ahead.to -= 1.0;
+    return true;
 }
 
 void Advance::clockTo(double time)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/flow.h"
+#include "sim/method.h"
 #include "sim/methods/pair.h"
 #include "sim/methods/touching.h"
 
@@ -30,7 +31,8 @@ class Advance
 {
 public:
     Advance(const Course &course, State &state);
-    void toNextFrame();
+    /// Returns whether it has got there or has given up; if not, `goesOn` said no on the way.
+    bool toNextFrame(const GoesOn &goesOn);
 
 private:
     /// From a state that holds no step: puts what is past a surface onto it.
@@ -61,6 +63,8 @@ private:
     void settle();
     void hold(double *numbers) const;
     void readOff();
+    /// Whether nobody waits for the frame any more, after `tries` tries.
+    static bool isLeftOff(int tries, const GoesOn &goesOn);
     /// Notes in the state that its steps lead no further.
     void giveUp();
 
