@@ -10,6 +10,9 @@
 
 namespace sim {
 
+/// Whether somebody still waits for what may take long; asked now and then on the way.
+using GoesOn = std::function<bool()>;
+
 /// One part of a step: the smallest stretch of time that a learner can stop after.
 struct Phase
 {
@@ -23,6 +26,9 @@ struct Phase
     std::vector<Region> regions;   ///< its source, in the order in which it runs
     bool moves = false;            ///< whether the gathered accelerations are spent after it
     std::function<void(State &)> run;
+    /// Only where `run` may take long: does the same, and leaves off when nobody waits any more. Returns whether it is
+    /// done; if not, the state is good for nothing.
+    std::function<bool(State &, const GoesOn &)> runWhile;
     /// The numbers behind what the phase did to `point`, given the states around it.
     std::function<std::vector<Live>(const State &before, const State &after, int point)> explain;
 };

@@ -32,6 +32,15 @@ std::optional<Failure> failureOf(const State &state)
     return {};
 }
 
+/// Returns false when `goesOn` (which may be empty) said no.
+bool run(const Phase &phase, State &state, const GoesOn &goesOn)
+{
+    if (goesOn && phase.runWhile)
+        return phase.runWhile(state, goesOn);
+    phase.run(state);
+    return !goesOn || goesOn();
+}
+
 /// What a method has computed ahead holds as long as nothing comes in from outside.
 void forgetAhead(State &state)
 {
@@ -90,6 +99,11 @@ std::shared_ptr<const Segment> Track::segmentFor(std::int64_t rowEnd) const
 
 void Track::seek(Cursor target)
 {
+    seek(target, {});
+}
+
+bool Track::seek(Cursor target, const GoesOn &goesOn)
+{
     target.frame = std::max<std::int64_t>(0, target.frame) / rowFrames() * rowFrames();
     target.phase = std::max(0, target.phase);
     if (m_stop && target.frame > m_stop->frame)
@@ -99,13 +113,16 @@ void Track::seek(Cursor target)
     const auto kept = std::prev(m_kept.upper_bound(target.frame));
     if (target < m_at || kept->first > m_at.frame)
         restore(kept->first);
-    bool goesOn = true;
+    Next next = Next::goesOn;
     // Inside a row the numbers are looked at only where the cursor stops: where they are no good, the rest of the
     // row tells whether the run ends here.
-    while (goesOn && (m_at < target || (m_at.phase > 0 && failureOf(m_now))))
-        goesOn = runPhase();
-    if (!goesOn)
-        seek(target); // now that the end is known
+    while (next == Next::goesOn && (m_at < target || (m_at.phase > 0 && failureOf(m_now))))
+        next = runPhase(goesOn);
+    if (next == Next::isLeftOff)
+        restore(std::prev(m_kept.upper_bound(m_at.frame))->first);
+    else if (next == Next::ends)
+        return seek(target, goesOn); // now that the end is known
+    return next != Next::isLeftOff;
 }
 
 void Track::restore(std::int64_t frame)
@@ -184,44 +201,44 @@ void Track::applyHand(State &state, const Scene &scene, const Event &event) cons
     }
 }
 
-bool Track::runPhase()
+Track::Next Track::runPhase(const GoesOn &goesOn)
 {
     if (m_at.phase == 0) {
         begin(m_now, m_at.frame + rowFrames());
         m_segment = segmentFor(m_at.frame + rowFrames());
     }
     const Pipeline &pipeline = m_segment->pipeline;
-    pipeline.phaseAt(m_at.phase).run(m_now);
-    return ++m_at.phase < pipeline.phasesPerRow() || endRow();
+    if (!run(pipeline.phaseAt(m_at.phase), m_now, goesOn))
+        return Next::isLeftOff;
+    return ++m_at.phase < pipeline.phasesPerRow() ? Next::goesOn : endRow(goesOn);
 }
 
-bool Track::endRow()
+Track::Next Track::endRow(const GoesOn &goesOn)
 {
-    if (failureOf(m_now)) {
-        stopHere();
-        return false;
-    }
+    if (failureOf(m_now))
+        return stopHere(goesOn);
     m_at = {m_at.frame + rowFrames(), 0};
     m_computed = std::max(m_computed, m_at.frame);
     keep();
-    return true;
+    return Next::goesOn;
 }
 
-void Track::stopHere()
+Track::Next Track::stopHere(const GoesOn &goesOn)
 {
     const std::int64_t last = m_at.frame;
-    m_now = rowState(last);
-    m_at = {last, 0};
-    m_segment = segmentFor(last);
+    const std::optional<State> good = rowState(last, goesOn);
+    if (!good)
+        return Next::isLeftOff;
     const std::shared_ptr<const Segment> segment = segmentFor(last + rowFrames());
     Stop stop;
     stop.frame = last;
-    State state = m_now;
+    State state = *good;
     begin(state, last + rowFrames());
     std::optional<Failure> failure = failureOf(state);
     while (!failure && stop.phases < segment->pipeline.phasesPerRow()) {
         const Phase &next = segment->pipeline.phaseAt(stop.phases);
-        next.run(state);
+        if (!run(next, state, goesOn))
+            return Next::isLeftOff;
         failure = failureOf(state);
         stop.phase = next.title;
         if (!failure)
@@ -234,17 +251,23 @@ void Track::stopHere()
             stop.body = segment->scene.names[guilty];
     }
     m_stop = stop;
+    m_now = *good;
+    m_at = {last, 0};
+    m_segment = segmentFor(last);
+    return Next::ends;
 }
 
-State Track::rowState(std::int64_t frame) const
+std::optional<State> Track::rowState(std::int64_t frame, const GoesOn &goesOn) const
 {
     const auto kept = std::prev(m_kept.upper_bound(frame));
     State state = *kept->second;
     for (std::int64_t end = kept->first + rowFrames(); end <= frame; end += rowFrames()) {
         begin(state, end);
         const std::shared_ptr<const Segment> segment = segmentFor(end);
-        for (int phase = 0; phase < segment->pipeline.phasesPerRow(); ++phase)
-            segment->pipeline.phaseAt(phase).run(state);
+        for (int phase = 0; phase < segment->pipeline.phasesPerRow(); ++phase) {
+            if (!run(segment->pipeline.phaseAt(phase), state, goesOn))
+                return {};
+        }
     }
     return state;
 }
@@ -294,7 +317,7 @@ std::vector<Moment> Track::moments(const std::string &body) const
     if (between && m_at.frame == 0)
         return {};
     const std::int64_t rowStart = between ? m_at.frame - rowFrames() : m_at.frame;
-    State state = rowState(rowStart);
+    State state = stateAt(rowStart);
     begin(state, rowStart + rowFrames());
     const std::shared_ptr<const Segment> segment = segmentFor(rowStart + rowFrames());
     const Pipeline &pipeline = segment->pipeline;

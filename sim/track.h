@@ -77,6 +77,9 @@ public:
     /// the next row; past the end of the run it goes to stop()->frame, from inside the row that fails to the last
     /// phase that leaves good numbers.
     void seek(Cursor target);
+    /// The same, asking `goesOn` after each phase, and within one that takes long. Returns false when that said no:
+    /// the cursor is then at a moment that was kept before, and at 0 at worst.
+    bool seek(Cursor target, const GoesOn &goesOn);
     /// The state at the cursor after the input that the next row begins with; `segment` is set to its segment.
     State preview(std::shared_ptr<const Segment> &segment) const;
     /// What the phases of the step under way (or, between rows, of the last step done) did to the point named.
@@ -91,7 +94,7 @@ public:
     /// Limits the kept states to `budget` bytes from now on.
     void setBudget(std::size_t budget);
     /// The state at the end of row `frame`, which was computed before.
-    State stateAt(std::int64_t frame) const { return rowState(frame); }
+    State stateAt(std::int64_t frame) const { return *rowState(frame, {}); }
     /// The segment that it belongs to.
     std::shared_ptr<const Segment> segmentAt(std::int64_t frame) const { return segmentFor(frame); }
     std::size_t keptBytes() const { return m_keptBytes; }
@@ -111,12 +114,15 @@ private:
     void begin(State &state, std::int64_t rowEnd) const;
     void apply(State &state, const Scene &scene, const Event &event) const;
     void applyHand(State &state, const Scene &scene, const Event &event) const;
-    /// These two return whether the run goes on.
-    bool runPhase();
-    bool endRow();
-    void stopHere();
-    /// The state at the end of a row that was computed before, computed again from the nearest kept one.
-    State rowState(std::int64_t frame) const;
+    /// Whether the run goes on.
+    enum class Next { goesOn, ends, isLeftOff };
+    Next runPhase(const GoesOn &goesOn);
+    Next endRow(const GoesOn &goesOn);
+    /// Goes back to the last good row, and finds out what failed after it.
+    Next stopHere(const GoesOn &goesOn);
+    /// The state at the end of a row that was computed before, computed again from the nearest kept one. Empty when
+    /// `goesOn` said no on the way.
+    std::optional<State> rowState(std::int64_t frame, const GoesOn &goesOn) const;
     void keep();
     void thin();
 

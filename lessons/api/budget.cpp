@@ -26,7 +26,7 @@ double roughTime(const sim::Script &script)
     const sim::StudyProgress nobody;
     sim::Watch watch(nobody, nothing);
     const auto goOn = [](std::int64_t, const sim::State &) { return true; };
-    const sim::RunResult result = sim::runFrames(script, firstFrames, longestRun, watch, 0.0, goOn);
+    const sim::RunResult result = sim::runFrames(script, firstFrames, longestRun, watch, goOn);
     return 1e9 * result.seconds / static_cast<double>(std::max<std::int64_t>(1, result.frames));
 }
 
@@ -62,7 +62,7 @@ bool keeps(const Budget &budget, const sim::Script &script, const Timing &timing
     sim::Watch watch(nobody, nothing);
     constexpr double anyTime = std::numeric_limits<double>::infinity();
     const sim::RunResult result =
-        sim::runFrames(script, budget.frames, anyTime, watch, 0.0,
+        sim::runFrames(script, budget.frames, anyTime, watch,
                        [&](std::int64_t frame, const sim::State &state) { // false, too, for what is no number
                            return exact.distance(script, state, frame) <= budget.error;
                        });

@@ -91,7 +91,7 @@ private:
             m_own.push_back(placesOf(state));
             return true;
         };
-        const RunResult run = runFrames(own, m_found.horizon, 2.0 * seconds, m_watch, m_share, keep);
+        const RunResult run = runFrames(own, m_found.horizon, 2.0 * seconds, m_watch, keep);
         return run.end != RunEnd::tooLong;
     }
 
@@ -128,7 +128,7 @@ private:
             row.error = std::max(row.error, off);
             return true;
         };
-        const RunResult run = runFrames(script, horizon, 2.0 * m_plan.secondsPerRun, m_watch, m_share, visit);
+        const RunResult run = runFrames(script, horizon, 2.0 * m_plan.secondsPerRun, m_watch, visit);
         const double done = static_cast<double>(std::max<std::int64_t>(1, run.frames));
         m_seconds = run.seconds / done * static_cast<double>(horizon);
         const int each = row.way.method->evaluations();

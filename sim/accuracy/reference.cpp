@@ -68,10 +68,18 @@ void runPair(const Script &script, const std::vector<Way> &pair, double agreemen
     reference.checkStep = pair[1].step;
     Track check(scriptFor(script, pair[1]), 0);
     reference.places = {placesOf(check.now())};
-    const auto visit = [&](std::int64_t frame, const State &state) {
-        check.seek({frame, 0});
-        if (check.stop()) {
+    const auto end = [&reference](RunEnd why) {
+        if (why == RunEnd::notFinite)
             reference.end = ReferenceRun::End::notFinite;
+        if (why == RunEnd::tooLong)
+            reference.end = ReferenceRun::End::tooLong;
+    };
+    Patience patience(seconds, watch);
+    const GoesOn goesOn = patience.asked();
+    const auto visit = [&](std::int64_t frame, const State &state) {
+        const bool isThere = check.seek({frame, 0}, goesOn);
+        if (!isThere || check.stop()) {
+            end(isThere ? endOf(*check.stop()) : patience.end());
             return false;
         }
         std::vector<Vec2> places = placesOf(state);
@@ -87,11 +95,8 @@ void runPair(const Script &script, const std::vector<Way> &pair, double agreemen
         preview.look(share);
         return watch.goesOn(share);
     };
-    const RunResult run = runFrames(scriptFor(script, pair[0]), found.span, seconds, watch, 0.0, visit);
-    if (run.end == RunEnd::notFinite)
-        reference.end = ReferenceRun::End::notFinite;
-    if (run.end == RunEnd::tooLong)
-        reference.end = ReferenceRun::End::tooLong;
+    const RunResult run = runFrames(scriptFor(script, pair[0]), found.span, seconds, watch, visit);
+    end(run.end);
 }
 
 }
@@ -100,7 +105,7 @@ StepSize finestOwn(const Script &script, std::int64_t frames, double seconds, Wa
 {
     const Script coarse = scriptFor(script, {script.method, StepSize::of(1.0)});
     const auto visit = [](std::int64_t, const State &) { return true; };
-    const RunResult run = runFrames(coarse, frames, seconds / leastOwnSteps, watch, 0.0, visit);
+    const RunResult run = runFrames(coarse, frames, seconds / leastOwnSteps, watch, visit);
     const double perFrame = run.seconds / static_cast<double>(std::max<std::int64_t>(1, run.frames));
     int steps = mostOwnSteps;
     while (steps > leastOwnSteps && perFrame * static_cast<double>(frames) * steps > seconds)

@@ -43,39 +43,74 @@ std::vector<Vec2> placesOf(const State &state);
 /// The largest distance of any point of `state` from where `places` has it, in px; NaN if one is not finite.
 double distanceFrom(const std::vector<Vec2> &places, const State &state);
 
+/// Whether a run may go on: until nobody wants it any more, or it takes too long.
+class Patience
+{
+public:
+    /// `watch` must outlive this.
+    Patience(double seconds, Watch &watch)
+        : m_seconds(seconds), m_watch(watch), m_awayBefore(watch.secondsAway())
+    {
+    }
+
+    bool goesOn()
+    {
+        if (!m_watch.goesOn())
+            m_end = RunEnd::stopped;
+        else if (spent() > m_seconds)
+            m_end = RunEnd::tooLong;
+        return m_end == RunEnd::done;
+    }
+    /// To be asked by what is computed; this must outlive it.
+    GoesOn asked()
+    {
+        return [this] { return goesOn(); };
+    }
+    /// Seconds since this was made, without those that went to something else.
+    double spent() const
+    {
+        return std::chrono::duration<double>(Clock::now() - m_start).count() -
+               (m_watch.secondsAway() - m_awayBefore);
+    }
+    /// Why it said no, or RunEnd::done.
+    RunEnd end() const { return m_end; }
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    double m_seconds;
+    Watch &m_watch;
+    double m_awayBefore;
+    Clock::time_point m_start = Clock::now();
+    RunEnd m_end = RunEnd::done;
+};
+
 /// Runs `script` for `frames` frames, but not longer than `seconds`. After each row that is done it calls
 /// `visit(frame, state)`, and leaves off when that returns false.
 /// @throws Error when scene and method do not fit
 template <class Visit>
-RunResult runFrames(const Script &script, std::int64_t frames, double seconds, Watch &watch, double share,
-                    Visit &&visit)
+RunResult runFrames(const Script &script, std::int64_t frames, double seconds, Watch &watch, Visit &&visit)
 {
-    using Clock = std::chrono::steady_clock;
     Track track(script, 0);
-    const auto start = Clock::now();
-    const double awayBefore = watch.secondsAway();
+    Patience patience(seconds, watch);
+    const GoesOn goesOn = patience.asked();
     const double computedBefore = computedSeconds();
     RunResult result;
     const std::int64_t before = track.now().evaluations;
-    for (std::int64_t frame = track.rowFrames(); frame <= frames; frame += track.rowFrames()) {
-        track.seek({frame, 0});
-        result.seconds =
-            std::chrono::duration<double>(Clock::now() - start).count() - (watch.secondsAway() - awayBefore);
-        if (track.stop()) {
+    for (std::int64_t frame = track.rowFrames(); frame <= frames && result.end == RunEnd::done;
+         frame += track.rowFrames()) {
+        const bool isThere = track.seek({frame, 0}, goesOn);
+        result.seconds = patience.spent();
+        if (!isThere) {
+            result.end = patience.end();
+        } else if (track.stop()) {
             result.end = endOf(*track.stop());
-            break;
+        } else {
+            result.frames = frame;
+            result.evaluations = track.now().evaluations - before;
+            if (!visit(frame, track.now()))
+                result.end = RunEnd::leftOff;
         }
-        result.frames = frame;
-        result.evaluations = track.now().evaluations - before;
-        if (!visit(frame, track.now()))
-            result.end = RunEnd::leftOff;
-        else if (!watch.goesOn(share))
-            result.end = RunEnd::stopped;
-        else if (result.seconds > seconds && frame < frames)
-            result.end = RunEnd::tooLong;
-        else
-            continue;
-        break;
     }
     result.computed = computedSeconds() - computedBefore;
     return result;

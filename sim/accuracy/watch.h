@@ -18,9 +18,16 @@ public:
     {
         m_from = from;
         m_to = to;
+        m_share = 0.0;
     }
     /// Tells, if the last time is a while ago, that `share` (0 to 1) of this part is done. Returns whether to go on.
-    bool goesOn(double share) { return Clock::now() < m_next ? !m_stopped : tell(share); }
+    bool goesOn(double share)
+    {
+        m_share = share;
+        return goesOn();
+    }
+    /// The same, with the share as it was told last.
+    bool goesOn() { return Clock::now() < m_next ? !m_stopped : tell(m_share); }
     /// Tells it at once.
     bool tell(double share)
     {
@@ -42,6 +49,7 @@ private:
     double m_from = 0.0;
     double m_to = 1.0;
     double m_away = 0.0;
+    double m_share = 0.0;
     bool m_stopped = false;
     Clock::time_point m_next = Clock::now();
 };

@@ -64,7 +64,10 @@ std::vector<Phase> Adaptive::phases(const Scene &scene, StepSize size) const
         for (const Region &region : effect->regions(directions()))
             phase.regions.push_back(region);
     }
-    phase.run = [course](State &state) { Advance(*course, state).toNextFrame(); };
+    phase.run = [course](State &state) { Advance(*course, state).toNextFrame([] { return true; }); };
+    phase.runWhile = [course](State &state, const GoesOn &goesOn) {
+        return Advance(*course, state).toNextFrame(goesOn);
+    };
     phase.explain = [](const State &before, const State &after, int point) {
         std::vector<Live> live = changeOf(before, after, point);
         live.push_back({"h", after.ahead.length});

@@ -11,6 +11,7 @@ namespace sim {
 namespace {
 
 constexpr int mostTries = 20'000;    ///< steps a frame, the rejected ones included
+constexpr int triesBetween = 20;     ///< looks at whether anybody waits
 constexpr double longestStep = 10.0; ///< frames
 /// What damping leaves in one step is at least e^-2: past that, the polynomial through a step would have to follow
 /// e^(c t), which the error at its end does not show.
@@ -103,7 +104,12 @@ Attempt Advance::attemptOf(double start, double h)
     return step;
 }
 
-void Advance::toNextFrame()
+bool Advance::isLeftOff(int tries, const GoesOn &goesOn)
+{
+    return tries % triesBetween == triesBetween - 1 && !goesOn();
+}
+
+bool Advance::toNextFrame(const GoesOn &goesOn)
 {
     Ahead &ahead = m_state.ahead;
     //! [adaptive_order]
@@ -111,8 +117,12 @@ void Advance::toNextFrame()
         begin();
     // until a step ends past the frame
     for (int i = 0; ahead.to < 1; ++i) {
-        if (i == mostTries)
-            return giveUp();
+        if (isLeftOff(i, goesOn))
+            return false;
+        if (i == mostTries) {
+            giveUp();
+            return true;
+        }
         tryStep();
     }
     // then the frame is read off it
@@ -120,6 +130,7 @@ void Advance::toNextFrame()
     //! [adaptive_order]
     ahead.from -= 1.0;
     ahead.to -= 1.0;
+    return true;
 }
 
 void Advance::begin()

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/method.h"
 #include "sim/methods/step_rule.h"
 
 namespace sim {
@@ -28,7 +29,8 @@ class Advance
 {
 public:
     Advance(const Course &course, State &state);
-    void toNextFrame();
+    /// Returns whether it has got there or has given up; if not, `goesOn` said no on the way.
+    bool toNextFrame(const GoesOn &goesOn);
 
 private:
     /// From a state that holds no step: puts what is past a surface onto it.
@@ -54,6 +56,8 @@ private:
     /// Accelerations at the end of the step, of what rests without what its surface takes up.
     void settle();
     void readOff();
+    /// Whether nobody waits for the frame any more, after `tries` tries.
+    static bool isLeftOff(int tries, const GoesOn &goesOn);
     /// Notes in the state that its steps lead no further.
     void giveUp();
 

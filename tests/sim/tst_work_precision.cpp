@@ -1,9 +1,8 @@
-// The study of accuracy: its errors against truths that the tests work out themselves, its horizon, its rows.
+// The study of accuracy: its errors against truths that the tests work out themselves, and its horizon.
 
-#include "support.h"
+#include "study_scenes.h"
 
 #include "sim/accuracy/reference.h"
-#include "sim/accuracy/study.h"
 #include "sim/effects/damping.h"
 #include "sim/effects/gravity.h"
 #include "sim/effects/point_spring.h"
@@ -18,67 +17,9 @@
 #include <set>
 
 using namespace sim;
+using namespace support;
 
 namespace {
-
-const StudyProgress goOn = [](const Accuracy &, double) { return true; };
-
-/// Errors only: times are asked for by few tests.
-StudyPlan quickPlan(std::int64_t frames)
-{
-    StudyPlan plan;
-    plan.frames = frames;
-    plan.secondsOfTiming = 0.0;
-    return plan;
-}
-
-Script scriptOf(const Scene &scene, const Way &way)
-{
-    Script script = support::script(scene, way.method->id());
-    script.step = way.step;
-    return script;
-}
-
-Script scriptOf(const Scene &scene)
-{
-    return support::script(scene, "published");
-}
-
-std::string nameOf(const AccuracyRow &row)
-{
-    const StepSize step = row.way.step;
-    return row.way.method->id() + " " + std::to_string(step.adaptive() ? step.tolerance : step.h);
-}
-
-Scene oneBall(Vec2 x, Vec2 v)
-{
-    Scene scene;
-    scene.start = State::ofPoints(1);
-    scene.start.place(0, x);
-    scene.start.push(0, v);
-    scene.names = {"ball"};
-    scene.groups = {{"ball", {0, 1}}};
-    return scene;
-}
-
-/// A damped spring, and where its ball is after t frames: x'' = -k x - c x' has the roots -c/2 +- i w.
-constexpr double stiffness = 0.2, keep = 0.97;
-const Vec2 spot = {270.0, 200.0}, ballX = {90.0, -30.0}, ballV = {4.0, -7.0};
-
-Scene dampedSpring()
-{
-    Scene scene = oneBall(ballX, ballV);
-    scene.effects = {std::make_shared<PointSpring>(0, spot, stiffness), std::make_shared<Damping>(keep)};
-    return scene;
-}
-
-Vec2 onDampedSpring(double t)
-{
-    const double c = -std::log(keep), w = std::sqrt(stiffness - c * c / 4.0);
-    const Vec2 away = ballX - spot;
-    const Vec2 swing = (1.0 / w) * (ballV + (c / 2.0) * away);
-    return spot + std::exp(-c * t / 2.0) * (std::cos(w * t) * away + std::sin(w * t) * swing);
-}
 
 /// A ball that falls and bounces, and where it is after t frames: parabola after parabola.
 constexpr double fall = 0.5, kept = 0.8, ground = 375.0;
@@ -142,12 +83,11 @@ Scene threeSticks()
 
 }
 
-class TestAccuracy : public QObject
+class TestWorkPrecision : public QObject
 {
     Q_OBJECT
 
 private slots:
-
     void errorsAgreeWithTheClosedFormWithinTwoPercent_data()
     {
         QTest::addColumn<bool>("bounces");
@@ -308,26 +248,6 @@ private slots:
         }
     }
 
-    void aStudyThatIsStoppedEndsAtOnce_data()
-    {
-        QTest::addColumn<int>("calls");
-        for (const int calls : {1, 2, 3, 5, 8})
-            QTest::addRow("at call %d", calls) << calls;
-    }
-    void aStudyThatIsStoppedEndsAtOnce()
-    {
-        QFETCH(int, calls);
-        int made = 0;
-        const auto stop = [&](const Accuracy &, double) { return ++made < calls; };
-        StudyPlan plan;
-        plan.frames = 10'000;
-        const Accuracy found = studyAccuracy(scriptOf(dampedSpring()), plan, stop);
-        QCOMPARE(made, calls); // it was not asked again
-        QVERIFY(!found.rows.empty());
-        if (calls == 1)
-            QVERIFY(found.rows.front().outcome == Outcome::waiting);
-    }
-
     void aFirstLookTellsTheErrorsOfTheFramesThatItNames()
     {
         StudyPlan plan = quickPlan(60);
@@ -375,138 +295,7 @@ private slots:
             QCOMPARE(a.rows[i].evaluations, b.rows[i].evaluations);
         }
     }
-
-    void progressGoesFromNothingToOne()
-    {
-        std::vector<double> shares;
-        studyAccuracy(scriptOf(dampedSpring()), quickPlan(50), [&](const Accuracy &, double done) {
-            shares.push_back(done);
-            return true;
-        });
-        QVERIFY(std::is_sorted(shares.begin(), shares.end()));
-        QVERIFY(shares.front() >= 0.0);
-        QCOMPARE(shares.back(), 1.0);
-    }
-
-    void everyMeasuredRowIsTimedAndTheFrontIsWhatNothingBeats()
-    {
-        StudyPlan plan;
-        plan.frames = 30;
-        plan.secondsOfTiming = 0.2;
-        const Accuracy found = studyAccuracy(scriptOf(dampedSpring()), plan, goOn);
-        int front = 0;
-        for (const AccuracyRow &row : found.rows) {
-            if (row.outcome != Outcome::measured)
-                continue;
-            QVERIFY2(row.nsPerFrame > 0.0 && row.spread >= 0.0, nameOf(row).c_str());
-            const bool isBeaten =
-                std::any_of(found.rows.begin(), found.rows.end(), [&](const AccuracyRow &other) {
-                    return other.outcome == Outcome::measured && &other != &row && other.error <= row.error &&
-                           other.nsPerFrame < row.nsPerFrame;
-                });
-            QVERIFY2(row.front != isBeaten, nameOf(row).c_str());
-            front += row.front;
-        }
-        QVERIFY(front >= 2);
-    }
-
-    void theCheapestIsTheFastestThatIsWithinTheError()
-    {
-        Accuracy found;
-        const MethodPtr method = findMethod("published");
-        const auto add = [&](double error, double ns, Outcome outcome) {
-            AccuracyRow row;
-            row.way = {method, StepSize::of(1.0)};
-            row.outcome = outcome;
-            row.error = error;
-            row.nsPerFrame = ns;
-            found.rows.push_back(row);
-        };
-        add(5.0, 10.0, Outcome::measured);
-        add(0.1, 40.0, Outcome::measured);
-        add(0.05, 30.0, Outcome::measured);
-        add(0.01, 20.0, Outcome::unstable);
-        add(0.01, 0.0, Outcome::measured); // not timed
-        QCOMPARE(found.cheapest(10.0), &found.rows[0]);
-        QCOMPARE(found.cheapest(0.1), &found.rows[2]);
-        QCOMPARE(found.cheapest(0.05), &found.rows[2]);
-        QVERIFY(!found.cheapest(0.04));
-        markFront(found.rows);
-        std::vector<bool> front;
-        for (const AccuracyRow &row : found.rows)
-            front.push_back(row.front);
-        QCOMPARE(front, (std::vector<bool>{true, false, true, false, false}));
-    }
-
-    void laddersGoFromCoarseToFine()
-    {
-        for (const MethodPtr &method : allMethods()) {
-            const std::vector<StepSize> rungs = ladderOf(*method);
-            QCOMPARE(rungs.size(), std::size_t(method->stepping() == Stepping::fixed ? 7 : 11));
-            for (std::size_t i = 0; i < rungs.size(); ++i) {
-                QCOMPARE(rungs[i].adaptive(), method->stepping() == Stepping::adaptive);
-                if (i > 0)
-                    QVERIFY(rungs[i].h < rungs[i - 1].h || rungs[i].tolerance < rungs[i - 1].tolerance);
-            }
-        }
-    }
-
-    void theWayInUseHasItsPlaceAmongTheRungs_data()
-    {
-        QTest::addColumn<double>("h");
-        QTest::addColumn<int>("rows");
-        QTest::addColumn<int>("place");
-        QTest::newRow("a rung") << 0.5 << 7 << 1;
-        QTest::newRow("between two") << 1.0 / 3.0 << 8 << 2;
-        QTest::newRow("coarser than all") << 5.0 << 8 << 0;
-        QTest::newRow("finer than all") << 0.01 << 8 << 7;
-    }
-    void theWayInUseHasItsPlaceAmongTheRungs()
-    {
-        QFETCH(double, h);
-        QFETCH(int, rows);
-        QFETCH(int, place);
-        Script script = scriptOf(dampedSpring());
-        script.step = StepSize::of(h);
-        StudyPlan plan = quickPlan(21);
-        plan.inUse = Way{script.method, script.step};
-        const Accuracy found = studyAccuracy(script, plan, goOn);
-        std::vector<const AccuracyRow *> published;
-        for (const AccuracyRow &row : found.rows) {
-            if (row.way.method->id() == "published")
-                published.push_back(&row);
-        }
-        QCOMPARE(int(published.size()), rows);
-        const AccuracyRow &row = *published[std::size_t(place)];
-        QCOMPARE(row.way.step.h, script.step.h);
-        QVERIFY(row.outcome == Outcome::measured);
-        QCOMPARE(row.evaluations, 1.0 / h);
-        // Of rows that are frames apart, the frames between have the error of the one before.
-        QCOMPARE(row.errorAt.size(), std::size_t(h > 1.0 ? 21 : 22));
-        if (h == 5.0)
-            QVERIFY(row.errorAt[9] == row.errorAt[5] && row.errorAt[10] != row.errorAt[9]);
-    }
-
-    void aStepPastTheHorizonHasNothingToBeComparedWith()
-    {
-        Script script = scriptOf(dampedSpring());
-        StudyPlan plan = quickPlan(20);
-        plan.inUse = Way{script.method, StepSize::of(50.0)};
-        const Accuracy found = studyAccuracy(script, plan, goOn);
-        const AccuracyRow &row = found.rows.front();
-        QVERIFY(row.way.step == plan.inUse->step && row.outcome == Outcome::doesNotFit);
-        QCOMPARE(row.why->id(), std::string("short-horizon"));
-        QVERIFY(found.rows[1].outcome == Outcome::measured);
-    }
-
-    void aSceneThatItsOwnMethodCannotComputeIsRefused()
-    {
-        Scene scene = dampedSpring();
-        scene.effects.clear();
-        scene.groups = {};
-        QVERIFY_EXCEPTION_THROWN(studyAccuracy(scriptOf(scene), quickPlan(5), goOn), Error);
-    }
 };
 
-QTEST_GUILESS_MAIN(TestAccuracy)
+QTEST_GUILESS_MAIN(TestWorkPrecision)
 #include "tst_work_precision.moc"

@@ -1,0 +1,283 @@
+// The exact run beside a run, and the budgets that it decides: on the lesson `accuracy`, against other solutions.
+
+#include "lessons/api/budget.h"
+#include "lessons/api/exact_run.h"
+#include "sim/methods/methods.h"
+#include "tests/lessons/accuracy_truths.h"
+#include "tests/lessons/support.h"
+
+#include <QTest>
+
+using namespace support;
+
+namespace {
+
+/// A creature of feet and, last, a body, written down a second time: springs of length `radius` between the body and
+/// each foot, drag, Runge-Kutta 4 with tiny steps. Nothing of sim is in it.
+class Creature
+{
+public:
+    struct Numbers
+    {
+        double k = 0.2, damp = 0.97, radius = 50.0;
+    };
+    Creature(const sim::State &start, Numbers numbers) : m_points(start.points()), m_numbers(numbers)
+    {
+        for (int i = 0; i < m_points; ++i) {
+            for (const double number : {start.at(i).x, start.at(i).y, start.speed(i).x, start.speed(i).y})
+                m_now.push_back(number);
+        }
+    }
+
+    void run(int frames, int stepsPerFrame)
+    {
+        const double h = 1.0 / stepsPerFrame;
+        for (int i = 0; i < frames * stepsPerFrame; ++i) {
+            const std::vector<double> a = rates(m_now);
+            const std::vector<double> b = rates(ahead(a, h / 2));
+            const std::vector<double> c = rates(ahead(b, h / 2));
+            const std::vector<double> d = rates(ahead(c, h));
+            for (std::size_t j = 0; j < m_now.size(); ++j)
+                m_now[j] += h / 6 * (a[j] + 2 * b[j] + 2 * c[j] + d[j]);
+        }
+    }
+
+    double farthestFrom(const sim::State &state) const
+    {
+        double farthest = 0.0;
+        for (int i = 0; i < m_points; ++i) {
+            const auto at = static_cast<std::size_t>(4 * i);
+            farthest =
+                std::max(farthest, std::hypot(state.at(i).x - m_now[at], state.at(i).y - m_now[at + 1]));
+        }
+        return farthest;
+    }
+
+private:
+    std::vector<double> ahead(const std::vector<double> &rate, double h) const
+    {
+        std::vector<double> there = m_now;
+        for (std::size_t j = 0; j < there.size(); ++j)
+            there[j] += h * rate[j];
+        return there;
+    }
+
+    std::vector<double> rates(const std::vector<double> &at) const
+    {
+        std::vector<double> rate(at.size());
+        const std::size_t body = at.size() - 4;
+        for (std::size_t i = 0; i < at.size(); i += 4) {
+            rate[i] = at[i + 2];
+            rate[i + 1] = at[i + 3];
+            rate[i + 2] += std::log(m_numbers.damp) * at[i + 2];
+            rate[i + 3] += std::log(m_numbers.damp) * at[i + 3];
+            if (i == body)
+                break;
+            const double dx = at[i] - at[body], dy = at[i + 1] - at[body + 1];
+            const double far = std::hypot(dx, dy);
+            const double pull = m_numbers.k * (far - m_numbers.radius) / far;
+            rate[i + 2] -= pull * dx;
+            rate[i + 3] -= pull * dy;
+            rate[body + 2] += pull * dx;
+            rate[body + 3] += pull * dy;
+        }
+        return rate;
+    }
+
+    int m_points;
+    Numbers m_numbers;
+    std::vector<double> m_now; ///< x, y and the velocity of each
+};
+
+}
+
+class ExactRunTest : public QObject
+{
+    Q_OBJECT
+
+    const LoadedLesson m_lesson = loadLesson(QStringLiteral("accuracy"));
+    lessons::ExactRun m_exact;
+
+    const lessons::Step &step(const char *id) const { return m_lesson.step(QString::fromUtf8(id)); }
+
+    /// The largest distance at any frame.
+    double worst(const sim::Script &script, std::int64_t frames)
+    {
+        sim::Track track(script, 0);
+        double farthest = 0.0;
+        for (std::int64_t frame = 1; frame <= frames; ++frame) {
+            track.seek({frame, 0});
+            farthest = std::max(farthest, m_exact.distance(script, track.now(), frame));
+        }
+        return farthest;
+    }
+
+private slots:
+    void theExactRunOfASpringIsTheCosine();
+    void theExactRunFollowsWhatIsChangedOnTheWay();
+    void theExactRunOfACreatureAgreesWithAnotherSolution_data();
+    void theExactRunOfACreatureAgreesWithAnotherSolution();
+    void theExactRunOfABallIsMadeOfParabolas_data();
+    void theExactRunOfABallIsMadeOfParabolas();
+    void pastItsHorizonTheExactRunSaysNothing();
+    void anExactRunThatTakesTooMuchIsLeftOff();
+    void theBudgetIsKeptByTheRightWaysAlone_data();
+    void theBudgetIsKeptByTheRightWaysAlone();
+    void aBudgetAsksForTheTimeOfTheRunItself();
+    void timingGivesATime();
+    void theMarksShowWhereTheExactMotionIs();
+};
+
+void ExactRunTest::theExactRunOfASpringIsTheCosine()
+{
+    for (const auto &[id, amplitude, k] :
+         {std::tuple{"big_step", 130.0, 0.2}, std::tuple{"energy", 100.0, 0.02}}) {
+        const sim::Script script = step(id).script();
+        for (int frame : {0, 1, 17, 100, 600}) {
+            const sim::State *state = m_exact.at(script, frame);
+            QVERIFY(state);
+            QVERIFY(std::abs(state->at(0).x - 270.0 - cosine(amplitude, k, frame)) < 1e-7);
+            QCOMPARE(state->at(0).y, 200.0);
+        }
+    }
+}
+
+void ExactRunTest::theExactRunFollowsWhatIsChangedOnTheWay()
+{
+    sim::Script script = step("big_step").script();
+    script.input = {{31, sim::Set{"k", 0.05}}};
+    const double w = std::sqrt(0.2), other = std::sqrt(0.05);
+    const double x = 130.0 * std::cos(30 * w), v = -130.0 * w * std::sin(30 * w);
+    const double then = x * std::cos(25 * other) + v / other * std::sin(25 * other);
+    QVERIFY(std::abs(m_exact.at(script, 55)->at(0).x - 270.0 - then) < 1e-7);
+    script.input.clear();
+    QVERIFY(std::abs(m_exact.at(script, 55)->at(0).x - 270.0 - cosine(130.0, 0.2, 55)) < 1e-7);
+}
+
+void ExactRunTest::theExactRunOfACreatureAgreesWithAnotherSolution_data()
+{
+    QTest::addColumn<QString>("id");
+    QTest::addColumn<double>("k");
+    QTest::addColumn<int>("frames");
+    QTest::newRow("halve") << "halve" << 0.2 << 60;
+    QTest::newRow("budget") << "budget" << 0.1 << 200;
+}
+
+void ExactRunTest::theExactRunOfACreatureAgreesWithAnotherSolution()
+{
+    QFETCH(QString, id);
+    QFETCH(double, k);
+    QFETCH(int, frames);
+    const sim::Script script = m_lesson.step(id).script();
+    Creature creature(script.build(script.values).start, {.k = k});
+    creature.run(frames, 400);
+    QVERIFY(creature.farthestFrom(*m_exact.at(script, frames)) < 1e-6);
+}
+
+void ExactRunTest::theExactRunOfABallIsMadeOfParabolas_data()
+{
+    QTest::addColumn<double>("bounce");
+    for (double bounce : {1.0, 0.8, 0.5})
+        QTest::addRow("bounce %g", bounce) << bounce;
+}
+
+void ExactRunTest::theExactRunOfABallIsMadeOfParabolas()
+{
+    QFETCH(double, bounce);
+    const sim::Script script = scriptOf(step("bounce"), "rk4", 1.0, {{"bounce", bounce}});
+    for (int frame = 0; frame <= 270; ++frame) { // the wall is met after 278
+        const sim::State *state = m_exact.at(script, frame);
+        QVERIFY(state);
+        QVERIFY(std::abs(state->at(0).x - 60.0 - 1.6 * frame) < 1e-8);
+        const double height = bouncingHeight(235.0, 0.5, bounce, frame);
+        QVERIFY2(std::abs(365.0 - state->at(0).y - height) < (bounce < 0.6 ? 1e-3 : 1e-7),
+                 qPrintable(QString::number(frame)));
+    }
+}
+
+void ExactRunTest::pastItsHorizonTheExactRunSaysNothing()
+{
+    const sim::Script script = step("big_step").script();
+    QVERIFY(m_exact.at(script, lessons::ExactRun::longest));
+    QVERIFY(!m_exact.at(script, lessons::ExactRun::longest + 1));
+    QVERIFY(!m_exact.at(script, -1));
+}
+
+void ExactRunTest::anExactRunThatTakesTooMuchIsLeftOff()
+{
+    const sim::Script script = scriptOf(step("big_step"), "rk4", 1.0, {{"k", 1e6}});
+    QVERIFY(m_exact.at(script, 1));
+    QVERIFY(!m_exact.at(script, 1000));
+    QVERIFY(m_exact.at(script, 1));
+}
+
+void ExactRunTest::theBudgetIsKeptByTheRightWaysAlone_data()
+{
+    QTest::addColumn<QString>("method");
+    QTest::addColumn<double>("h");
+    QTest::addColumn<bool>("isNear");
+    QTest::newRow("the way it starts with") << "semi_implicit_euler" << 1.0 << false;
+    QTest::newRow("semi-implicit, 1/8") << "semi_implicit_euler" << 0.125 << false;
+    QTest::newRow("semi-implicit, 1/16") << "semi_implicit_euler" << 0.0625 << true;
+    QTest::newRow("Verlet, 1") << "velocity_verlet" << 1.0 << false;
+    QTest::newRow("Verlet, 1/2") << "velocity_verlet" << 0.5 << true;
+    QTest::newRow("midpoint, 1/4") << "midpoint" << 0.25 << false;
+    QTest::newRow("Runge-Kutta 4, 1") << "rk4" << 1.0 << true;
+}
+
+void ExactRunTest::theBudgetIsKeptByTheRightWaysAlone()
+{
+    QFETCH(QString, method);
+    QFETCH(double, h);
+    QFETCH(bool, isNear);
+    const sim::Script script = scriptOf(step("budget"), method.toStdString(), h);
+    QCOMPARE(worst(script, 200) <= 1.0, isNear);
+    const auto free = [](const sim::Script &, std::int64_t) { return 0.0; };
+    QCOMPARE(lessons::keeps(*step("budget").tries[1].budget, script, free), isNear);
+    if (h == 1.0 && method == u"semi_implicit_euler") {
+        QVERIFY(step("budget").narration.contains(u"15 px off"_qs));
+        QCOMPARE(std::round(worst(script, 200)), 15.0);
+    }
+}
+
+void ExactRunTest::aBudgetAsksForTheTimeOfTheRunItself()
+{
+    const lessons::Budget budget = *step("budget").tries[1].budget;
+    QCOMPARE(budget.error, 1.0);
+    QCOMPARE(budget.nsPerFrame, 500.0);
+    const sim::Script script = scriptOf(step("budget"), "velocity_verlet", 0.5);
+    int asked = 0;
+    const auto takes = [&](double ns) {
+        return [&asked, ns](const sim::Script &timed, std::int64_t frames) {
+            ++asked;
+            return timed.method->id() == "velocity_verlet" && timed.step.h == 0.5 && frames == 200 ? ns : 1e9;
+        };
+    };
+    QVERIFY(lessons::keeps(budget, script, takes(499.0)));
+    QVERIFY(!lessons::keeps(budget, script, takes(501.0)));
+    QCOMPARE(asked, 2);
+    QVERIFY(!lessons::keeps(budget, step("budget").script(), takes(1.0))); // too far off: not even timed
+    QCOMPARE(asked, 2);
+}
+
+void ExactRunTest::timingGivesATime()
+{
+    const double ns = lessons::measuredTime(step("budget").script(), 200);
+    QVERIFY(std::isfinite(ns) && ns > 0.0);
+}
+
+void ExactRunTest::theMarksShowWhereTheExactMotionIs()
+{
+    const sim::Script script = step("big_step").script();
+    const sim::State state = stateAfter(script, 100);
+    const std::vector<lessons::Guide> marks = step("big_step").guidesOfRun(script, state, 100);
+    QCOMPARE(marks.size(), std::size_t{2});
+    QCOMPARE(marks[0].shape, lessons::Guide::Shape::ring);
+    QVERIFY(std::abs(marks[0].a.x - 270.0 - cosine(130.0, 0.2, 100)) < 1e-7);
+    QCOMPARE(marks[1].a, state.at(0));
+    QCOMPARE(marks[1].b, marks[0].a);
+    QVERIFY(marks[0].label.startsWith(u"66."));
+}
+
+QTEST_GUILESS_MAIN(ExactRunTest)
+#include "tst_exact_run.moc"

@@ -1,0 +1,73 @@
+#include "study_scenes.h"
+
+#include "sim/effects/damping.h"
+#include "sim/effects/point_spring.h"
+
+#include <cmath>
+
+namespace support {
+
+using namespace sim;
+
+namespace {
+
+constexpr double stiffness = 0.2, keep = 0.97;
+const Vec2 ballX = {90.0, -30.0}, ballV = {4.0, -7.0};
+
+}
+
+const StudyProgress goOn = [](const Accuracy &, double) { return true; };
+
+StudyPlan quickPlan(std::int64_t frames)
+{
+    StudyPlan plan;
+    plan.frames = frames;
+    plan.secondsOfTiming = 0.0;
+    return plan;
+}
+
+Script scriptOf(const Scene &scene, const Way &way)
+{
+    Script script = support::script(scene, way.method->id());
+    script.step = way.step;
+    return script;
+}
+
+Script scriptOf(const Scene &scene)
+{
+    return support::script(scene, "published");
+}
+
+std::string nameOf(const AccuracyRow &row)
+{
+    const StepSize step = row.way.step;
+    return row.way.method->id() + " " + std::to_string(step.adaptive() ? step.tolerance : step.h);
+}
+
+Scene oneBall(Vec2 x, Vec2 v)
+{
+    Scene scene;
+    scene.start = State::ofPoints(1);
+    scene.start.place(0, x);
+    scene.start.push(0, v);
+    scene.names = {"ball"};
+    scene.groups = {{"ball", {0, 1}}};
+    return scene;
+}
+
+Scene dampedSpring()
+{
+    Scene scene = oneBall(ballX, ballV);
+    scene.effects = {std::make_shared<PointSpring>(0, spot, stiffness), std::make_shared<Damping>(keep)};
+    return scene;
+}
+
+Vec2 onDampedSpring(double t)
+{
+    const double c = -std::log(keep), w = std::sqrt(stiffness - c * c / 4.0);
+    const Vec2 away = ballX - spot;
+    const Vec2 swing = (1.0 / w) * (ballV + (c / 2.0) * away);
+    return spot + std::exp(-c * t / 2.0) * (std::cos(w * t) * away + std::sin(w * t) * swing);
+}
+
+}
