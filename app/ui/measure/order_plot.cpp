@@ -92,6 +92,36 @@ void OrderPlot::drawStated(QPainter &painter, const Spot &from, const Spot &to) 
                      onScreen(QPointF(to.place.x(), from.place.y() * std::pow(ratio, method.order()))));
 }
 
+std::map<int, std::vector<const Spot *>> OrderPlot::lines() const
+{
+    std::map<int, std::vector<const Spot *>> all;
+    for (const Spot &spot : spots())
+        all[spot.line].push_back(&spot);
+    return all;
+}
+
+QPolygonF OrderPlot::onScreenAll(const std::vector<const Spot *> &line) const
+{
+    QPolygonF places;
+    for (const Spot *spot : line)
+        places << onScreen(*spot);
+    return places;
+}
+
+void OrderPlot::placeWords()
+{
+    std::vector<EndLabel> labels;
+    std::vector<QLineF> strokes;
+    for (const auto &[number, line] : lines()) {
+        const sim::Method &method = *rowOf(*line.back()).way.method;
+        addStrokes(strokes, onScreenAll(line));
+        labels.push_back(
+            {onScreen(*line.back()), orderWords(*m_study.accuracy(), method), inkOf(method, m_theme).color});
+    }
+    LabelPlaces places({}, std::move(strokes));
+    m_names = placeEndLabels(std::move(labels), m_theme.ui(12, QFont::Medium), axisRect()->rect(), places);
+}
+
 void OrderPlot::draw(QPainter &painter)
 {
     const QRectF area = axisRect()->rect();
@@ -99,32 +129,21 @@ void OrderPlot::draw(QPainter &painter)
                   m_theme);
     painter.save();
     painter.setClipRect(area.adjusted(-6.0, 0.0, 6.0, 0.0));
-    std::map<int, std::vector<const Spot *>> lines;
-    for (const Spot &spot : spots())
-        lines[spot.line].push_back(&spot);
-    std::vector<EndLabel> labels;
-    std::vector<QLineF> strokes;
-    for (const auto &[number, line] : lines) {
+    for (const auto &[number, line] : lines()) {
         const sim::Method &method = *rowOf(*line.front()).way.method;
         const MethodInk ink = inkOf(method, m_theme);
         if (rowOf(*line.front()).error > 0.0)
             drawStated(painter, *line.front(), *line.back());
         painter.setPen(QPen(ink.color, 1.8));
-        QPolygonF places;
-        for (const Spot *spot : line)
-            places << onScreen(*spot);
-        painter.drawPolyline(places);
-        addStrokes(strokes, places);
+        painter.drawPolyline(onScreenAll(line));
         for (const Spot *spot : line) {
             drawMarker(painter, onScreen(*spot), ink, markerSize, m_theme.tokens().panel);
             if (rowOf(*spot).error == 0.0)
                 drawZeroBar(painter, onScreen(*spot), ink, markerSize);
         }
-        labels.push_back({onScreen(*line.back()), orderWords(*m_study.accuracy(), method), ink.color});
     }
     painter.restore();
-    LabelPlaces places({}, std::move(strokes));
-    drawEndLabels(painter, std::move(labels), m_theme.ui(12, QFont::Medium), area, places);
+    drawEndLabels(painter, m_names, m_theme.ui(12, QFont::Medium), m_theme.tokens().panel);
     const AccuracyRow *used = m_study.inUse();
     for (const Spot &spot : spots()) {
         if (&rowOf(spot) == used)

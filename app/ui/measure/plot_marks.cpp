@@ -12,11 +12,29 @@ namespace {
 constexpr int mostTicks = 9;
 constexpr double besideLine = 9.0;    ///< px between a line's end and its name
 constexpr double farFromLine = 14.0;  ///< px: a name that is moved farther is joined to its line
+constexpr double shortestPiece = 6.0; ///< px
 constexpr double betweenNames = 24.0; ///< px between the names at the ends of one axis
 
-QPointF nearestPoint(const QRectF &box, QPointF to)
+/// Places one label after the other. Returns how far they all were moved, in px.
+double placeInOrder(const std::vector<EndLabel> &labels, const QFontMetricsF &metrics, const QRectF &area,
+                    LabelPlaces &places, std::vector<PlacedLabel> &placed)
 {
-    return {std::clamp(to.x(), box.left(), box.right()), std::clamp(to.y(), box.top(), box.bottom())};
+    double moved = 0.0;
+    for (const EndLabel &label : labels) {
+        const QSizeF size(metrics.horizontalAdvance(label.text), metrics.height());
+        const QPointF wanted = label.anchor + QPointF(besideLine, -size.height() / 2.0);
+        const QRectF box = places.within(area, wanted, size);
+        const QPointF off = box.topLeft() - wanted;
+        const double away = std::hypot(off.x(), off.y());
+        QLineF lead;
+        if (away > farFromLine) {
+            lead = {label.anchor, nearestPoint(box.adjusted(-2.0, 0.0, 2.0, 0.0), label.anchor)};
+            places.takeStroke(lead);
+        }
+        placed.push_back({label, box, lead});
+        moved += away;
+    }
+    return moved;
 }
 
 }
@@ -48,6 +66,11 @@ QVector<double> PowerTicker::createTickVector(double, const QCPRange &range)
             ticks << std::pow(10.0, exponent);
     }
     return ticks;
+}
+
+QPointF nearestPoint(const QRectF &box, QPointF to)
+{
+    return {std::clamp(to.x(), box.left(), box.right()), std::clamp(to.y(), box.top(), box.bottom())};
 }
 
 QSharedPointer<PowerTicker> makeLogarithmic(QCPAxis &axis, PowerTicker::Writing writing)
@@ -89,28 +112,58 @@ void drawRing(QPainter &painter, QPointF at, const QPen &pen, double radius)
 
 void addStrokes(std::vector<QLineF> &strokes, const QPolygonF &line)
 {
-    for (qsizetype i = 1; i < line.size(); ++i)
-        strokes.emplace_back(line[i - 1], line[i]);
+    // Pieces that are shorter than a letter tell no more than longer ones.
+    QPointF from = line.isEmpty() ? QPointF() : line.front();
+    for (qsizetype i = 1; i < line.size(); ++i) {
+        const QLineF piece(from, line[i]);
+        if (piece.length() < shortestPiece && i + 1 < line.size())
+            continue;
+        strokes.push_back(piece);
+        from = line[i];
+    }
 }
 
-void drawEndLabels(QPainter &painter, std::vector<EndLabel> labels, const QFont &font, const QRectF &area,
-                   LabelPlaces &places)
+std::vector<PlacedLabel> placeEndLabels(std::vector<EndLabel> labels, const QFont &font, const QRectF &area,
+                                        LabelPlaces &places)
 {
-    const QFontMetricsF metrics(font);
-    std::sort(labels.begin(), labels.end(),
-              [](const EndLabel &a, const EndLabel &b) { return a.anchor.y() < b.anchor.y(); });
+    // Who comes first gets the best place. The fairest of three orders is taken.
+    using Before = bool (*)(const EndLabel &, const EndLabel &);
+    const Before orders[] = {
+        [](const EndLabel &a, const EndLabel &b) { return a.anchor.y() > b.anchor.y(); },
+        [](const EndLabel &a, const EndLabel &b) { return a.anchor.y() < b.anchor.y(); },
+        [](const EndLabel &a, const EndLabel &b) { return a.anchor.x() > b.anchor.x(); },
+    };
+    std::optional<LabelPlaces> best;
+    std::vector<PlacedLabel> placed;
+    double least = 0.0;
+    for (const Before before : orders) {
+        std::stable_sort(labels.begin(), labels.end(), before);
+        LabelPlaces trial = places;
+        std::vector<PlacedLabel> found;
+        const double moved = placeInOrder(labels, QFontMetricsF(font), area, trial, found);
+        if (best && moved >= least)
+            continue;
+        least = moved;
+        best = std::move(trial);
+        placed = std::move(found);
+    }
+    places = std::move(*best);
+    return placed;
+}
+
+void drawEndLabels(QPainter &painter, const std::vector<PlacedLabel> &labels, const QFont &font,
+                   QColor ground)
+{
+    ground.setAlphaF(0.75F);
     painter.setFont(font);
-    for (const EndLabel &label : labels) {
-        const QSizeF size(metrics.horizontalAdvance(label.text), metrics.height());
-        const QPointF wanted = label.anchor + QPointF(besideLine, -size.height() / 2.0);
-        const QRectF box = places.within(area, wanted, size);
-        const QPointF off = box.topLeft() - wanted;
-        if (std::hypot(off.x(), off.y()) > farFromLine) {
-            painter.setPen(dotted(label.color, 1.0));
-            painter.drawLine(label.anchor, nearestPoint(box.adjusted(-2.0, 0.0, 2.0, 0.0), label.anchor));
+    for (const PlacedLabel &placed : labels) {
+        painter.fillRect(placed.box.adjusted(-2.0, 1.0, 2.0, -1.0), ground);
+        if (!placed.lead.isNull()) {
+            painter.setPen(dotted(placed.label.color, 1.0));
+            painter.drawLine(placed.lead);
         }
-        painter.setPen(label.color);
-        painter.drawText(box, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip, label.text);
+        painter.setPen(placed.label.color);
+        painter.drawText(placed.box, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip, placed.label.text);
     }
 }
 

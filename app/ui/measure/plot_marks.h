@@ -43,6 +43,9 @@ void drawRing(QPainter &painter, QPointF at, const QPen &pen, double radius);
 /// Adds the pieces of `line`, for LabelPlaces.
 void addStrokes(std::vector<QLineF> &strokes, const QPolygonF &line);
 
+/// The point of `box` that is nearest to `to`.
+QPointF nearestPoint(const QRectF &box, QPointF to);
+
 /// A name at the end of a line.
 struct EndLabel
 {
@@ -50,10 +53,20 @@ struct EndLabel
     QString text;
     QColor color;
 };
-/// Writes names near their anchors within `area`, where they cover nothing of what `places` knows, as far as there
-/// is room. One that had to go away from its line is joined to it by a thin line.
-void drawEndLabels(QPainter &painter, std::vector<EndLabel> labels, const QFont &font, const QRectF &area,
-                   LabelPlaces &places);
+/// A name where it has room.
+struct PlacedLabel
+{
+    EndLabel label;
+    QRectF box;
+    QLineF lead; ///< from the end of its line, where it had to go away from there; else null
+};
+/// Finds places near their anchors within `area` for names in `font`, where they cover nothing of what `places` knows,
+/// as far as there is room. They are taken then.
+std::vector<PlacedLabel> placeEndLabels(std::vector<EndLabel> labels, const QFont &font, const QRectF &area,
+                                        LabelPlaces &places);
+/// Writes names; `ground` keeps the grid from running through the letters.
+void drawEndLabels(QPainter &painter, const std::vector<PlacedLabel> &labels, const QFont &font,
+                   QColor ground);
 
 /// What stands at the ends of the axes.
 struct AxisNames

@@ -79,37 +79,54 @@ std::vector<Spot> RunPlot::layOut()
     return spots;
 }
 
+QPolygonF RunPlot::lineOf(std::size_t row) const
+{
+    QPolygonF line;
+    for (const Spot &spot : spots()) {
+        if (spot.row == row)
+            line << onScreen(spot);
+    }
+    return line;
+}
+
+void RunPlot::placeWords()
+{
+    std::vector<EndLabel> labels;
+    std::vector<QLineF> strokes;
+    for (const std::size_t row : m_rows) {
+        const QPolygonF line = lineOf(row);
+        if (line.isEmpty())
+            continue;
+        addStrokes(strokes, line);
+        const sim::Method &method = *m_study.accuracy()->rows[row].way.method;
+        labels.push_back({line.back(), methodTitle(method), inkOf(method, m_theme).color});
+    }
+    LabelPlaces places({}, std::move(strokes));
+    m_names = placeEndLabels(std::move(labels), m_theme.ui(12, QFont::Medium), axisRect()->rect(), places);
+}
+
 void RunPlot::draw(QPainter &painter)
 {
     const QRectF area = axisRect()->rect();
     drawAxisNames(painter, area, {tr("frame"), tr("error, px"), {}, tr("← better")}, m_theme);
     painter.save();
     painter.setClipRect(area);
-    std::vector<EndLabel> labels;
-    std::vector<QLineF> strokes;
     const AccuracyRow *used = m_study.inUse();
     for (const std::size_t row : m_rows) {
-        QPolygonF line;
-        for (const Spot &spot : spots()) {
-            if (spot.row == row)
-                line << onScreen(spot);
-        }
+        const QPolygonF line = lineOf(row);
         const sim::Method &method = *m_study.accuracy()->rows[row].way.method;
         const MethodInk ink = inkOf(method, m_theme);
         painter.setPen(QPen(ink.color, &m_study.accuracy()->rows[row] == used ? 3.0 : 1.6));
         painter.drawPolyline(line);
         if (line.isEmpty())
             continue;
-        addStrokes(strokes, line);
         drawMarker(painter, line.back(), ink, markerSize, m_theme.tokens().panel);
-        labels.push_back({line.back(), methodTitle(method), ink.color});
     }
     const double now = xAxis->coordToPixel(static_cast<double>(m_study.session().timeline().at().frame));
     painter.setPen(QPen(m_theme.tokens().now, 2.0));
     painter.drawLine(QPointF(now, area.top()), QPointF(now, area.bottom()));
     painter.restore();
-    LabelPlaces places({}, std::move(strokes));
-    drawEndLabels(painter, std::move(labels), m_theme.ui(12, QFont::Medium), area, places);
+    drawEndLabels(painter, m_names, m_theme.ui(12, QFont::Medium), m_theme.tokens().panel);
     if (chosen())
         drawRing(painter, onScreen(*chosen()), QPen(m_theme.tokens().ink, 2.0), markerSize);
 }

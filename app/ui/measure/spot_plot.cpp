@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace app {
 
@@ -20,6 +21,7 @@ SpotPlot::SpotPlot(AccuracyStudy &study, const Theme &theme, QWidget *parent)
     setMouseTracking(true);
     setAntialiasedElements(QCP::aeAll);
     setNoAntialiasingOnDrag(false);
+    setPlottingHint(QCP::phImmediateRefresh, false); // it is painted together with all else that has changed
     for (QCPAxis *axis : {xAxis, yAxis}) {
         axis->grid()->setSubGridVisible(false);
         axis->setTickLengthIn(0);
@@ -48,6 +50,7 @@ void SpotPlot::dress()
         axis->grid()->setPen(QPen(t.line, 1.0));
         axis->grid()->setZeroLinePen(Qt::NoPen);
     }
+    m_axesAreOld = true;
     refresh();
 }
 
@@ -58,6 +61,8 @@ void SpotPlot::refresh()
         return;
     }
     m_stale = false;
+    const QCPRange across = xAxis->range();
+    const QCPRange up = yAxis->range();
     const bool had = m_chosen.has_value();
     m_spots = m_study.accuracy() ? layOut() : std::vector<Spot>{};
     if (had) {
@@ -72,7 +77,12 @@ void SpotPlot::refresh()
         }
         m_chosen = found ? std::optional(*found) : std::nullopt;
     }
-    replot(QCustomPlot::rpQueuedReplot);
+    // The axes are painted anew only where they are others: that takes more than all the rest.
+    if (std::exchange(m_axesAreOld, false) || xAxis->range() != across || yAxis->range() != up)
+        replot(QCustomPlot::rpQueuedReplot);
+    else
+        update();
+    m_isUnplaced = true;
 }
 
 void SpotPlot::setErrors(const ErrorScale &errors)
@@ -180,8 +190,11 @@ void SpotPlot::paintEvent(QPaintEvent *event)
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     drawFloor(painter);
-    if (m_study.accuracy())
+    if (m_study.accuracy()) {
+        if (std::exchange(m_isUnplaced, false))
+            placeWords();
         draw(painter);
+    }
     if (!m_ringed)
         return;
     painter.setPen(QPen(m_theme.tokens().ink, 2.0));

@@ -37,6 +37,9 @@ signals:
 protected:
     /// Puts the axes where the study's rows want them and returns the spots.
     virtual std::vector<Spot> layOut() = 0;
+    /// Finds places for names, before they are drawn for the first time after a layout: that takes longer than
+    /// drawing them.
+    virtual void placeWords() = 0;
     /// Draws all but the axes.
     virtual void draw(QPainter &painter) = 0;
     /// What a tip says about a spot.
@@ -87,6 +90,8 @@ private:
     std::optional<Spot> m_chosen;
     sim::Way m_chosenWay; ///< by which it is found again when rows come in
     bool m_stale = true;
+    bool m_axesAreOld = true; ///< their colours are others, so that they must be painted anew
+    bool m_isUnplaced = true;
     bool m_dragging = false;
     bool m_ringed = false; ///< the keyboard is here
 };

@@ -24,6 +24,11 @@ QString WorkPrecisionPlot::hereText()
     return tr("you are here");
 }
 
+QString WorkPrecisionPlot::frontText()
+{
+    return tr("The front: nothing is\nas exact for less.");
+}
+
 WorkPrecisionPlot::WorkPrecisionPlot(AccuracyStudy &study, const Theme &theme, QWidget *parent)
     : SpotPlot(study, theme, parent)
 {
@@ -61,9 +66,8 @@ void WorkPrecisionPlot::draw(QPainter &painter)
     drawLadders(painter);
     drawUnstable(painter);
     painter.restore();
-    LabelPlaces places = takenPlaces();
-    drawNames(painter, places);
-    drawFrontNote(painter, places);
+    drawEndLabels(painter, m_names, m_theme.ui(12, QFont::Medium), m_theme.tokens().panel);
+    drawFrontNote(painter);
     drawHere(painter);
     if (chosen())
         drawRing(painter, onScreen(*chosen()), QPen(m_theme.tokens().ink, 2.0), markerSize);
@@ -151,7 +155,7 @@ LabelPlaces WorkPrecisionPlot::takenPlaces() const
     return LabelPlaces(std::move(marks), std::move(strokes));
 }
 
-void WorkPrecisionPlot::drawNames(QPainter &painter, LabelPlaces &places) const
+void WorkPrecisionPlot::placeWords()
 {
     std::map<int, const Spot *> ends;
     for (const Spot &spot : spots()) {
@@ -163,17 +167,17 @@ void WorkPrecisionPlot::drawNames(QPainter &painter, LabelPlaces &places) const
         const sim::Method &method = *rowOf(*spot).way.method;
         labels.push_back({onScreen(*spot), methodTitle(method), inkOf(method, m_theme).color});
     }
-    drawEndLabels(painter, std::move(labels), m_theme.ui(12, QFont::Medium), axisRect()->rect(), places);
+    LabelPlaces places = takenPlaces();
+    m_names = placeEndLabels(std::move(labels), m_theme.ui(12, QFont::Medium), axisRect()->rect(), places);
+    m_note = frontNote(places);
 }
 
-void WorkPrecisionPlot::drawFrontNote(QPainter &painter, LabelPlaces &places) const
+WorkPrecisionPlot::Note WorkPrecisionPlot::frontNote(const LabelPlaces &places) const
 {
     const QPolygonF front = frontLine();
     if (front.size() < 2)
-        return;
-    const QString text = tr("The front: nothing is\nas exact for less.");
-    const QFont font = m_theme.ui(12);
-    const QSizeF size = QFontMetricsF(font).size(0, text) + QSizeF(4.0, 2.0);
+        return {};
+    const QSizeF size = QFontMetricsF(m_theme.ui(12)).size(0, frontText()) + QSizeF(4.0, 2.0);
     const QRectF area = axisRect()->rect().adjusted(8, 8, -8, -8);
     // Below the front there is nothing: that is what it means.
     const QPointF middle = (front[(front.size() - 1) / 2] + front[front.size() / 2]) / 2.0;
@@ -182,17 +186,23 @@ void WorkPrecisionPlot::drawFrontNote(QPainter &painter, LabelPlaces &places) co
     const QRectF box = trial.within(area, wanted, size);
     const QPointF off = box.topLeft() - wanted;
     if (!places.isFree(box) || std::hypot(off.x(), off.y()) > farthestNote)
+        return {};
+    return {box, {nearestPoint(box, middle), middle}};
+}
+
+void WorkPrecisionPlot::drawFrontNote(QPainter &painter) const
+{
+    if (m_note.box.isEmpty())
         return;
-    places = std::move(trial);
-    painter.setPen(QPen(m_theme.tokens().ink3, 1.0));
-    const QPointF from(std::clamp(middle.x(), box.left(), box.right()),
-                       std::clamp(middle.y(), box.top(), box.bottom()));
-    painter.drawLine(from, middle);
-    painter.setBrush(m_theme.tokens().ink3);
-    painter.drawEllipse(middle, 2.0, 2.0);
+    const Tokens &t = m_theme.tokens();
+    painter.fillRect(m_note.box, t.panel);
+    painter.setPen(QPen(t.ink3, 1.0));
+    painter.drawLine(m_note.lead);
+    painter.setBrush(t.ink3);
+    painter.drawEllipse(m_note.lead.p2(), 2.0, 2.0);
     painter.setBrush(Qt::NoBrush);
-    painter.setFont(font);
-    painter.drawText(box, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip, text);
+    painter.setFont(m_theme.ui(12));
+    painter.drawText(m_note.box, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip, frontText());
 }
 
 void WorkPrecisionPlot::drawUnstable(QPainter &painter) const

@@ -1,10 +1,9 @@
 #pragma once
 
+#include "app/ui/measure/plot_marks.h"
 #include "app/ui/measure/spot_plot.h"
 
 namespace app {
-
-class LabelPlaces;
 
 /// Error against time: what each rung of each method costs and how far off it is, both on logarithmic axes. Before
 /// there are times, error against how often forces are computed.
@@ -31,6 +30,7 @@ signals:
 
 protected:
     std::vector<Spot> layOut() override;
+    void placeWords() override;
     void draw(QPainter &painter) override;
     bool press(QPointF at) override;
     void drag(QPointF at) override;
@@ -51,14 +51,23 @@ private:
     void drawFront(QPainter &painter) const;
     void drawLadders(QPainter &painter) const;
     void drawWhiskers(QPainter &painter) const;
-    void drawNames(QPainter &painter, LabelPlaces &places) const;
-    void drawFrontNote(QPainter &painter, LabelPlaces &places) const;
+    /// What the front is called, and the line to it. Empty where there is no room.
+    struct Note
+    {
+        QRectF box;
+        QLineF lead; ///< ends at the front
+    };
+    static QString frontText();
+    Note frontNote(const LabelPlaces &places) const;
+    void drawFrontNote(QPainter &painter) const;
     void drawUnstable(QPainter &painter) const;
     void drawTarget(QPainter &painter) const;
     void drawHere(QPainter &painter) const;
 
     double m_target = 0.1;
     bool m_timed = false;
+    std::vector<PlacedLabel> m_names;
+    Note m_note;
 };
 
 }

@@ -16,6 +16,9 @@ constexpr double strokeWidth = 8.0; ///< px: a line with its arrow head
 
 double lengthWithin(const QLineF &line, const QRectF &box)
 {
+    if (std::max(line.x1(), line.x2()) < box.left() || std::min(line.x1(), line.x2()) > box.right() ||
+        std::max(line.y1(), line.y2()) < box.top() || std::min(line.y1(), line.y2()) > box.bottom())
+        return 0.0; // most are nowhere near
     // Liang and Barsky, "A New Concept and Method for Line Clipping", ACM TOG 3 (1), 1984.
     double from = 0.0;
     double to = 1.0;
@@ -83,17 +86,30 @@ QRectF LabelPlaces::within(QRectF area, QPointF wanted, QSizeF size)
                           std::clamp(wanted.y(), area.top(), bottom));
     QRectF best(clamped, size);
     double least = coverCost * covered(best) + distance(best);
-    for (double y = area.top(); least > 0.0 && y <= bottom; y += raster) {
-        for (double x = area.left(); x <= right; x += raster) {
-            const QRectF box(QPointF(x, y), size);
-            const double away = distance(box);
-            if (away >= least)
-                continue;
-            const double here = coverCost * covered(box) + away;
-            if (here < least) {
-                least = here;
-                best = box;
-            }
+    const auto attempt = [&](int across, int down) {
+        const QPointF place = clamped + raster * QPointF(across, down);
+        if (place.x() < area.left() || place.x() > right || place.y() < area.top() || place.y() > bottom)
+            return;
+        const QRectF box(place, size);
+        const double away = distance(box);
+        if (away >= least)
+            return;
+        const double here = coverCost * covered(box) + away;
+        if (here < least) {
+            least = here;
+            best = box;
+        }
+    };
+    // Ring after ring: what is farther out than the best is worth cannot be better.
+    const int rings = static_cast<int>(std::max(area.width(), area.height()) / raster);
+    for (int ring = 1; ring <= rings && ring * raster < least; ++ring) {
+        for (int i = -ring; i <= ring; ++i) {
+            attempt(i, -ring);
+            attempt(i, ring);
+        }
+        for (int i = 1 - ring; i < ring; ++i) {
+            attempt(-ring, i);
+            attempt(ring, i);
         }
     }
     m_taken.push_back(best);

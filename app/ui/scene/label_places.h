@@ -20,6 +20,8 @@ public:
     QRectF beside(QPointF anchor, QSizeF size);
     /// The box of `size` within `area` that covers the least and is near `wanted` (its top left corner).
     QRectF within(QRectF area, QPointF wanted, QSizeF size);
+    /// A line that is drawn from then on.
+    void takeStroke(const QLineF &line) { m_strokes.push_back(line); }
     /// Whether a box covers nothing.
     bool isFree(const QRectF &box) const { return covered(box) == 0.0; }
 
