@@ -39,7 +39,10 @@ struct Stop
     std::int64_t frame = 0; ///< the last good one
     int phases = 0;         ///< how many phases of the row after it leave good numbers
     std::string phase;      ///< title of the phase that failed first
-    std::string body;       ///< name of the point that failed first
+    EffectPtr
+        effect;     ///< whose phase that is; of a method's own, what pulls that point hardest; null: nothing
+    int point = -1; ///< the one that failed first; -1 for what belongs to no point
+    std::string body; ///< its name
 };
 
 /// What one phase did to one point.

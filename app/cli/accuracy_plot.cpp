@@ -1,15 +1,14 @@
 #include "app/cli/accuracy_plot.h"
 
 #include "app/cli/plot_axis.h"
-#include "app/model/numbers.h"
+#include "app/cli/svg_drawing.h"
 #include "app/model/sentences.h"
+#include "app/model/words.h"
 
 #include <QCoreApplication>
 #include <QPointF>
-#include <QXmlStreamWriter>
 
 #include <algorithm>
-#include <array>
 
 namespace app {
 
@@ -23,27 +22,13 @@ struct Text
 constexpr double width = 960, height = 600;
 constexpr double left = 76, right = 720, top = 64, bottom = 530; ///< of the axes; names stand right of them
 
-// Told apart by people with any kind of colour vision (Okabe and Ito, 2008), darkened for a white ground; the shape of
-// the points is the second sign. Seven and four have no common divisor: 28 methods look different.
-constexpr std::array colors = {"#0072b2", "#c04f00", "#00805d", "#b3538a", "#2f8fc4", "#857300", "#3c4046"};
-enum class Shape { circle, square, triangle, diamond };
-constexpr std::array shapes = {Shape::circle, Shape::square, Shape::triangle, Shape::diamond};
-constexpr auto ink = "#22262b", faint = "#e0dcd2", caption = "#555b62", now = "#f5b301", shade = "#d8d5ce",
-               paper = "#fbfaf7";
-
-using Attributes = std::vector<std::pair<QString, QString>>;
-
-QString px(double value)
-{
-    return QString::number(value, 'f', 1);
-}
+constexpr auto now = "#f5b301", shade = "#d8d5ce";
 
 /// The measured rows of one method, from coarse to fine.
 struct Ladder
 {
     std::vector<const sim::AccuracyRow *> rows;
-    QString color;
-    Shape shape = Shape::circle;
+    Sign sign;
 };
 
 class Plot
@@ -52,20 +37,12 @@ public:
     explicit Plot(const AccuracyReport &report)
         : m_report(report), m_ladders(laddersOf(report.found)),
           m_times(numbers(report.found, &sim::AccuracyRow::nsPerFrame), left, right),
-          m_errors(numbers(report.found, &sim::AccuracyRow::error), bottom, top), m_svg(&m_text)
+          m_errors(numbers(report.found, &sim::AccuracyRow::error), bottom, top), m_svg(width, height)
     {
     }
 
     QByteArray draw()
     {
-        m_svg.setAutoFormatting(true);
-        m_svg.writeStartDocument();
-        m_svg.writeStartElement("svg");
-        attributes({{"xmlns", "http://www.w3.org/2000/svg"},
-                    {"viewBox", QStringLiteral("0 0 %1 %2").arg(width).arg(height)},
-                    {"font-family", "Inter, sans-serif"},
-                    {"font-size", "13"}});
-        element("rect", {{"width", px(width)}, {"height", px(height)}, {"fill", paper}});
         drawTitle();
         drawGrid();
         drawFront();
@@ -73,9 +50,7 @@ public:
             drawLadder(ladder);
         drawInUse();
         drawNames();
-        m_svg.writeEndElement();
-        m_svg.writeEndDocument();
-        return m_text;
+        return m_svg.finish();
     }
 
 private:
@@ -107,8 +82,7 @@ private:
             if (!isDrawn(row))
                 continue;
             if (ladders.empty() || ladders.back().rows.front()->way.method->id() != method->id())
-                ladders.push_back(
-                    {{}, colors[(count - 1) % colors.size()], shapes[(count - 1) % shapes.size()]});
+                ladders.push_back({{}, signOf(count - 1)});
             ladders.back().rows.push_back(&row);
         }
         return ladders;
@@ -119,68 +93,35 @@ private:
         return {m_times.at(row.nsPerFrame), m_errors.at(row.error)};
     }
 
-    void attributes(const Attributes &all)
-    {
-        for (const auto &[name, value] : all)
-            m_svg.writeAttribute(name, value);
-    }
-
-    void element(const QString &name, const Attributes &all)
-    {
-        m_svg.writeEmptyElement(name);
-        attributes(all);
-    }
-
-    void line(QPointF from, QPointF to, const QString &color, const QString &thickness)
-    {
-        element("line", {{"x1", px(from.x())},
-                         {"y1", px(from.y())},
-                         {"x2", px(to.x())},
-                         {"y2", px(to.y())},
-                         {"stroke", color},
-                         {"stroke-width", thickness}});
-    }
-
-    void text(QPointF at, const QString &words, const Attributes &how)
-    {
-        m_svg.writeStartElement("text");
-        attributes({{"x", px(at.x())}, {"y", px(at.y())}});
-        attributes(how);
-        m_svg.writeCharacters(words);
-        m_svg.writeEndElement();
-    }
-
-    void power(QPointF at, int exponent, const QString &anchor)
-    {
-        text(at, powerOfTen(exponent), {{"text-anchor", anchor}, {"fill", caption}});
-    }
-
     void drawTitle()
     {
         const sim::Accuracy &found = m_report.found;
-        text({left, 28}, m_report.experiment, {{"fill", ink}, {"font-weight", "600"}, {"font-size", "16"}});
+        m_svg.text({left, 28}, m_report.experiment,
+                   {{"fill", SvgDrawing::ink}, {"font-weight", "600"}, {"font-size", "16"}});
         const QString how = Text::tr("%1 frames; reference %2, known to %3 px")
                                 .arg(found.horizon)
                                 .arg(QString::fromStdString(found.reference.method),
-                                     QString::number(found.reference.disagreement, 'g', 2));
-        text({left, 48}, how, {{"fill", caption}});
+                                     withoutPadding(QString::number(found.reference.disagreement, 'g', 2)));
+        m_svg.text({left, 48}, how, {{"fill", SvgDrawing::caption}});
     }
 
     void drawGrid()
     {
         for (int decade = m_times.first(); decade <= m_times.last(); decade += m_times.stride()) {
             const double x = m_times.at(std::pow(10.0, decade));
-            line({x, top}, {x, bottom}, faint, "1");
-            power({x, bottom + 20}, decade, "middle");
+            m_svg.line({x, top}, {x, bottom}, SvgDrawing::faint, "1");
+            m_svg.power({x, bottom + 20}, decade, "middle");
         }
         for (int decade = m_errors.first(); decade <= m_errors.last(); decade += m_errors.stride()) {
             const double y = m_errors.at(std::pow(10.0, decade));
-            line({left, y}, {right, y}, faint, "1");
-            power({left - 10, y + 4}, decade, "end");
+            m_svg.line({left, y}, {right, y}, SvgDrawing::faint, "1");
+            m_svg.power({left - 10, y + 4}, decade, "end");
         }
-        text({right, bottom + 44}, Text::tr("time, ns a frame"), {{"fill", caption}, {"text-anchor", "end"}});
-        text({18, top}, Text::tr("error, px"),
-             {{"fill", caption}, {"text-anchor", "end"}, {"transform", "rotate(-90 18 64)"}});
+        m_svg.text({right, bottom + 44}, Text::tr("time, ns a frame"),
+                   {{"fill", SvgDrawing::caption}, {"text-anchor", "end"}});
+        m_svg.text(
+            {18, top}, Text::tr("error, px"),
+            {{"fill", SvgDrawing::caption}, {"text-anchor", "end"}, {"transform", "rotate(-90 18 64)"}});
     }
 
     void drawFront()
@@ -198,49 +139,21 @@ private:
     void polyline(const std::vector<const sim::AccuracyRow *> &rows, const QString &color,
                   const QString &thickness)
     {
-        QStringList points;
+        std::vector<QPointF> points;
         for (const sim::AccuracyRow *row : rows)
-            points.push_back(px(at(*row).x()) + ',' + px(at(*row).y()));
-        m_svg.writeEmptyElement("polyline");
-        attributes({{"points", points.join(' ')},
-                    {"fill", "none"},
-                    {"stroke", color},
-                    {"stroke-width", thickness},
-                    {"stroke-linejoin", "round"},
-                    {"stroke-linecap", "round"}});
+            points.push_back(at(*row));
+        m_svg.polyline(points, color, thickness);
     }
 
     void drawLadder(const Ladder &ladder)
     {
-        polyline(ladder.rows, ladder.color, "1.8");
+        polyline(ladder.rows, ladder.sign.color, "1.8");
         for (const sim::AccuracyRow *row : ladder.rows) {
             const double y = at(*row).y();
-            line({m_times.at(row->nsPerFrame - row->spread), y},
-                 {m_times.at(row->nsPerFrame + row->spread), y}, ladder.color, "1");
-            drawSign(at(*row), ladder, row->front ? ladder.color : QString(paper));
+            m_svg.line({m_times.at(row->nsPerFrame - row->spread), y},
+                       {m_times.at(row->nsPerFrame + row->spread), y}, ladder.sign.color, "1");
+            m_svg.sign(at(*row), ladder.sign, row->front ? ladder.sign.color : QString(SvgDrawing::paper));
         }
-    }
-
-    void drawSign(QPointF at, const Ladder &ladder, const QString &fill)
-    {
-        static constexpr double r = 4.5;
-        const Attributes look = {{"fill", fill}, {"stroke", ladder.color}, {"stroke-width", "1.5"}};
-        if (ladder.shape == Shape::circle) {
-            m_svg.writeEmptyElement("circle");
-            attributes({{"cx", px(at.x())}, {"cy", px(at.y())}, {"r", px(r)}});
-            return attributes(look);
-        }
-        std::vector<QPointF> corners = {{-r, -r}, {r, -r}, {r, r}, {-r, r}};
-        if (ladder.shape == Shape::triangle)
-            corners = {{0, -1.3 * r}, {1.2 * r, 0.8 * r}, {-1.2 * r, 0.8 * r}};
-        else if (ladder.shape == Shape::diamond)
-            corners = {{0, -1.4 * r}, {1.4 * r, 0}, {0, 1.4 * r}, {-1.4 * r, 0}};
-        QStringList points;
-        for (const QPointF &corner : corners)
-            points.push_back(px(at.x() + corner.x()) + ',' + px(at.y() + corner.y()));
-        m_svg.writeEmptyElement("polygon");
-        attributes({{"points", points.join(' ')}});
-        attributes(look);
     }
 
     void drawInUse()
@@ -250,13 +163,8 @@ private:
                                  row.way.step == m_report.inUse.step && isDrawn(row);
             if (!isInUse)
                 continue;
-            element("circle", {{"cx", px(at(row).x())},
-                               {"cy", px(at(row).y())},
-                               {"r", "9"},
-                               {"fill", "none"},
-                               {"stroke", now},
-                               {"stroke-width", "3"}});
-            text(at(row) + QPointF(14, -8), Text::tr("in use"), {{"fill", ink}});
+            m_svg.ring(at(row), 9, now, "3");
+            m_svg.text(at(row) + QPointF(14, -8), Text::tr("in use"), {{"fill", SvgDrawing::ink}});
         }
     }
 
@@ -275,10 +183,10 @@ private:
         spreadOut(places, 22, top, bottom);
         for (std::size_t i = 0; i < sorted.size(); ++i) {
             const QPointF name(right + 34, places[i]);
-            line(end(sorted[i]) + QPointF(7, 0), name - QPointF(10, 0), faint, "1");
-            drawSign(name, *sorted[i], paper);
-            text(name + QPointF(12, 4), phrase(sorted[i]->rows.front()->way.method->title()),
-                 {{"fill", ink}});
+            m_svg.line(end(sorted[i]) + QPointF(7, 0), name - QPointF(10, 0), SvgDrawing::faint, "1");
+            m_svg.sign(name, sorted[i]->sign, SvgDrawing::paper);
+            m_svg.text(name + QPointF(12, 4), phrase(sorted[i]->rows.front()->way.method->title()),
+                       {{"fill", SvgDrawing::ink}});
         }
     }
 
@@ -286,8 +194,7 @@ private:
     std::vector<Ladder> m_ladders;
     LogAxis m_times;
     LogAxis m_errors;
-    QByteArray m_text;
-    QXmlStreamWriter m_svg;
+    SvgDrawing m_svg;
 };
 
 }

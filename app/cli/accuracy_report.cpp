@@ -28,7 +28,7 @@ QString wayText(const sim::Way &way)
 
 QString shortNumber(double value)
 {
-    return QString::number(value, 'g', 3);
+    return withoutPadding(QString::number(value, 'g', 3));
 }
 
 QString microseconds(double ns)
@@ -140,7 +140,7 @@ QString inUseSentence(const AccuracyReport &report)
 
 QString stepText(sim::StepSize step)
 {
-    return step.adaptive() ? Text::tr("tolerance %1").arg(exactNumber(step.tolerance))
+    return step.adaptive() ? Text::tr("tolerance %1").arg(toleranceNumber(step.tolerance))
                            : Text::tr("h %1").arg(exactNumber(step.h));
 }
 

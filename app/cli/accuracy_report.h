@@ -17,7 +17,7 @@ struct AccuracyReport
     sim::Accuracy found;
 };
 
-/// How messages and tables write a step: "h 0.5", "tolerance 1e-06".
+/// How messages and tables write a step: "h 0.5", "tolerance 1e-6".
 QString stepText(sim::StepSize step);
 
 /// The report for people: a table, the reference, and the numbers that matter in words.

@@ -1,5 +1,7 @@
 #include "app/model/numbers.h"
 
+#include "app/model/words.h"
+
 #include <QLocale>
 
 #include <cmath>
@@ -10,13 +12,6 @@ namespace {
 
 constexpr QChar minus(0x2212);
 constexpr double longest = 1e7; ///< from here on numbers are written with a power of ten
-
-QString withPower(double value)
-{
-    QString text = QString::number(value, 'g', QLocale::FloatingPointShortest);
-    text.replace("e+0", "e").replace("e+", "e").replace("e-0", "e-");
-    return text;
-}
 
 /// Without the sign of a number that is shown as 0.
 QString signedText(QString text)
@@ -36,7 +31,7 @@ QString fixedNumber(double value, int decimals)
 QString writtenNumber(double value, int decimals)
 {
     if (std::abs(value) >= longest)
-        return signedText(withPower(value));
+        return signedText(withoutPadding(QString::number(value, 'g', QLocale::FloatingPointShortest)));
     QString text = QString::number(value, 'f', decimals);
     if (text.toDouble() != value)
         text = QString::number(value, 'g', QLocale::FloatingPointShortest);

@@ -37,11 +37,23 @@ QString quotedList(const QStringList &texts)
     return list.join(", ");
 }
 
+QString withoutPadding(QString number)
+{
+    return number.replace("e+0", "e").replace("e+", "e").replace("e-0", "e-");
+}
+
 QString exactNumber(double value)
 {
     const double size = std::abs(value);
     const bool isPlain = size == 0.0 || (size >= 1e-6 && size < 1e15);
-    return QString::number(value, isPlain ? 'f' : 'g', QLocale::FloatingPointShortest);
+    return withoutPadding(QString::number(value, isPlain ? 'f' : 'g', QLocale::FloatingPointShortest));
+}
+
+QString toleranceNumber(double tolerance)
+{
+    if (tolerance >= 1.0)
+        return exactNumber(tolerance);
+    return withoutPadding(QString::number(tolerance, 'e', QLocale::FloatingPointShortest));
 }
 
 QString oneLine(const QString &text)

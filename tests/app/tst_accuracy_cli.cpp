@@ -6,6 +6,7 @@
 #include <QJsonObject>
 #include <QProcess>
 #include <QRandomGenerator>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QXmlStreamReader>
@@ -55,6 +56,20 @@ class TestAccuracyCli : public QObject
     Q_OBJECT
 
 private slots:
+    void tolerancesAreWrittenInOneWay()
+    {
+        const Answer answer = springstep({"accuracy", "single_spring/radial", "--frames", "5"});
+        QCOMPARE(answer.code, 0);
+        QStringList written;
+        for (const QString &line : answer.out.split('\n')) {
+            if (line.startsWith("dop853"))
+                written << line.section("tolerance ", 1).section(' ', 0, 0);
+        }
+        QCOMPARE(written, QString("1 1e-1 1e-2 1e-3 1e-4 1e-5 1e-6 1e-7 1e-8 1e-9 1e-10").split(' '));
+        const QRegularExpression padded("\\de[+-]?0\\d");
+        QVERIFY2(!padded.match(answer.out).hasMatch(), qPrintable(answer.out));
+    }
+
     void badUseIsOneSentenceAndExitCode2_data()
     {
         QTest::addColumn<QStringList>("arguments");

@@ -175,7 +175,7 @@ private slots:
             "line 5: \"h\" is 101; it can be 0.000001 to 100 frames, a whole number or 1 divided by one: 2, "
             "1, 0.5, 0.25...");
         row("h of 1e-7", "\"h\": 1e-7",
-            "line 5: \"h\" is 1e-07; it can be 0.000001 to 100 frames, a whole number or 1 divided by one: "
+            "line 5: \"h\" is 1e-7; it can be 0.000001 to 100 frames, a whole number or 1 divided by one: "
             "2, 1, 0.5, 0.25...");
         row("h as text", "\"h\": \"1\"", "line 5: \"h\" is the text \"1\"; it takes a number.");
         row("tolerance", "\"tolerance\": 0.001",
@@ -214,7 +214,7 @@ private slots:
         row("10 million and 1 frames", "\"frames\": 10000001",
             "line 5: \"frames\" is 10000001; it can be a whole number from 0 to 10000000.");
         row("frames of 1e300", "\"frames\": 1e300",
-            "line 5: \"frames\" is 1e+300; it can be a whole number from 0 to 10000000.");
+            "line 5: \"frames\" is 1e300; it can be a whole number from 0 to 10000000.");
         row("frames as null", "\"frames\": null", "line 5: \"frames\" is null; it takes a number.");
         row("a seed below 0", "\"seed\": -1",
             "line 5: \"seed\" is -1; it can be a whole number from 0 to 9007199254740992.");

@@ -99,16 +99,14 @@ void race(benchmark::State &run, const std::string &team, double target)
 
 int registerAll()
 {
-    for (const auto &[name, target] :
-         {std::pair{"1e-2", 1e-2}, {"1e-4", 1e-4}, {"1e-6", 1e-6}, {"1e-8", 1e-8}}) {
-        const auto called = [name = std::string(name)](const std::string &team) { return team + "_" + name; };
-        for (const std::string team : {"springstep", "odeint", "cvode"}) {
-            benchmark::RegisterBenchmark(
-                called(team).c_str(),
-                [team, target = target](benchmark::State &run) { race(run, team, target); });
-            if (team != "springstep")
-                claim({std::string("creature in the air to ") + name + " px / " + team, called("springstep"),
-                       called(team)});
+    for (const double error : air::errors) {
+        const std::string ours = air::nameOf(air::teams.front(), error);
+        for (const std::string team : air::teams) {
+            const std::string name = air::nameOf(team, error);
+            benchmark::RegisterBenchmark(name.c_str(),
+                                         [team, error](benchmark::State &run) { race(run, team, error); });
+            if (name != ours)
+                claim({"creature in the air / " + name, ours, name});
         }
     }
     return 0;

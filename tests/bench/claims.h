@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 
 namespace bench {
@@ -12,6 +13,14 @@ struct Claim
     std::string ours;
     std::string alternative;
 };
+
+/// The median of the runs of a benchmark.
+struct Measured
+{
+    double nanoseconds = 0.0; ///< one iteration
+    std::string label;        ///< as the benchmark set it
+};
+using Measurements = std::map<std::string, Measured>; ///< by the benchmark's name
 
 /// Adds a claim to the table that is printed after the benchmarks.
 int claim(Claim one);

@@ -14,6 +14,13 @@ namespace bench::air {
 constexpr int feet = 5, points = feet + 1, frames = 200;
 constexpr double k = 0.2, radius = 50.0, damp = 0.97;
 
+/// The errors (px) at which the teams are compared.
+inline constexpr std::array errors = {1e-2, 1e-4, 1e-6, 1e-8};
+/// Those who run it: ours first.
+inline constexpr std::array teams = {"springstep", "odeint", "cvode"};
+/// The name of the benchmark in which `team` runs within `error` px: "odeint_1e-2".
+std::string nameOf(const std::string &team, double error);
+
 /// x of each point, y of each (px); then the velocities in the same order. The body is the last point.
 template <class Number>
 using Row = std::array<Number, 4 * points>;

@@ -123,6 +123,10 @@ private slots:
         const auto [phase, body] = firstToGo(script, static_cast<int>(track.stop()->frame));
         QCOMPARE(track.stop()->phase, phase);
         QCOMPARE(track.stop()->body, body);
+        QCOMPARE(track.shown().scene.find(body), track.stop()->point);
+        // Whatever phase it was, nothing but the spring can be the reason.
+        QVERIFY(track.stop()->effect);
+        QCOMPARE(track.stop()->effect->id(), std::string("body_spring"));
         // Its pull overflows before anything else does, but for the places that such a pull leads to.
         const bool tries = findMethod(method.toStdString())->evaluations() > 1;
         QVERIFY(phase == "spring" || (tries && (phase == "try a place" || phase == "move")));

@@ -1,0 +1,210 @@
+// What mends a run that stopped: the mildest of each kind that holds, known from the eigenvalues of the scenes.
+
+#include "support.h"
+
+#include "sim/effects/body_spring.h"
+#include "sim/effects/damping.h"
+#include "sim/effects/point_spring.h"
+#include "sim/effects/sticks.h"
+#include "sim/methods/methods.h"
+#include "sim/remedies.h"
+
+#include <QTest>
+
+using namespace sim;
+
+namespace {
+
+const GoesOn patient = [] { return true; };
+const KeptShare drag = {"damp", 0.0};
+
+/// A body with `feet` feet on springs without length, linear: against each other they swing with (feet + 1) k.
+Script star(int feet, const char *method = "semi_implicit_euler")
+{
+    support::Sample sample;
+    sample.values.set("k", 0.2);
+    sample.values.set("damp", 0.85);
+    sample.build = [feet](const Values &values) {
+        Scene scene = support::pointsOf(feet);
+        support::scatter(scene.start, 3, 200.0);
+        scene.effects = {std::make_shared<BodySpring>(support::legs(feet), values["k"]),
+                         std::make_shared<Damping>(values["damp"])};
+        return scene;
+    };
+    return support::script(sample, method);
+}
+
+/// Whether semi-implicit Euler holds there: v' = d (v - h w^2 x), x' = x + h v' has |eigenvalues| < 1 exactly if
+/// h^2 w^2 < 2 (1 + 1/d), with d = damp^h.
+bool holds(double squared, double h, double damping)
+{
+    return h * h * squared < 2.0 * (1.0 + std::pow(damping, -h));
+}
+
+Stop stopOf(const Script &script)
+{
+    Track track(script, 1 << 20);
+    track.seek({100'000, 0});
+    return track.stop().value();
+}
+
+const Remedy *find(const std::vector<Remedy> &all, RemedyKind kind)
+{
+    for (const Remedy &one : all) {
+        if (one.kind == kind)
+            return &one;
+    }
+    return nullptr;
+}
+
+}
+
+class TestRemedies : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void theMildestThatHoldsIsFound_data()
+    {
+        QTest::addColumn<int>("feet");
+        for (const int feet : {25, 60, 200, 500})
+            QTest::addRow("%d feet", feet) << feet;
+    }
+    void theMildestThatHoldsIsFound()
+    {
+        QFETCH(int, feet);
+        const Script script = star(feet);
+        const double squared = 0.2 * (feet + 1);
+        QVERIFY(!holds(squared, 1.0, 0.85));
+        const std::vector<Remedy> found = remediesFor(script, stopOf(script), drag, patient);
+        double h = 0.5;
+        while (!holds(squared, h, 0.85))
+            h /= 2.0;
+        const Remedy *smaller = find(found, RemedyKind::smallerStep);
+        QVERIFY(smaller && smaller->heldFor > 0);
+        QCOMPARE(smaller->script.step.h, h);
+        double kept = 0.85;
+        do {
+            kept = std::max(0.01, std::floor(100.0 * kept * kept) / 100.0);
+        } while (!holds(squared, 1.0, kept) && kept > 0.01);
+        const Remedy *damped = find(found, RemedyKind::moreDamping);
+        QCOMPARE(damped != nullptr, holds(squared, 1.0, kept));
+        if (damped)
+            QCOMPARE(damped->script.values["damp"], kept);
+    }
+
+    void everyRemedyBringsTheRunToRest_data()
+    {
+        QTest::addColumn<QString>("method");
+        for (const char *method : {"published", "semi_implicit_euler", "velocity_verlet", "rk4"})
+            QTest::newRow(method) << method;
+    }
+    void everyRemedyBringsTheRunToRest()
+    {
+        QFETCH(QString, method);
+        const Script script = star(60, method.toUtf8());
+        const std::vector<Remedy> found = remediesFor(script, stopOf(script), drag, patient);
+        QVERIFY(find(found, RemedyKind::smallerStep));
+        const Remedy *other = find(found, RemedyKind::otherMethod);
+        QVERIFY(other && other->script.method->stepLimit() == StepLimit::none);
+        for (const Remedy &remedy : found) {
+            Track track(remedy.script, 0);
+            track.seek({5 * remedy.heldFor, 0});
+            QVERIFY(!track.stop());
+            const State &end = track.now(); // springs without length: all in one place, at rest
+            for (int i = 0; i < end.points(); ++i)
+                QVERIFY(length(end.at(i) - end.at(0)) < 1e-6 && length(end.speed(i)) < 1e-6);
+        }
+    }
+
+    void allElseStaysAsItWas()
+    {
+        Script script = star(60);
+        script.bodies["foot3"] = {{111, 222}, {}};
+        script.effectsOff = {"wind"};
+        script.input = {{3, Grab{"foot1"}}, {3, Move{{300, 310}}}, {9, Release{}}, {12, Set{"damp", 0.9}}};
+        for (const Remedy &remedy : remediesFor(script, stopOf(script), drag, patient)) {
+            QVERIFY(remedy.script.bodies == script.bodies);
+            QCOMPARE(remedy.script.effectsOff, script.effectsOff);
+            QCOMPARE(remedy.script.values["k"], 0.2);
+            const bool isDamped = remedy.kind == RemedyKind::moreDamping;
+            QCOMPARE(remedy.script.values == script.values, !isDamped);
+            QCOMPARE(remedy.script.input == script.input, !isDamped);
+            QCOMPARE(remedy.script.input.size(), script.input.size());
+            QCOMPARE(remedy.script.method->id() == script.method->id(),
+                     remedy.kind != RemedyKind::otherMethod);
+            QCOMPARE(remedy.script.step == script.step, remedy.kind != RemedyKind::smallerStep);
+            if (isDamped) // what was set on the way damps more, too
+                QVERIFY(std::get<Set>(remedy.script.input.back().what).value < 0.9);
+        }
+    }
+
+    void aRunOfTooManyStepsGetsALargerTolerance()
+    {
+        support::Sample sample;
+        sample.build = [](const Values &) {
+            Scene scene = support::pointsOf(1);
+            scene.start.place(0, {300, 200});
+            scene.effects = {std::make_shared<BodySpring>(support::legs(1), 8e6)};
+            return scene;
+        };
+        Script script = support::script(sample, "dormand_prince");
+        script.step = StepSize::within(1e-13);
+        const Stop stop = stopOf(script);
+        QVERIFY(stop.reason == StopReason::tooManySteps);
+        const std::vector<Remedy> found = remediesFor(script, stop, {}, patient);
+        const Remedy *larger = find(found, RemedyKind::largerTolerance);
+        QVERIFY(larger && !find(found, RemedyKind::smallerStep) && !find(found, RemedyKind::moreDamping));
+        QVERIFY(find(found, RemedyKind::otherMethod));
+        // A tenth of it is not enough.
+        script.step = StepSize::within(larger->script.step.tolerance / 10.0);
+        QVERIFY(stopOf(script).reason == StopReason::tooManySteps);
+        Track track(larger->script, 0);
+        track.seek({200, 0});
+        QVERIFY(!track.stop());
+    }
+
+    void whatDoesNotFitIsNotOffered()
+    {
+        Script script = star(60);
+        const auto build = script.build;
+        script.build = [build](const Values &values) {
+            Scene scene = build(values);
+            scene.effects.push_back(std::make_shared<Sticks>(std::vector<Stick>{{0, 1, 60.0}}, 61));
+            return scene;
+        };
+        const std::vector<Remedy> found = remediesFor(script, stopOf(script), drag, patient);
+        QVERIFY(find(found, RemedyKind::smallerStep));
+        QVERIFY(!find(found, RemedyKind::otherMethod));
+    }
+
+    void whereNothingHoldsNothingIsOffered()
+    {
+        Script script = star(60, "explicit_euler");
+        script.values.set("k",
+                          1e9); // no step of 1/64 is short enough, no damping of explicit Euler strong enough
+        const std::vector<Remedy> found = remediesFor(script, stopOf(script), drag, patient);
+        QVERIFY(!find(found, RemedyKind::smallerStep) && !find(found, RemedyKind::moreDamping));
+    }
+
+    void aTrialThatWouldTakeLongIsNotClaimed()
+    {
+        const Script script = star(60);
+        Stop stop = stopOf(script);
+        stop.frame = 1'000'000'000;
+        for (const Remedy &remedy : remediesFor(script, stop, drag, patient))
+            QCOMPARE(remedy.heldFor, std::int64_t(0));
+    }
+
+    void nobodyWaitsForASearchThatIsLeft()
+    {
+        const Script script = star(60);
+        int asked = 0;
+        const auto found = remediesFor(script, stopOf(script), drag, [&] { return ++asked < 50; });
+        QVERIFY(found.empty());
+        QVERIFY(asked < 60);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestRemedies)
+#include "tst_remedies.moc"
