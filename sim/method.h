@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/legs.h"
 #include "sim/scene.h"
 #include "sim/step_size.h"
 
@@ -22,7 +23,11 @@ struct Phase
     int group = -1;                ///< which of the scene's groups; -1: all at once
     std::vector<Region> regions;   ///< its source, in the order in which it runs
     bool moves = false;            ///< whether the gathered accelerations are spent after it
+    double kicks = 0.0;            ///< frames for which it lets gathered accelerations act on velocities
+    bool integrates = false;       ///< whether it is part of a step that forces and damping act in all along
     std::function<void(State &)> run;
+    /// Where it takes steps of its own: runs it, and tells each smooth part of the way. Else null.
+    std::function<void(State &, const LegVisit &)> runByLegs;
     /// The numbers behind what the phase did to `point`, given the states around it.
     std::function<std::vector<Live>(const State &before, const State &after, int point)> explain;
 };

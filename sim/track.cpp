@@ -256,6 +256,13 @@ void Track::setBudget(std::size_t budget)
     thin();
 }
 
+State Track::begunAfter(std::int64_t frame) const
+{
+    State state = rowState(frame);
+    begin(state, frame + rowFrames());
+    return state;
+}
+
 State Track::preview(std::shared_ptr<const Segment> &segment) const
 {
     State state = m_now;

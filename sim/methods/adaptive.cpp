@@ -33,6 +33,7 @@ std::vector<Phase> Adaptive::phases(const Scene &scene, StepSize size) const
     phase.title = SIM_TEXT("steps of its own");
     phase.points = {0, scene.start.points()};
     phase.moves = true;
+    phase.integrates = true;
     phase.within = course->effects();
     phase.regions = {{"sim/methods/advance.cpp", "try_step"},
                      {"sim/methods/advance.cpp", "next_step"},
@@ -43,6 +44,9 @@ std::vector<Phase> Adaptive::phases(const Scene &scene, StepSize size) const
             phase.regions.push_back(region);
     }
     phase.run = [course](State &state) { Advance(*course, state).toNextFrame(); };
+    phase.runByLegs = [course](State &state, const LegVisit &visit) {
+        Advance(*course, state).toNextFrame(visit);
+    };
     phase.explain = [](const State &before, const State &after, int point) {
         std::vector<Live> live = changeOf(before, after, point);
         live.push_back({"h", after.ahead.length});

@@ -150,8 +150,12 @@ void Advance::begin()
     }
     m_state.ahead.from = m_state.ahead.to = 0.0;
     m_state.resting.setZero();
+    const Eigen::ArrayXd place = Eigen::Map<Eigen::ArrayXd>(endPlace(), m_visit ? m_size : 0);
+    const Eigen::ArrayXd speed = Eigen::Map<Eigen::ArrayXd>(endSpeed(), m_visit ? m_size : 0);
     bounce();
     settle();
+    if (m_visit)
+        tellBegun(place, speed);
     if (m_state.ahead.next > 0.0)
         return;
     // A guess; the first error estimate puts it right.
@@ -263,10 +267,12 @@ void Advance::accept(double start, double h)
     std::copy_n(slopeOf(last), m_size, endSlope());
     const bool readsFrame = start < 1.0 && ahead.to > 1.0;
     const bool meets = mayMeet();
-    if (readsFrame || meets)
+    if (readsFrame || meets || m_visit)
         makeDense(h);
     if (meets)
         end(start, h);
+    if (m_visit)
+        tell(start);
 }
 
 void Advance::makeDense(double h)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/flow.h"
+#include "sim/legs.h"
 #include "sim/methods/pair.h"
 #include "sim/methods/touching.h"
 
@@ -31,6 +32,8 @@ class Advance
 public:
     Advance(const Course &course, State &state);
     void toNextFrame();
+    /// The same; tells each step as it is done, up to the frame.
+    void toNextFrame(const LegVisit &visit);
 
 private:
     /// From a state that holds no step: puts what is past a surface onto it.
@@ -62,6 +65,9 @@ private:
     void hold(double *numbers) const;
     void readOff();
     void giveUp();
+    /// Tells the visitor of the step that `ahead` describes, from `start` on.
+    void tell(double start) const;
+    void tellBegun(const Eigen::ArrayXd &place, const Eigen::ArrayXd &speed) const;
 
     void clockTo(double time);
     Vec2 at(const double *numbers, int point) const { return {numbers[point], numbers[m_points + point]}; }
@@ -103,6 +109,7 @@ private:
     double *m_lift;
     int m_lifted = -1; ///< the point that has just been pulled off: rounding may not put it back
     std::vector<StageWeights> &m_weights; ///< one a stretch
+    const LegVisit *m_visit = nullptr;    ///< who is told of steps; null: nobody
 };
 
 }
