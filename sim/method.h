@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/legs.h"
+#include "sim/lap.h"
 #include "sim/scene.h"
 #include "sim/step_size.h"
 
@@ -27,7 +27,7 @@ struct Phase
     bool integrates = false;       ///< whether it is part of a step that forces and damping act in all along
     std::function<void(State &)> run;
     /// Where it takes steps of its own: runs it, and tells each smooth part of the way. Else null.
-    std::function<void(State &, const LegVisit &)> runByLegs;
+    std::function<void(State &, const LapVisit &)> runByLaps;
     /// The numbers behind what the phase did to `point`, given the states around it.
     std::function<std::vector<Live>(const State &before, const State &after, int point)> explain;
 };

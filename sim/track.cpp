@@ -256,11 +256,10 @@ void Track::setBudget(std::size_t budget)
     thin();
 }
 
-State Track::begunAfter(std::int64_t frame) const
+State Track::begunAfter(State end, std::int64_t frame) const
 {
-    State state = rowState(frame);
-    begin(state, frame + rowFrames());
-    return state;
+    begin(end, frame + rowFrames());
+    return end;
 }
 
 State Track::preview(std::shared_ptr<const Segment> &segment) const

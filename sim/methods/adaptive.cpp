@@ -44,7 +44,7 @@ std::vector<Phase> Adaptive::phases(const Scene &scene, StepSize size) const
             phase.regions.push_back(region);
     }
     phase.run = [course](State &state) { Advance(*course, state).toNextFrame(); };
-    phase.runByLegs = [course](State &state, const LegVisit &visit) {
+    phase.runByLaps = [course](State &state, const LapVisit &visit) {
         Advance(*course, state).toNextFrame(visit);
     };
     phase.explain = [](const State &before, const State &after, int point) {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "sim/flow.h"
-#include "sim/legs.h"
+#include "sim/lap.h"
 #include "sim/methods/pair.h"
 #include "sim/methods/touching.h"
 
@@ -33,7 +33,7 @@ public:
     Advance(const Course &course, State &state);
     void toNextFrame();
     /// The same; tells each step as it is done, up to the frame.
-    void toNextFrame(const LegVisit &visit);
+    void toNextFrame(const LapVisit &visit);
 
 private:
     /// From a state that holds no step: puts what is past a surface onto it.
@@ -109,7 +109,7 @@ private:
     double *m_lift;
     int m_lifted = -1; ///< the point that has just been pulled off: rounding may not put it back
     std::vector<StageWeights> &m_weights; ///< one a stretch
-    const LegVisit *m_visit = nullptr;    ///< who is told of steps; null: nobody
+    const LapVisit *m_visit = nullptr;    ///< who is told of steps; null: nobody
 };
 
 }

@@ -8,7 +8,7 @@ namespace sim {
 
 /// A smooth part of the way of a whole step: where things are in it, and where they go on after it, past the jump
 /// that a surface makes. Numbers go in the order of Flow: px or degrees, and that a frame.
-struct Leg
+struct Lap
 {
     double start = 0.0; ///< frames after the phase began
     double end = 0.0;   ///< frames
@@ -18,6 +18,6 @@ struct Leg
     Eigen::ArrayXd nextSpeed;
 };
 
-using LegVisit = std::function<void(const Leg &)>;
+using LapVisit = std::function<void(const Lap &)>;
 
 }
