@@ -103,6 +103,14 @@ public:
     /// Adds `scale` times the derivatives of what add() adds. Returns false, and adds nothing, for a force that has
     /// none.
     virtual bool addSlopes(const State &, Points, double, Directions, Slopes &) const { return false; }
+    /// What it has stored where things are in `state`, in mass * px^2/frame^2: the function of places of which what it
+    /// adds, times the mass of each point, is minus the gradient. What else it depends on (a gait clock, say) counts
+    /// as it stands in `state`. Points with inverse mass 0 are those that can never feel anything. Empty for a force
+    /// that is no such gradient, as one that pulls one end only of two that can feel.
+    /// Source: Goldstein, "Classical mechanics", section 1.1.
+    virtual std::optional<double> energy(const State &) const { return {}; }
+    /// Whether what it adds, times masses, is in sum nothing where every point feels it: to each action a reaction.
+    virtual bool balances(const State &) const { return false; }
     /// The numbers behind what `mover` feels in `state`; the last one, "pull", is all of it.
     virtual std::vector<Live> explain(const State &state, int mover, Directions directions) const = 0;
 };
@@ -115,6 +123,10 @@ public:
     virtual void add(const State &state, Points movers, double scale, Eigen::ArrayXd &into) const = 0;
     /// As for a Force.
     virtual bool addSlopes(const State &, Points, double, Slopes &) const { return false; }
+    /// As for a Force, in inertia * degrees^2/frame^2.
+    virtual std::optional<double> energy(const State &) const { return {}; }
+    /// The inertia that it divides by, one entry a point; empty where it knows none.
+    virtual Eigen::ArrayXd inertia() const { return {}; }
     virtual std::vector<Live> explain(const State &state, int mover) const = 0;
 };
 

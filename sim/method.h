@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/lap.h"
 #include "sim/scene.h"
 #include "sim/step_size.h"
 
@@ -25,10 +26,14 @@ struct Phase
     int group = -1;                ///< which of the scene's groups; -1: all at once
     std::vector<Region> regions;   ///< its source, in the order in which it runs
     bool moves = false;            ///< whether the gathered accelerations are spent after it
+    double kicks = 0.0;            ///< frames for which it lets gathered accelerations act on velocities
+    bool integrates = false;       ///< whether it is part of a step that forces and damping act in all along
     std::function<void(State &)> run;
     /// Only where `run` may take long: does the same, and leaves off when nobody waits any more. Returns whether it is
     /// done; if not, the state is good for nothing.
     std::function<bool(State &, const GoesOn &)> runWhile;
+    /// Where it takes steps of its own: runs it, and tells each smooth part of the way. Else null.
+    std::function<void(State &, const LapVisit &)> runByLaps;
     /// The numbers behind what the phase did to `point`, given the states around it.
     std::function<std::vector<Live>(const State &before, const State &after, int point)> explain;
 };

@@ -343,6 +343,12 @@ void Track::setBudget(std::size_t budget)
     thin();
 }
 
+State Track::begunAfter(State end, std::int64_t frame) const
+{
+    begin(end, frame + rowFrames());
+    return end;
+}
+
 State Track::preview(std::shared_ptr<const Segment> &segment) const
 {
     State state = m_now;

@@ -98,6 +98,8 @@ public:
     void setBudget(std::size_t budget);
     /// The state at the end of row `frame`, which was computed before.
     State stateAt(std::int64_t frame) const { return *rowState(frame, {}); }
+    /// `end`, the state at the end of row `frame`, after the input that the next row begins with.
+    State begunAfter(State end, std::int64_t frame) const;
     /// The segment that it belongs to.
     std::shared_ptr<const Segment> segmentAt(std::int64_t frame) const { return segmentFor(frame); }
     std::size_t keptBytes() const { return m_keptBytes; }

@@ -1,5 +1,7 @@
 #include "app/model/course.h"
 
+#include "app/model/same_run.h"
+
 #include <QElapsedTimer>
 
 #include <cmath>
@@ -9,23 +11,6 @@ namespace app {
 namespace {
 
 constexpr qint64 sliceMilliseconds = 4;
-
-bool sameRun(const sim::Script &a, const sim::Script &b)
-{
-    return a.method == b.method && a.step == b.step && a.values == b.values && a.bodies == b.bodies &&
-           a.effectsOff == b.effectsOff;
-}
-
-sim::Script withoutInput(const sim::Script &script)
-{
-    sim::Script plain;
-    plain.values = script.values;
-    plain.bodies = script.bodies;
-    plain.effectsOff = script.effectsOff;
-    plain.method = script.method;
-    plain.step = script.step;
-    return plain;
-}
 
 }
 

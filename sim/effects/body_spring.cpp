@@ -21,6 +21,18 @@ bool BodySpring::addSlopes(const State &state, Points movers, double scale, Dire
     return true;
 }
 
+std::optional<double> BodySpring::energy(const State &state) const
+{
+    return m_links.stored(state, [&](const Link &link) {
+        return springEnergy(state.at(link.anchor) - state.at(link.mover), m_k);
+    });
+}
+
+bool BodySpring::balances(const State &state) const
+{
+    return m_links.balance(state);
+}
+
 std::vector<Live> BodySpring::explain(const State &state, int mover, Directions) const
 {
     return explainLinks(m_links, state, mover, [&](const Link &link) -> std::vector<Live> {

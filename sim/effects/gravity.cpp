@@ -39,6 +39,17 @@ bool Gravity::addSlopes(const State &, Points, double, Directions, Slopes &) con
     return true; // the same everywhere
 }
 
+/// Of what lies higher there is more: y points down, and y = 0 counts as 0.
+std::optional<double> Gravity::energy(const State &state) const
+{
+    double sum = 0.0;
+    for (int i = 0; i < state.points(); ++i) {
+        if (state.feels(i))
+            sum -= fall(m_gravity).y * state.position(i, 1) / state.inverseMass[i];
+    }
+    return sum;
+}
+
 std::vector<Live> Gravity::explain(const State &state, int mover, Directions) const
 {
     if (!state.feels(mover))

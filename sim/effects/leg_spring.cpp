@@ -109,6 +109,27 @@ bool LegSpring::addSlopes(const State &state, Points movers, double scale, Direc
     return true;
 }
 
+/// Where the clock turns a leg it lifts what the leg has stored, too: that is the clock's work.
+std::optional<double> LegSpring::energy(const State &state) const
+{
+    double sum = 0.0;
+    for (const Leg &leg : m_legs) {
+        if (!state.feels(leg.foot) && !bodyFeels(state, leg))
+            continue;
+        const bool oneWay = state.feels(leg.foot) && state.feels(leg.body) && !bodyFeels(state, leg);
+        if (oneWay)
+            return {};
+        sum += springEnergy(targetOf(state, leg) - state.at(leg.foot), m_rule.k);
+    }
+    return sum;
+}
+
+bool LegSpring::balances(const State &state) const
+{
+    return std::all_of(m_legs.begin(), m_legs.end(),
+                       [&](const Leg &leg) { return state.feels(leg.foot) && bodyFeels(state, leg); });
+}
+
 std::vector<Live> LegSpring::explainFoot(const State &state, const Leg &leg) const
 {
     std::vector<Live> live;

@@ -4,6 +4,8 @@
 #include "sim/effects/slope.h"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace sim {
@@ -23,6 +25,16 @@ public:
     {
         std::stable_sort(m_links.begin(), m_links.end(),
                          [](const Link &a, const Link &b) { return a.mover < b.mover; });
+        std::vector<std::pair<int, int>> ends;
+        for (const Link &link : m_links)
+            ends.emplace_back(link.mover, link.anchor);
+        std::sort(ends.begin(), ends.end());
+        const auto many = [&](int mover, int anchor) {
+            const auto found = std::equal_range(ends.begin(), ends.end(), std::pair(mover, anchor));
+            return found.second - found.first;
+        };
+        for (const Link &link : m_links)
+            m_answered.push_back(many(link.mover, link.anchor) == many(link.anchor, link.mover));
     }
 
     /// Calls `visit(link)` for each link whose mover is in `movers` and feels forces.
@@ -44,8 +56,44 @@ public:
         return total;
     }
 
+    /// The sum of what links have stored where `potential(link)` is that of one. A pair that pulls both ways stores it
+    /// once. Empty where a link pulls one end only of two that can feel: it has no potential.
+    template <class Potential>
+    std::optional<double> stored(const State &state, Potential &&potential) const
+    {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < m_links.size(); ++i) {
+            const Link &link = m_links[i];
+            if (!state.feels(link.mover))
+                continue;
+            if (state.feels(link.anchor) && !m_answered[i])
+                return {};
+            sum += (state.feels(link.anchor) ? 0.5 : 1.0) * potential(link);
+        }
+        return sum;
+    }
+
+    /// Whether no link that is felt leads to what can feel.
+    bool areTied(const State &state) const
+    {
+        return std::none_of(m_links.begin(), m_links.end(), [&](const Link &link) {
+            return state.feels(link.mover) && state.feels(link.anchor);
+        });
+    }
+
+    /// Whether every link that is felt has another that pulls back as much.
+    bool balance(const State &state) const
+    {
+        for (std::size_t i = 0; i < m_links.size(); ++i) {
+            if (state.feels(m_links[i].mover) && !(state.feels(m_links[i].anchor) && m_answered[i]))
+                return false;
+        }
+        return true;
+    }
+
 private:
     std::vector<Link> m_links;
+    std::vector<char> m_answered; ///< whether as many links go the other way, one entry a link
 };
 
 /// Adds `scale * pull(link)` for each link of `movers`, link after link: the batch loop of every force between

@@ -23,6 +23,15 @@ bool OffsetSpring::addSlopes(const State &state, Points movers, double scale, Di
     return true;
 }
 
+std::optional<double> OffsetSpring::energy(const State &state) const
+{
+    if (!m_links.areTied(state))
+        return {}; // to and fro, both are pulled to the right
+    return m_links.stored(state, [&](const Link &link) {
+        return springEnergy(offsetTarget(state.at(link.anchor), m_offset) - state.at(link.mover), m_k);
+    });
+}
+
 std::vector<Live> OffsetSpring::explain(const State &state, int mover, Directions) const
 {
     return explainLinks(m_links, state, mover, [&](const Link &link) -> std::vector<Live> {

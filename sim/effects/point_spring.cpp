@@ -32,6 +32,11 @@ bool PointSpring::addSlopes(const State &state, Points movers, double scale, Dir
     return true;
 }
 
+std::optional<double> PointSpring::energy(const State &state) const
+{
+    return state.feels(m_mover) ? springEnergy(m_centre - state.at(m_mover), m_k) : 0.0;
+}
+
 std::vector<Live> PointSpring::explain(const State &state, int mover, Directions) const
 {
     if (count(state, {mover, 1}) == 0)

@@ -80,6 +80,26 @@ bool Push::addSlopes(const State &state, Points movers, double scale, Directions
     return true;
 }
 
+std::optional<double> Push::energy(const State &state) const
+{
+    double sum = 0.0;
+    bool oneWay = false;
+    forEach(state, {0, state.points()}, [&](int one, int other) {
+        oneWay = oneWay || (m_reaction == Reaction::none && state.feels(other));
+        const double missing = std::max(0.0, m_distance - length(state.at(one) - state.at(other)));
+        sum += 0.5 * m_k * missing * missing;
+    });
+    return oneWay ? std::nullopt : std::optional(sum);
+}
+
+bool Push::balances(const State &state) const
+{
+    bool all = m_reaction == Reaction::equal;
+    forEach(state, {0, state.points()},
+            [&](int one, int other) { all = all && state.feels(one) && state.feels(other); });
+    return all;
+}
+
 std::vector<Live> Push::explain(const State &state, int mover, Directions directions) const
 {
     Vec2 sum;

@@ -54,6 +54,8 @@ public:
              Eigen::ArrayX2d &into) const override;
     bool addSlopes(const State &state, Points movers, double scale, Directions directions,
                    Slopes &into) const override;
+    std::optional<double> energy(const State &state) const override;
+    bool balances(const State &state) const override;
     std::vector<Live> explain(const State &state, int mover, Directions directions) const override;
 
 private:

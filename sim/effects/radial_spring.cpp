@@ -33,6 +33,19 @@ bool RadialSpring::addSlopes(const State &state, Points movers, double scale, Di
     return true;
 }
 
+std::optional<double> RadialSpring::energy(const State &state) const
+{
+    return m_links.stored(state, [&](const Link &link) {
+        const double stretch = length(state.at(link.mover) - state.at(link.anchor)) - m_radius;
+        return 0.5 * m_k * stretch * stretch;
+    });
+}
+
+bool RadialSpring::balances(const State &state) const
+{
+    return m_links.balance(state);
+}
+
 std::vector<Live> RadialSpring::explain(const State &state, int mover, Directions directions) const
 {
     return explainLinks(m_links, state, mover, [&](const Link &link) {

@@ -103,6 +103,8 @@ public:
     int count(const State &state, Points points) const override;
     void add(const State &state, Points movers, double scale, Eigen::ArrayXd &into) const override;
     bool addSlopes(const State &state, Points movers, double scale, Slopes &into) const override;
+    std::optional<double> energy(const State &state) const override { return springEnergy(state); }
+    Eigen::ArrayXd inertia() const override { return m_limbs.inertia; }
     std::vector<Live> explain(const State &state, int mover) const override;
 
     const Limbs &limbs() const { return m_limbs; }

@@ -66,6 +66,7 @@ public:
     /// A branch is pushed where it ends, so what it is pushed by depends on the angles of all branches below it, too:
     /// down to the trunk, or to one that a hand holds. The places of the origins follow from the angles (Joints).
     bool addSlopes(const State &state, Points movers, double scale, Slopes &into) const override;
+    Eigen::ArrayXd inertia() const override { return m_inertia; }
     std::vector<Live> explain(const State &state, int mover) const override;
 
 private:

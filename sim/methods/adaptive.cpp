@@ -55,6 +55,7 @@ std::vector<Phase> Adaptive::phases(const Scene &scene, StepSize size) const
     phase.title = SIM_TEXT("steps of its own");
     phase.points = {0, scene.start.points()};
     phase.moves = true;
+    phase.integrates = true;
     phase.within = course->effects();
     phase.regions = {{"sim/methods/advance.cpp", "try_step"},
                      {"sim/methods/advance.cpp", "next_step"},
@@ -67,6 +68,9 @@ std::vector<Phase> Adaptive::phases(const Scene &scene, StepSize size) const
     phase.run = [course](State &state) { Advance(*course, state).toNextFrame([] { return true; }); };
     phase.runWhile = [course](State &state, const GoesOn &goesOn) {
         return Advance(*course, state).toNextFrame(goesOn);
+    };
+    phase.runByLaps = [course](State &state, const LapVisit &visit) {
+        Advance(*course, state).toNextFrame([] { return true; }, visit);
     };
     phase.explain = [](const State &before, const State &after, int point) {
         std::vector<Live> live = changeOf(before, after, point);

@@ -142,8 +142,12 @@ void Advance::begin()
     }
     m_state.ahead.from = m_state.ahead.to = 0.0;
     m_state.resting.setZero();
+    const Eigen::ArrayXd place = Eigen::Map<Eigen::ArrayXd>(endPlace(), m_visit ? m_size : 0);
+    const Eigen::ArrayXd speed = Eigen::Map<Eigen::ArrayXd>(endSpeed(), m_visit ? m_size : 0);
     bounce();
     settle();
+    if (m_visit)
+        tellBegun(place, speed);
     if (m_state.ahead.next > 0.0)
         return;
     // A guess; the first error estimate puts it right.
@@ -205,10 +209,12 @@ void Advance::accept(const Attempt &step)
     std::copy_n(step.endSlope, m_size, endSlope());
     const bool readsFrame = step.start < 1.0 && ahead.to > 1.0;
     const bool meets = mayMeet();
-    if (readsFrame || meets)
+    if (readsFrame || meets || m_visit)
         m_course.rule.makeDense(step);
     if (meets)
         end(step.start, step.h);
+    if (m_visit)
+        tell(step.start);
 }
 
 Advance::Moving Advance::dense(int point, double h, double theta) const

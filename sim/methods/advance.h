@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/lap.h"
 #include "sim/method.h"
 #include "sim/methods/step_rule.h"
 
@@ -31,6 +32,8 @@ public:
     Advance(const Course &course, State &state);
     /// Returns whether it has got there or has given up; if not, `goesOn` said no on the way.
     bool toNextFrame(const GoesOn &goesOn);
+    /// The same; tells each step as it is done, up to the frame.
+    bool toNextFrame(const GoesOn &goesOn, const LapVisit &visit);
 
 private:
     /// From a state that holds no step: puts what is past a surface onto it.
@@ -60,6 +63,9 @@ private:
     static bool isLeftOff(int tries, const GoesOn &goesOn);
     /// Notes in the state that its steps lead no further.
     void giveUp();
+    /// Tells the visitor of the step that `ahead` describes, from `start` on.
+    void tell(double start) const;
+    void tellBegun(const Eigen::ArrayXd &place, const Eigen::ArrayXd &speed) const;
 
     Vec2 at(const double *numbers, int point) const { return {numbers[point], numbers[m_points + point]}; }
     void put(double *numbers, int point, Vec2 value) const
@@ -96,6 +102,7 @@ private:
     int m_lifted = -1; ///< the point that has just been pulled off: rounding may not put it back
     std::vector<StageWeights> *m_weights; ///< one a stretch
     NystromWeights *m_nystrom;
+    const LapVisit *m_visit = nullptr; ///< who is told of steps; null: nobody
 };
 
 }

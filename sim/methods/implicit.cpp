@@ -106,6 +106,7 @@ Phase Implicit::solving(const Scene &scene, double h) const
     phase.title = SIM_TEXT("solve for the new place");
     phase.points = everything(scene);
     phase.moves = true;
+    phase.integrates = true;
     phase.regions = {shown(), {"sim/methods/newton.cpp", "newton"}};
     const auto equations = std::make_shared<const Equations>(scene, directions());
     for (const EffectPtr &effect : equations->flow().effects()) {

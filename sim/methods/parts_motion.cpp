@@ -35,6 +35,7 @@ void PhaseList::kick(const Share &share, double part)
     if (!anyForce || runs.empty())
         return;
     Phase phase = ownPhase("kick", half(part, SIM_TEXT("kick"), SIM_TEXT("half kick")), share);
+    phase.kicks = part * m_h;
     phase.run = [runs, h = part * m_h](State &state) {
         forEachFree(state, runs, [&](int i) {
             const Vec2 a = {state.acceleration(i, 0), state.acceleration(i, 1)};
@@ -50,6 +51,7 @@ void PhaseList::kick(const Share &share, double part)
 void PhaseList::kickSpins(const Share &share, double part)
 {
     Phase phase = ownPhase("kick_spin", half(part, SIM_TEXT("kick"), SIM_TEXT("half kick")), share);
+    phase.kicks = part * m_h;
     phase.run = [runs = inert(share.points), h = part * m_h](State &state) {
         forEachFree(state, runs,
                     [&](int i) { state.spin[i] = kickSpin(state.spin[i], state.turning[i], h); });

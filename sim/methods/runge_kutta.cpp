@@ -155,6 +155,7 @@ Phase stagePhase(const char *id, const char *title, const Scene &scene, const ch
     phase.regions = {
         {here, "trial_place"}, {here, "step_end"}, {here, tableau}, {"sim/methods/tableau.h", "blend"}};
     phase.moves = true;
+    phase.integrates = true;
     phase.explain = [](const State &before, const State &after, int point) {
         return changeOf(before, after, point);
     };

@@ -168,6 +168,10 @@ void MainWindow::makeViewActions()
     };
     toggle(tr("&Lessons"), "Ctrl+1", {m_left})->setObjectName("showLessons");
     toggle(tr("&Code and parameters"), "Ctrl+2", {m_codeDock, m_parameterDock})->setObjectName("showCode");
+    QAction *energy = toggle(tr("&Energy"), "Ctrl+3", {m_energyDock});
+    energy->setChecked(false);
+    energy->setToolTip(tr("Where energy and momentum went, below the picture (Ctrl+3)"));
+    energy->setObjectName("showEnergy");
     m_dark = add(tr("&Dark"), {QKeySequence("Ctrl+Shift+D")}, window, [this](bool dark) {
         m_theme.setScheme(dark ? Scheme::dark : Scheme::light);
         QSettings().setValue("window/dark", dark);

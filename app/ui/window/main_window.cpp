@@ -3,6 +3,7 @@
 #include "app/model/course.h"
 #include "app/model/sentences.h"
 #include "app/ui/code/code_panel.h"
+#include "app/ui/energy/energy_panel.h"
 #include "app/ui/measure/accuracy_panel.h"
 #include "app/ui/panels/dock_title.h"
 #include "app/ui/panels/help_page.h"
@@ -120,6 +121,9 @@ void MainWindow::makeDocks()
     m_accuracy = new AccuracyPanel(*m_study, m_theme, this);
     m_accuracyDock = dock("accuracy", new QWidget(this), m_accuracy, Qt::RightDockWidgetArea);
     m_accuracyDock->hide();
+    m_energy = new EnergyPanel(m_session, m_theme, this);
+    m_energyDock = dock("energy", new QWidget(this), m_energy, Qt::BottomDockWidgetArea);
+    m_energyDock->hide();
 
     m_code = new CodePanel(m_session, m_theme, this);
     auto *codeTitle = new DockTitle(tr("Code"), m_theme, this);
@@ -267,6 +271,7 @@ void MainWindow::restore()
         resize(1280, 800);
     m_docksKnown = restoreState(settings.value("window/docks").toByteArray());
     m_accuracyDock->hide(); // the window opens for learning
+    m_energyDock->hide();
 }
 
 void MainWindow::showEvent(QShowEvent *event)

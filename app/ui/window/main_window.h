@@ -17,6 +17,7 @@ namespace app {
 class AccuracyPanel;
 class CodePanel;
 class Course;
+class EnergyPanel;
 class FootfallStrip;
 class HelpPage;
 class LearnPanel;
@@ -43,6 +44,8 @@ public:
     void setMode(Mode mode);
     Mode mode() const { return m_mode; }
     const AccuracyStudy &study() const { return *m_study; }
+    /// Whether the ledger of energy is seen, below the picture.
+    void showEnergy(bool shown);
 
     /// Opens an experiment file. A file that is refused is named with the reason, and nothing changes.
     void openFile(const QString &path);
@@ -113,8 +116,10 @@ private:
     Notice *m_notice = nullptr;
     HelpPage *m_helpPage = nullptr;
     AccuracyPanel *m_accuracy = nullptr;
+    EnergyPanel *m_energy = nullptr;
     QDockWidget *m_left = nullptr;
     QDockWidget *m_accuracyDock = nullptr;
+    QDockWidget *m_energyDock = nullptr;
     QDockWidget *m_codeDock = nullptr;
     QDockWidget *m_parameterDock = nullptr;
     QLabel *m_status = nullptr;

@@ -77,13 +77,20 @@ void MainWindow::setMode(Mode mode)
     fitParameters();
 }
 
+void MainWindow::showEnergy(bool shown)
+{
+    m_energyDock->setVisible(shown);
+}
+
 void MainWindow::arrangeForMeasuring()
 {
     m_accuracyDock->show();
     if (width() >= wide) {
+        m_energyDock->show();
         splitDockWidget(m_accuracyDock, m_codeDock, Qt::Horizontal);
         splitDockWidget(m_codeDock, m_parameterDock, Qt::Vertical);
         resizeDocks({m_left, m_accuracyDock, m_codeDock}, {272, 616, 371}, Qt::Horizontal);
+        resizeDocks({m_energyDock}, {300}, Qt::Vertical);
         return;
     }
     m_left->hide();

@@ -1,0 +1,131 @@
+#include "app/model/energy_course.h"
+
+#include "app/model/same_run.h"
+
+#include <QElapsedTimer>
+
+namespace app {
+
+namespace {
+
+constexpr qint64 sliceMilliseconds = 4;
+constexpr std::int64_t rowsBefore = 500; ///< of the cursor, from which a run is counted that is far ahead
+
+}
+
+EnergyCourse::EnergyCourse(Session &session, QObject *parent) : QObject(parent), m_session(session)
+{
+    m_later.setSingleShot(true);
+    m_later.setInterval(0);
+    connect(&m_later, &QTimer::timeout, this, &EnergyCourse::fill);
+    connect(&session, &Session::stepOpened, this, &EnergyCourse::restart);
+    connect(&session, &Session::runChanged, this, &EnergyCourse::dropChanged);
+    connect(&session, &Session::moved, this, &EnergyCourse::fill);
+}
+
+void EnergyCourse::setWatched(bool watched)
+{
+    m_watched = watched;
+    if (!watched)
+        m_later.stop();
+    else if (m_stale)
+        restart();
+    else
+        fill();
+}
+
+const sim::Balance *EnergyCourse::at(std::int64_t frame) const
+{
+    const std::int64_t row = (frame - m_first) / m_rowFrames;
+    if (frame < m_first || row >= static_cast<std::int64_t>(m_balances.size()))
+        return nullptr;
+    return &m_balances[static_cast<std::size_t>(row)];
+}
+
+void EnergyCourse::restartAt(std::int64_t frame)
+{
+    m_balances.clear();
+    m_ledger = {};
+    m_stale = !m_watched;
+    if (m_stale)
+        return;
+    m_start = m_first = frame;
+    const sim::Timeline &timeline = m_session.timeline();
+    m_rowFrames = timeline.track().rowFrames();
+    m_script = withoutInput(timeline.script());
+    const std::shared_ptr<const sim::Segment> segment = timeline.track().segmentAt(frame);
+    m_whyNot = sim::Meter::whyNot(segment->scene);
+    if (!m_whyNot) {
+        sim::Balance nothing;
+        nothing.before = nothing.after = sim::Meter(segment->scene).read(timeline.track().stateAt(frame));
+        m_balances.push_back(nothing);
+    }
+    emit changed();
+    fill();
+}
+
+void EnergyCourse::dropChanged()
+{
+    if (!m_watched) {
+        m_stale = true;
+        return;
+    }
+    const sim::Timeline &timeline = m_session.timeline();
+    if (!sameRun(m_script, timeline.script()) || timeline.at().frame < m_first) {
+        restart();
+        return;
+    }
+    // A change of input concerns the rows after the cursor.
+    if (last() > timeline.at().frame) {
+        m_balances.resize(static_cast<std::size_t>((timeline.at().frame - m_first) / m_rowFrames + 1));
+        emit changed();
+    }
+    fill();
+}
+
+void EnergyCourse::fill()
+{
+    if (!m_watched || m_whyNot)
+        return;
+    const sim::Timeline &timeline = m_session.timeline();
+    const std::int64_t cursor = timeline.at().frame;
+    if (cursor < m_first) {
+        restart();
+        return;
+    }
+    if (cursor - last() > mostAhead * m_rowFrames) {
+        restartAt(std::max<std::int64_t>(0, cursor - rowsBefore * m_rowFrames));
+        return;
+    }
+    QElapsedTimer clock;
+    clock.start();
+    bool any = false;
+    while (!m_whyNot && last() < timeline.computed() && (!any || clock.elapsed() < sliceMilliseconds)) {
+        countNext();
+        any = true;
+    }
+    if (!m_whyNot && last() < timeline.computed())
+        m_later.start();
+    if (any)
+        emit changed();
+}
+
+void EnergyCourse::countNext()
+{
+    const sim::Track &track = m_session.timeline().track();
+    const std::int64_t frame = last() + m_rowFrames;
+    const std::optional<sim::Balance> row = m_ledger.row(track, frame);
+    if (!row) { // a number has changed the scene so that it has none
+        m_whyNot = sim::Meter::whyNot(track.segmentAt(frame)->scene);
+        m_balances.clear();
+        return;
+    }
+    m_balances.push_back(m_balances.back());
+    m_balances.back().append(*row);
+    if (m_balances.size() > mostRows) {
+        m_balances.pop_front();
+        m_first += m_rowFrames;
+    }
+}
+
+}

@@ -1,0 +1,174 @@
+#include "app/ui/energy/energy_panel.h"
+
+#include "app/ui/energy/energy_list.h"
+#include "app/ui/energy/energy_plot.h"
+#include "app/ui/panels/panel_title.h"
+
+#include <QButtonGroup>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QStackedWidget>
+#include <QToolButton>
+
+namespace app {
+
+namespace {
+
+constexpr int refreshMilliseconds = 100; ///< while playing: numbers that change faster cannot be read
+constexpr int listWidth = 276;
+
+}
+
+EnergyPanel::EnergyPanel(Session &session, const Theme &theme, QWidget *parent)
+    : QWidget(parent), m_session(session), m_course(session),
+      m_title(new PanelTitle(tr("Energy"), PanelTitle::CaptionPlace::besideTitle, theme, this)),
+      m_pages(new QStackedWidget(this))
+{
+    setObjectName("panel");
+    setAttribute(Qt::WA_StyledBackground);
+    m_plot = new EnergyPlot(session, m_course, theme, m_pages);
+    m_list = new EnergyList(theme, m_pages);
+    m_ledger = ledger();
+    m_reason = new QLabel(m_pages);
+    m_reason->setWordWrap(true);
+    m_reason->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    m_reason->setContentsMargins(16, 4, 16, 8);
+    m_pages->addWidget(m_ledger);
+    m_pages->addWidget(m_reason);
+    m_title->addAction(tabs());
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 4);
+    column->setSpacing(0);
+    column->addWidget(m_title);
+    column->addWidget(m_pages, 1);
+    m_later.setSingleShot(true);
+    connect(&m_later, &QTimer::timeout, this, &EnergyPanel::refreshNow);
+    connect(&m_course, &EnergyCourse::changed, this, &EnergyPanel::refresh);
+    connect(&session, &Session::moved, this, &EnergyPanel::refresh);
+    connect(&session, &Session::playingChanged, this, &EnergyPanel::refresh);
+    connect(&theme, &Theme::changed, this, &EnergyPanel::refresh);
+}
+
+QWidget *EnergyPanel::ledger()
+{
+    auto *page = new QWidget(m_pages);
+    auto *side = new QWidget(page);
+    side->setFixedWidth(listWidth);
+    m_unit = new QLabel(side);
+    m_unit->setObjectName("caption");
+    m_unit->setContentsMargins(31, 2, 12, 2);
+    auto *column = new QVBoxLayout(side);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(m_list, 1);
+    column->addWidget(m_unit);
+    auto *row = new QHBoxLayout(page);
+    row->setContentsMargins(8, 0, 4, 0);
+    row->setSpacing(4);
+    row->addWidget(m_plot, 1);
+    row->addWidget(side);
+    return page;
+}
+
+QWidget *EnergyPanel::tabs()
+{
+    auto *row = new QWidget(this);
+    auto *layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(2);
+    auto *group = new QButtonGroup(row);
+    const std::pair<QString, QString> all[] = {
+        {tr("Energy"), tr("Where energy is, and where it went")},
+        {tr("Momentum"), tr("Mass × velocity of everything together, and what changed it")}};
+    for (const auto &[text, tip] : all) {
+        auto *button = new QToolButton(row);
+        button->setObjectName("tab");
+        button->setText(text);
+        button->setToolTip(tip);
+        button->setCheckable(true);
+        button->setFocusPolicy(Qt::TabFocus);
+        button->setChecked(m_tabs.empty());
+        group->addButton(button, static_cast<int>(m_tabs.size()));
+        layout->addWidget(button);
+        m_tabs.push_back(button);
+    }
+    connect(group, &QButtonGroup::idClicked, this, [this](int id) { setView(static_cast<View>(id)); });
+    return row;
+}
+
+void EnergyPanel::setView(View view)
+{
+    m_view = view;
+    m_tabs[view]->setChecked(true);
+    m_plot->setShows(view == energy ? EnergyPlot::Shows::energy : EnergyPlot::Shows::momentum);
+    refreshNow();
+}
+
+QString EnergyPanel::reason() const
+{
+    return m_pages->currentWidget() == m_reason ? m_reason->text() : QString();
+}
+
+const std::vector<EnergyLine> &EnergyPanel::lines() const
+{
+    return m_list->lines();
+}
+
+QString EnergyPanel::unit() const
+{
+    const bool turns = m_session.timeline().now().spin.rows() > 0;
+    return m_view == energy ? energyUnit(turns) : momentumUnit();
+}
+
+void EnergyPanel::refresh()
+{
+    if (!isVisible())
+        return;
+    if (!m_session.isPlaying() || !m_sinceRefresh.isValid() || m_sinceRefresh.hasExpired(refreshMilliseconds))
+        refreshNow();
+    else if (!m_later.isActive())
+        m_later.start(refreshMilliseconds - static_cast<int>(m_sinceRefresh.elapsed()));
+}
+
+void EnergyPanel::refreshNow()
+{
+    if (!isVisible())
+        return;
+    m_later.stop();
+    m_sinceRefresh.start();
+    const std::optional<sim::NoEnergy> whyNot = m_course.whyNot();
+    const bool turns = m_session.timeline().now().spin.rows() > 0;
+    const bool isAboutTurning = !whyNot && turns && m_view == momentum;
+    m_pages->setCurrentWidget(whyNot || isAboutTurning ? m_reason : m_ledger);
+    if (whyNot || isAboutTurning) {
+        m_title->setCaption({});
+        m_reason->setText(whyNot ? noEnergyWords(*whyNot)
+                                 : tr("Everything here turns in place, held by the ground: only what goes "
+                                      "somewhere has momentum to count."));
+        return;
+    }
+    const EnergyLines lines(m_course);
+    const std::int64_t frame = m_session.timeline().at().frame;
+    m_title->setCaption(m_course.at(frame)
+                            ? tr("where it went, frame %1 to %2").arg(m_course.start()).arg(frame)
+                            : tr("counting…"));
+    m_unit->setText(unit());
+    m_list->setLines(m_view == energy ? lines.energyAt(frame) : lines.momentumAt(frame), unit());
+    m_plot->refresh(lines);
+}
+
+void EnergyPanel::showEvent(QShowEvent *event)
+{
+    QWidget::showEvent(event);
+    m_course.setWatched(true);
+    refreshNow();
+}
+
+void EnergyPanel::hideEvent(QHideEvent *event)
+{
+    QWidget::hideEvent(event);
+    m_course.setWatched(false);
+    m_later.stop();
+}
+
+}

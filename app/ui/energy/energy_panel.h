@@ -1,0 +1,66 @@
+#pragma once
+
+#include "app/model/energy_lines.h"
+#include "app/ui/theme/theme.h"
+
+#include <QElapsedTimer>
+#include <QWidget>
+
+class QLabel;
+class QStackedWidget;
+class QToolButton;
+
+namespace app {
+
+class EnergyList;
+class EnergyPlot;
+class PanelTitle;
+
+/// Where energy and momentum went: a plot of the last frames, and the ledger at the cursor. Counts only while it is
+/// seen.
+class EnergyPanel : public QWidget
+{
+    Q_OBJECT
+
+public:
+    EnergyPanel(Session &session, const Theme &theme, QWidget *parent = nullptr);
+
+    enum View { energy, momentum };
+    void setView(View view);
+    View view() const { return m_view; }
+    /// What is said in place of a ledger; empty where there is one.
+    QString reason() const;
+    const std::vector<EnergyLine> &lines() const;
+    const EnergyCourse &course() const { return m_course; }
+    EnergyPlot &plot() const { return *m_plot; }
+
+    QSize sizeHint() const override { return {660, 290}; }
+    QSize minimumSizeHint() const override { return {420, 190}; }
+
+protected:
+    void showEvent(QShowEvent *event) override;
+    void hideEvent(QHideEvent *event) override;
+
+private:
+    QWidget *tabs();
+    QWidget *ledger();
+    void refresh();
+    void refreshNow();
+    QString unit() const;
+
+    Session &m_session;
+    EnergyCourse m_course;
+    View m_view = energy;
+    PanelTitle *m_title;
+    QStackedWidget *m_pages;
+    QWidget *m_ledger = nullptr;
+    QLabel *m_reason = nullptr;
+    EnergyPlot *m_plot = nullptr;
+    EnergyList *m_list = nullptr;
+    QLabel *m_unit = nullptr;
+    std::vector<QToolButton *> m_tabs;
+    QElapsedTimer m_sinceRefresh;
+    QTimer m_later;
+};
+
+}

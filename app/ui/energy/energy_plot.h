@@ -1,0 +1,62 @@
+#pragma once
+
+#include "app/model/energy_lines.h"
+#include "app/ui/theme/theme.h"
+
+#include <qcustomplot.h>
+
+namespace app {
+
+/// Energy, or momentum, over the last frames, with the cursor in it. Of energy: what there is and what was lost, piled
+/// up, up to what was there and came in; the gap between the two is the drift. Of momentum: its parts to the right and
+/// down, and of each what is drift. A press goes to a frame.
+class EnergyPlot : public QCustomPlot
+{
+    Q_OBJECT
+
+public:
+    enum class Shows { energy, momentum };
+    static constexpr std::int64_t shownRows = 240;
+
+    EnergyPlot(Session &session, const EnergyCourse &course, const Theme &theme, QWidget *parent = nullptr);
+
+    void setShows(Shows what);
+    /// Draws what is counted now.
+    void refresh(const EnergyLines &lines);
+    /// The frame at a place of the widget.
+    std::int64_t frameAt(double x) const;
+
+    /// The heights of the pile at a frame, from the ground up: springs, height, motion, what damping took, what impacts
+    /// took; and how high it should be.
+    struct Pile
+    {
+        std::array<double, 5> tops{};
+        double given = 0.0;
+    };
+    static Pile pileOf(const sim::Balance &balance, double lowest);
+
+    QSize minimumSizeHint() const override { return {140, 120}; }
+    QSize sizeHint() const override { return {360, 240}; }
+
+protected:
+    void mousePressEvent(QMouseEvent *event) override;
+    void mouseMoveEvent(QMouseEvent *event) override;
+
+private:
+    void dress();
+    void dressEnergy();
+    void dressMomentum();
+    void drawEnergy(std::int64_t first, std::int64_t last, double lowest);
+    void drawMomentum(std::int64_t first, std::int64_t last);
+    QCPGraph *line(const QPen &pen);
+
+    Session &m_session;
+    const EnergyCourse &m_course;
+    const Theme &m_theme;
+    Shows m_shows = Shows::energy;
+    std::vector<QCPGraph *> m_lines;
+    std::vector<QCPItemText *> m_names;
+    QCPItemStraightLine *m_cursor;
+};
+
+}

@@ -1,0 +1,564 @@
+// Where energy and momentum go: each account against a closed form, and what is left against the method's order.
+
+#include "implicit_scenes.h"
+#include "support.h"
+
+#include "sim/effects/body_spring.h"
+#include "sim/effects/damping.h"
+#include "sim/effects/gravity.h"
+#include "sim/effects/point_spring.h"
+#include "sim/effects/push.h"
+#include "sim/effects/radial_spring.h"
+#include "sim/effects/sticks.h"
+#include "sim/effects/walls.h"
+#include "sim/energy/integrals.h"
+#include "sim/energy/ledger.h"
+#include "sim/methods/methods.h"
+
+#include <QTest>
+
+#include <complex>
+
+using namespace sim;
+using implicit_scenes::oscillator;
+using implicit_scenes::SmoothScene;
+using implicit_scenes::smoothScenes;
+using std::make_shared;
+
+namespace {
+
+struct Run
+{
+    Balance sum;
+    double drifted = 0.0; ///< the energy's drift, each row's counted as it is without its sign
+};
+
+Run accounted(const Script &script, int frames)
+{
+    Track track(script, Timeline::defaultBudget);
+    track.seek({frames, 0});
+    Ledger ledger;
+    Run run;
+    for (std::int64_t frame = track.rowFrames(); frame <= frames; frame += track.rowFrames()) {
+        const Balance row = ledger.row(track, frame).value();
+        if (frame == track.rowFrames())
+            run.sum.before = row.before;
+        run.sum.append(row);
+        run.drifted += std::abs(row.energy[Account::drift]);
+    }
+    return run;
+}
+
+Balance balanceOf(const Script &script, int frames)
+{
+    return accounted(script, frames).sum;
+}
+
+Script scriptOf(const Scene &scene, const std::string &method, double h)
+{
+    Script script = support::script(scene, method);
+    script.step = support::stepFor(*findMethod(method), h);
+    return script;
+}
+
+/// A point of mass `mass` at (100, 50), at rest.
+Scene lone(double mass)
+{
+    Scene scene;
+    scene.start = State::ofPoints(1);
+    scene.start.place(0, {100.0, 50.0});
+    scene.start.inverseMass[0] = 1.0 / mass;
+    scene.names = {"foot"};
+    scene.groups = {{"foot", {0, 1}}};
+    return scene;
+}
+
+/// Two points that move one after the other in `published`, 60 px apart, on a spring of 50 px and stiffness k.
+Scene pairOf(double k)
+{
+    Scene scene = support::pointsOf(1);
+    scene.start.place(0, {240.0, 200.0});
+    scene.start.place(1, {300.0, 210.0});
+    scene.start.push(0, {1.0, -2.0});
+    scene.effects = {make_shared<RadialSpring>(std::vector<Link>{{0, 1}, {1, 0}}, k, 50.0)};
+    return scene;
+}
+
+double lengthOf(Vec2 a)
+{
+    return length(a);
+}
+
+}
+
+class TestEnergyLedger : public QObject
+{
+    Q_OBJECT
+
+private:
+    static void addMethods(bool (*wanted)(const Method &))
+    {
+        QTest::addColumn<QString>("method");
+        for (const MethodPtr &method : allMethods()) {
+            if (wanted(*method))
+                QTest::newRow(method->id().c_str()) << QString::fromStdString(method->id());
+        }
+    }
+    static bool every(const Method &) { return true; }
+    static bool takesAllAtOnce(const Method &method) { return method.id() != "published"; }
+
+private slots:
+    /// v = n g h after n steps. A step of h moves by a mean velocity that is g h / 2 too much or too little in the
+    /// Euler methods, which costs m g^2 h^2 / 2 each; the others fall exactly.
+    void aBodyThatFallsTurnsHeightIntoMotion_data() { addMethods(every); }
+    void aBodyThatFallsTurnsHeightIntoMotion()
+    {
+        QFETCH(QString, method);
+        constexpr double g = 0.5, mass = 3.0, h = 0.25;
+        constexpr int frames = 12;
+        Scene scene = lone(mass);
+        scene.effects = {make_shared<Gravity>(g)};
+        const Balance balance = balanceOf(scriptOf(scene, method.toStdString(), h), frames);
+        const QStringList late = {"published", "semi_implicit_euler", "backward_euler"};
+        double drift = 0.0;
+        if (late.contains(method))
+            drift = -0.5 * mass * g * g * h * h * (frames / h);
+        else if (method == "explicit_euler")
+            drift = 0.5 * mass * g * g * h * h * (frames / h);
+        const double speed = g * frames;
+        QVERIFY(std::abs(balance.after.moving - 0.5 * mass * speed * speed) < 1e-9);
+        QVERIFY2(std::abs(balance.energy[Account::drift] - drift) < 1e-9,
+                 qPrintable(QString::number(balance.energy[Account::drift])));
+        QVERIFY(std::abs(balance.momentum[Account::gravity].y - mass * speed) < 1e-9);
+        QVERIFY(lengthOf(balance.momentum[Account::drift]) < 1e-9);
+        QVERIFY(balance.doubt < 1e-9);
+    }
+
+    void explicitEulerMakesEnergyByTheFactorOnePlusKhSquaredAStep_data()
+    {
+        QTest::addColumn<double>("h");
+        QTest::newRow("a frame") << 1.0;
+        QTest::newRow("a quarter") << 0.25;
+    }
+    void explicitEulerMakesEnergyByTheFactorOnePlusKhSquaredAStep()
+    {
+        QFETCH(double, h);
+        constexpr double k = 0.2;
+        constexpr int frames = 10;
+        const Balance balance = balanceOf(scriptOf(oscillator(k, 1.0), "explicit_euler", h), frames);
+        const double start = 0.5 * (3.0 * 3.0 + 8.0 * 8.0) + 0.5 * k * (100.0 * 100.0 + 40.0 * 40.0);
+        const double made = start * (std::pow(1.0 + k * h * h, frames / h) - 1.0);
+        QVERIFY(std::abs(balance.before.total() - start) < 1e-9 * start);
+        QVERIFY(std::abs(balance.energy[Account::drift] - made) < 1e-9 * made);
+        QCOMPARE(balance.energy[Account::damping], 0.0);
+    }
+
+    /// What is lost by damping is what an exact motion has less at its end; drift is none of it.
+    void theDriftShrinksWithTheOrderOfTheMethod_data()
+    {
+        QTest::addColumn<QString>("method");
+        QTest::addColumn<int>("number");
+        for (const MethodPtr &method : support::fixedMethods()) {
+            for (std::size_t i = 0; i < smoothScenes().size(); ++i)
+                QTest::addRow("%s, %s", method->id().c_str(), smoothScenes()[i].name.c_str())
+                    << QString::fromStdString(method->id()) << int(i);
+        }
+    }
+    void theDriftShrinksWithTheOrderOfTheMethod()
+    {
+        QFETCH(QString, method);
+        QFETCH(int, number);
+        const SmoothScene &smooth = smoothScenes()[std::size_t(number)];
+        const MethodPtr rule = findMethod(method.toStdString());
+        constexpr int frames = 10;
+        std::vector<double> drifts;
+        for (const double h : {0.5, 0.25, 0.125}) {
+            const Run run = accounted(scriptOf(smooth.scene, rule->id(), h), frames);
+            drifts.push_back(run.drifted);
+            if (run.drifted < 1e-6)
+                return; // it makes none here
+            QVERIFY2(
+                run.sum.doubt < 0.1 * run.drifted,
+                qPrintable(QString("h %1: drift %2, doubt %3").arg(h).arg(run.drifted).arg(run.sum.doubt)));
+        }
+        for (std::size_t i = 1; i < drifts.size(); ++i) {
+            const double order = std::log2(drifts[i - 1] / drifts[i]);
+            QVERIFY2(order > rule->order() - 0.35,
+                     qPrintable(QString("%1 -> %2: order %3").arg(drifts[i - 1]).arg(drifts[i]).arg(order)));
+        }
+    }
+
+    void dampingTakesWhatTheExactMotionLoses_data() { addMethods(every); }
+    void dampingTakesWhatTheExactMotionLoses()
+    {
+        QFETCH(QString, method);
+        const MethodPtr rule = findMethod(method.toStdString());
+        const SmoothScene &swing = smoothScenes()[0];
+        constexpr int frames = 10;
+        constexpr double k = 0.2;
+        const implicit_scenes::Ends end = swing.exact(frames), start = swing.exact(0);
+        const auto energy = [&](const implicit_scenes::Ends &e) {
+            return 0.5 * (e.v.square().sum() + k * e.x.square().sum());
+        };
+        const double lost = energy(end) - energy(start);
+        std::vector<double> errors;
+        for (const double h : {0.25, 0.125, 0.0625}) {
+            const Balance balance = balanceOf(scriptOf(swing.scene, rule->id(), h), frames);
+            errors.push_back(std::abs(balance.energy[Account::damping] - lost));
+        }
+        if (rule->stepping() == Stepping::adaptive) {
+            QVERIFY2(errors[0] < 1e-5 * -lost, qPrintable(QString::number(errors[0])));
+            return;
+        }
+        const double order = std::log2(errors[1] / errors[2]);
+        QVERIFY2(order > rule->order() - 0.35 && errors[2] < 0.1 * -lost,
+                 qPrintable(QString("%1 %2 %3").arg(errors[0]).arg(errors[1]).arg(errors[2])));
+    }
+
+    /// From exact ends, an integral along the polynomial through them is off by h^6 or less, and owns up to it.
+    void integralsAlongAStepAreExactToOrderSix()
+    {
+        constexpr double k = 0.2, damp = 0.8;
+        const Scene scene = oscillator(k, damp);
+        const Meter meter(scene);
+        const Integrals integrals(scene, meter, Directions::apart);
+        const auto exactAt = [&](double t) { // of x'' = -k x - c x', by its complex root
+            using Complex = std::complex<double>;
+            const double c = -std::log(damp);
+            const Complex root = -c / 2 + std::sqrt(Complex(c * c / 4 - k, 0.0));
+            State state = scene.start;
+            for (int i = 0; i < 2; ++i) {
+                const double x = scene.start.position(0, i), v = scene.start.velocity(0, i);
+                const Complex a = (v - std::conj(root) * x) / (root - std::conj(root));
+                state.position(0, i) = 2.0 * (a * std::exp(root * t)).real();
+                state.velocity(0, i) = 2.0 * (a * root * std::exp(root * t)).real();
+            }
+            return state;
+        };
+        constexpr double span = 8.0;
+        const double lost = meter.read(exactAt(span)).total() - meter.read(exactAt(0.0)).total();
+        std::vector<double> errors;
+        for (const double h : {2.0, 1.0, 0.5}) {
+            Balance balance;
+            for (int i = 0; i < span / h; ++i)
+                integrals.step(exactAt(i * h), exactAt((i + 1) * h), h, balance);
+            errors.push_back(std::abs(balance.energy[Account::damping] - lost));
+            QVERIFY2(errors.back() < balance.doubt,
+                     qPrintable(QString("%1, doubt %2").arg(errors.back()).arg(balance.doubt)));
+            QVERIFY(balance.doubt < 50.0 * errors.back());
+        }
+        for (std::size_t i = 1; i < errors.size(); ++i) {
+            const double order = std::log2(errors[i - 1] / errors[i]);
+            QVERIFY2(order > 5.6, qPrintable(QString::number(order)));
+        }
+    }
+
+    /// A fall of H onto a floor that gives back the share b of the speed loses (1 - b^2) m g H; a bounce back up to b^2 H.
+    void aBounceLosesWhatTheFloorTakes_data()
+    {
+        QTest::addColumn<QString>("method");
+        QTest::addColumn<double>("bounce");
+        for (const QString method : {"dormand_prince", "dop853"}) {
+            for (const double bounce : {1.0, 0.5, 0.0})
+                QTest::addRow("%s, %g", qPrintable(method), bounce) << method << bounce;
+        }
+    }
+    void aBounceLosesWhatTheFloorTakes()
+    {
+        QFETCH(QString, method);
+        QFETCH(double, bounce);
+        constexpr double g = 0.5, mass = 2.0, half = 15.0, floor = 165.0; // 100 px to fall: 20 frames
+        Scene scene = lone(mass);
+        scene.effects = {make_shared<Gravity>(g), make_shared<Walls>(Room{-1e3, 1e3, floor, bounce},
+                                                                     Eigen::ArrayXd::Constant(1, half))};
+        const Balance before = balanceOf(scriptOf(scene, method.toStdString(), 0.01), 19);
+        QVERIFY(std::abs(before.energy[Account::impact]) < 1e-9);
+        const Balance balance = balanceOf(scriptOf(scene, method.toStdString(), 0.01), 25);
+        const double lost = -(1.0 - bounce * bounce) * mass * g * 100.0;
+        QVERIFY2(std::abs(balance.energy[Account::impact] - lost) < 1e-7,
+                 qPrintable(QString::number(balance.energy[Account::impact], 'g', 12)));
+        QVERIFY2(std::abs(balance.energy[Account::drift]) < 1e-7,
+                 qPrintable(QString::number(balance.energy[Account::drift])));
+        const double turned = -mass * (1.0 + bounce) * 10.0; // it comes at 10 px a frame
+        const double pressed = bounce == 0.0 ? -mass * g * 5.0 : 0.0;
+        if (bounce > 0.0)
+            QVERIFY(std::abs(balance.momentum[Account::impact].y - turned - pressed) < 1e-6);
+    }
+
+    /// Contacts of a step's own phase: the kinetic energy before and after, and what it lifts a body by.
+    void aPhaseThatBouncesIsBookedExactly_data()
+    {
+        addMethods([](const Method &m) { return m.stepping() == Stepping::fixed; });
+    }
+    void aPhaseThatBouncesIsBookedExactly()
+    {
+        QFETCH(QString, method);
+        constexpr double g = 0.5, bounce = 0.5;
+        Scene scene = lone(1.0);
+        scene.start.place(0, {100.0, 364.0});
+        scene.start.push(0, {2.0, 8.0});
+        scene.effects = {make_shared<Gravity>(g), make_shared<Walls>(Room{0.0, 540.0, 380.0, bounce},
+                                                                     Eigen::ArrayXd::Constant(1, 15.0))};
+        const Script script = scriptOf(scene, method.toStdString(), 1.0);
+        const Balance balance = balanceOf(script, 1);
+        Scene airy = scene; // where the floor has not met it yet
+        airy.effects.pop_back();
+        Track free(scriptOf(airy, method.toStdString(), 1.0), 0);
+        free.seek({1, 0});
+        const Vec2 x = free.now().at(0), v = free.now().speed(0);
+        QVERIFY(x.y > 365.0);
+        const double impact = 0.5 * (bounce * bounce - 1.0) * v.y * v.y + g * (x.y - 365.0);
+        QVERIFY(std::abs(balance.energy[Account::impact] - impact) < 1e-10);
+        QVERIFY(std::abs(balance.momentum[Account::impact].y + (1.0 + bounce) * v.y) < 1e-10);
+    }
+
+    /// The hand goes on by u a frame, at once; in between, the other end swings about it: a turn of its phase.
+    void theHandsWorkOnASpringIsThatOfItsSteps_data() { addMethods(takesAllAtOnce); }
+    void theHandsWorkOnASpringIsThatOfItsSteps()
+    {
+        QFETCH(QString, method);
+        constexpr double k = 0.05, u = 2.0;
+        constexpr int frames = 20;
+        Scene scene = support::pointsOf(1);
+        scene.effects = {make_shared<BodySpring>(std::vector<Link>{{0, 1}, {1, 0}}, k)};
+        const MethodPtr rule = findMethod(method.toStdString());
+        const bool adapts = rule->stepping() == Stepping::adaptive;
+        Script script = scriptOf(scene, rule->id(), adapts ? 1e-6 : 1.0 / 64);
+        script.input.push_back({1, Grab{"body"}});
+        for (int i = 1; i <= frames; ++i)
+            script.input.push_back({i, Move{{270.0 + u * i, 200.0}}});
+        const Balance balance = balanceOf(script, frames);
+        const double omega = std::sqrt(k);
+        double stretch = 0.0, speed = 0.0, work = 0.5 * u * u; // the body itself moves, too
+        for (int i = 0; i < frames; ++i) {
+            work += 0.5 * k * ((stretch - u) * (stretch - u) - stretch * stretch);
+            stretch -= u;
+            const double s = std::sin(omega), c = std::cos(omega), was = stretch;
+            stretch = c * was + s / omega * speed;
+            speed = -s * omega * was + c * speed;
+        }
+        const double tolerance = rule->order() == 1 ? 0.05 : 2e-4;
+        QVERIFY2(std::abs(balance.energy[Account::hand] - work) < tolerance * work,
+                 qPrintable(QString("%1, %2").arg(balance.energy[Account::hand]).arg(work)));
+        // What the other end has got, and the body, the hand has pushed with: nothing else is there.
+        const double pushed = speed + u;
+        QVERIFY(std::abs(balance.momentum[Account::hand].x - pushed) < 10 * tolerance * pushed);
+        QVERIFY(lengthOf(balance.momentum[Account::drift]) < 10 * tolerance * pushed);
+    }
+
+    void aPairKeepsItsMomentum_data() { addMethods(takesAllAtOnce); }
+    void aPairKeepsItsMomentum()
+    {
+        QFETCH(QString, method);
+        const Balance balance = balanceOf(scriptOf(pairOf(0.3), method.toStdString(), 1.0), 30);
+        for (const AccountName &name : accountNames())
+            QVERIFY2(lengthOf(balance.momentum[name.account]) < 1e-10, name.id.c_str());
+    }
+
+    void publishedMakesMomentumFromNothing()
+    {
+        const Script script = scriptOf(pairOf(0.3), "published", 1.0);
+        const Balance balance = balanceOf(script, 30);
+        Track track(script, 0);
+        track.seek({30, 0});
+        const Vec2 made = track.now().speed(0) + track.now().speed(1) - Vec2{1.0, -2.0};
+        QVERIFY(lengthOf(made) > 1.0);
+        QVERIFY(lengthOf(balance.momentum[Account::drift] - made) < 1e-10);
+    }
+
+    /// No potential: what is kinetic comes from works and losses alone, and a kick splits over them to rounding.
+    void worksOfForcesWithoutPotentialAddUpToTheMotion_data()
+    {
+        addMethods([](const Method &m) {
+            return QByteArray(m.region().file.c_str()).contains("euler.cpp") ||
+                   QByteArray(m.region().file.c_str()).contains("verlet.cpp") || m.id() == "published";
+        });
+    }
+    void worksOfForcesWithoutPotentialAddUpToTheMotion()
+    {
+        QFETCH(QString, method);
+        if (method == "backward_euler")
+            return; // a whole step by itself
+        Scene scene = support::pointsOf(3);
+        support::scatter(scene.start, 5, 200.0);
+        scene.start.inverseMass << 1.0, 0.5, 2.0, 1.0;
+        const std::vector<Link> chase = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
+        scene.effects = {make_shared<BodySpring>(chase, 0.1),
+                         make_shared<Push>(std::vector<int>{0, 1, 2, 3}, 0.2, 80.0, Reaction::none),
+                         make_shared<Damping>(0.9)};
+        const Balance balance = balanceOf(scriptOf(scene, method.toStdString(), 0.5), 20);
+        QVERIFY(balance.energy[Account::pulls] > 1.0);
+        QVERIFY(balance.energy[Account::damping] < -1.0);
+        QCOMPARE(balance.after.springs, 0.0);
+        QVERIFY2(std::abs(balance.energy[Account::drift]) < 1e-10 * balance.energy[Account::pulls],
+                 qPrintable(QString::number(balance.energy[Account::drift])));
+        QVERIFY(lengthOf(balance.momentum[Account::drift]) < 1e-9);
+    }
+
+    void aClockThatTurnsLegsDoesWork()
+    {
+        const SmoothScene *walk = nullptr;
+        for (const SmoothScene &smooth : smoothScenes())
+            walk = smooth.name == "undamped legs that swing" ? &smooth : walk;
+        QVERIFY(walk);
+        const Run run = accounted(scriptOf(walk->scene, "dop853", 1e-6), 20);
+        QVERIFY(std::abs(run.sum.energy[Account::motors]) > 1.0);
+        const double gained = run.sum.after.total() - run.sum.before.total();
+        QVERIFY2(std::abs(run.sum.energy[Account::motors] - gained) < 1e-6 * std::abs(gained),
+                 qPrintable(QString("%1 of %2").arg(run.sum.energy[Account::motors]).arg(gained)));
+    }
+
+    void theDriftOfAnAdaptiveMethodShrinksWithItsTolerance_data()
+    {
+        QTest::addColumn<QString>("method");
+        QTest::addColumn<int>("number");
+        for (const QString method : {"dormand_prince", "dop853"}) {
+            for (std::size_t i = 0; i < smoothScenes().size(); ++i)
+                QTest::addRow("%s, %s", qPrintable(method), smoothScenes()[i].name.c_str())
+                    << method << int(i);
+        }
+    }
+    void theDriftOfAnAdaptiveMethodShrinksWithItsTolerance()
+    {
+        QFETCH(QString, method);
+        QFETCH(int, number);
+        const SmoothScene &smooth = smoothScenes()[std::size_t(number)];
+        const Run coarse = accounted(scriptOf(smooth.scene, method.toStdString(), 10.0), 20);
+        const Run fine = accounted(scriptOf(smooth.scene, method.toStdString(), 1e-6), 20);
+        const double scale = coarse.sum.before.moving + coarse.sum.before.springs;
+        QVERIFY2(fine.drifted < 1e-7 * scale, qPrintable(QString("%1 of %2").arg(fine.drifted).arg(scale)));
+        QVERIFY2(fine.drifted < 0.05 * coarse.drifted,
+                 qPrintable(QString("%1, %2").arg(coarse.drifted).arg(fine.drifted)));
+    }
+
+    void everySumIsWhatTheRunHas_data()
+    {
+        QTest::addColumn<QString>("scene");
+        QTest::addColumn<QString>("method");
+        for (const support::Sample &sample : support::samples()) {
+            const Scene scene = sample.build(sample.values);
+            for (const MethodPtr &method : allMethods()) {
+                if (!Meter::whyNot(scene) && support::fits(scene, *method))
+                    QTest::addRow("%s, %s", sample.name.c_str(), method->id().c_str())
+                        << QString::fromStdString(sample.name) << QString::fromStdString(method->id());
+            }
+        }
+    }
+    void everySumIsWhatTheRunHas()
+    {
+        QFETCH(QString, scene);
+        QFETCH(QString, method);
+        const support::Sample &sample = support::sample(scene.toStdString());
+        Script script = support::script(sample, method.toStdString());
+        script.step = support::stepFor(*script.method, 0.5);
+        const std::string name = sample.build(sample.values).names.front();
+        script.input = {{3, Grab{name}}, {4, Move{{250.0, 190.0}}}, {6, Release{}}};
+        Track track(script, Timeline::defaultBudget);
+        track.seek({10, 0});
+        if (track.stop())
+            return;
+        Ledger ledger;
+        const Meter meter(track.shown().scene);
+        for (std::int64_t frame = 1; frame <= 10; ++frame) {
+            const Balance row = ledger.row(track, frame).value();
+            const Stock is = meter.read(track.stateAt(frame)), was = meter.read(track.stateAt(frame - 1));
+            const double scale = 1.0 + std::abs(is.moving) + std::abs(is.springs) + std::abs(is.gravity);
+            QVERIFY(std::abs(row.before.total() - was.total()) <= 1e-12 * scale);
+            QVERIFY(std::abs(row.after.total() - is.total()) <= 1e-9 * scale);
+            QVERIFY(lengthOf(row.after.momentum - is.momentum) <= 1e-9 * scale);
+            double sum = row.before.total();
+            for (const AccountName &account : accountNames())
+                sum += row.energy[account.account];
+            QVERIFY(std::abs(sum - row.after.total()) <= 1e-12 * scale);
+        }
+    }
+
+    void aStiffnessThatChangesChangesWhatSpringsHold()
+    {
+        Script script;
+        script.build = [](const Values &values) { return oscillator(values["k"], 1.0); };
+        script.values.set("k", 0.1);
+        script.method = findMethod("velocity_verlet");
+        script.step = StepSize::of(1.0);
+        script.input = {{5, Set{"k", 0.3}}};
+        Track track(script, Timeline::defaultBudget);
+        track.seek({5, 0});
+        Ledger ledger;
+        const Balance row = ledger.row(track, 5).value();
+        const Vec2 x = track.stateAt(4).at(0);
+        const double changed = 0.5 * 0.2 * (x.x * x.x + x.y * x.y);
+        QVERIFY(std::abs(row.energy[Account::changes] - changed) < 1e-9);
+        QCOMPARE(row.energy[Account::hand], 0.0);
+        QCOMPARE(ledger.row(track, 4)->energy[Account::changes], 0.0);
+    }
+
+    void sticksThatPutThingsStraightAreAnAccountOfTheirOwn_data()
+    {
+        addMethods([](const Method &m) { return m.stepping() == Stepping::fixed && m.needs().empty(); });
+    }
+    void sticksThatPutThingsStraightAreAnAccountOfTheirOwn()
+    {
+        QFETCH(QString, method);
+        Scene scene = support::pointsOf(1);
+        scene.start.place(0, {250.0, 200.0});
+        scene.start.push(0, {1.0, 4.0});
+        scene.effects = {make_shared<Sticks>(std::vector<Stick>{{0, 1, 20.0, 0.5}}, 2)};
+        const Balance balance = balanceOf(scriptOf(scene, method.toStdString(), 1.0), 20);
+        const double gained = balance.after.moving - balance.before.moving;
+        QVERIFY(std::abs(gained) > 1e-6);
+        QVERIFY(std::abs(balance.energy[Account::sticks] - gained) < 1e-9);
+        QVERIFY(std::abs(balance.energy[Account::drift]) < 1e-9);
+    }
+
+    void whatHasNoInertiaHasNoLedger()
+    {
+        Scene scene = pairOf(0.2);
+        QVERIFY(!Meter::whyNot(scene));
+        scene.groups[0].inertia = Inertia::none;
+        QVERIFY(Meter::whyNot(scene) == NoEnergy::noInertia);
+        Scene fast = lone(1.0);
+        fast.start.inverseMass.setZero();
+        QVERIFY(Meter::whyNot(fast) == NoEnergy::nothingMoves);
+        Track track(scriptOf(scene, "semi_implicit_euler", 1.0), 0);
+        track.seek({1, 0});
+        QVERIFY(!Ledger().row(track, 1));
+    }
+
+    /// A force of the gradient of minus what it has stored, for every force that says it has something.
+    void storedEnergyIsWhatForcesAreTheSlopeOf_data()
+    {
+        QTest::addColumn<QString>("scene");
+        for (const support::Sample &sample : support::samples())
+            QTest::newRow(sample.name.c_str()) << QString::fromStdString(sample.name);
+    }
+    void storedEnergyIsWhatForcesAreTheSlopeOf()
+    {
+        QFETCH(QString, scene);
+        const support::Sample &sample = support::sample(scene.toStdString());
+        const Scene made = sample.build(sample.values);
+        State state = made.start;
+        support::scatter(state, 11, 150.0);
+        for (const EffectPtr &effect : made.effects) {
+            const auto *force = dynamic_cast<const Force *>(effect.get());
+            if (!force || !force->energy(state))
+                continue;
+            Eigen::ArrayX2d pull = Eigen::ArrayX2d::Zero(state.points(), 2);
+            force->add(state, {0, state.points()}, 1.0, Directions::apart, pull);
+            for (int i = 0; i < state.points(); ++i) {
+                for (int axis = 0; axis < 2 && state.feels(i); ++axis) {
+                    State to = state, fro = state;
+                    to.position(i, axis) += 1e-4;
+                    fro.position(i, axis) -= 1e-4;
+                    const double slope = (*force->energy(to) - *force->energy(fro)) / 2e-4;
+                    const double felt = pull(i, axis) / state.inverseMass[i];
+                    QVERIFY2(
+                        std::abs(slope + felt) < 1e-5 * (1.0 + std::abs(felt)),
+                        qPrintable(QString("%1: %2, %3").arg(effect->id().c_str()).arg(slope).arg(felt)));
+                }
+            }
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(TestEnergyLedger)
+#include "tst_energy_ledger.moc"
