@@ -15,10 +15,19 @@ struct Claim
 /// By what the case asks and by what the method says of itself, never by the names of either.
 Claim claimOf(const HardCase &hard, const MethodPtr &method, const RunSize &size);
 
-/// By how much the swinging of `stiffest` grows in a step of `method`: below 1 it dies away.
-/// The largest of the absolute eigenvalues of what a step makes of places and velocities, found by taking that step
-/// from each of them alone, as all of it is linear. Only for methods whose steps have a length.
-/// Source: Hairer, Lubich and Wanner, "Geometric numerical integration", section I.1.
-double growthOf(const Stiffest &stiffest, const MethodPtr &method, double h);
+/// What some steps make of the spring of a Stiffest.
+struct Foretold
+{
+    double most = 0.0;  ///< px: the farthest that it was out of its length on the way
+    double left = 0.0;  ///< px: that it is in the end
+    double speed = 0.0; ///< px/frame: of its ends against each other, in the end
+};
+
+/// Takes `steps` steps of `method` on `stiffest` alone. All of it is linear, so a step is a matrix, found by taking it
+/// from each place and each velocity alone. Leaves off where the spring is more than `enough` px out of its length.
+/// Only for methods whose steps have a length.
+/// Source: the amplification matrix; Hairer and Wanner, "Solving ordinary differential equations II", section IV.2.
+Foretold foretell(const Stiffest &stiffest, const MethodPtr &method, double h, std::int64_t steps,
+                  double enough);
 
 }

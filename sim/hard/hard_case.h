@@ -24,12 +24,14 @@ enum class Ask {
     longRun,     ///< millions of frames
     oddStep,     ///< a step that is not one frame
     refused,     ///< nothing but a clear refusal is right
+    ends,        ///< a number comes out infinite: the run ends there, and says where and why
 };
 
 /// The stiffest thing of a scene, as what swings fastest: two masses on a line, joined by a spring.
 /// A creature's body with n feet counts as the feet in one, n times as heavy, on n springs in one.
 struct Stiffest
 {
+    double apart = 100.0;      ///< px: the most that the spring is out of its length when it begins to swing
     double k = 0.0;            ///< of the spring, mass/frame^2
     double inverseMass = 1.0;  ///< of what is pulled
     double inverseMass2 = 0.0; ///< of what it is pulled to; 0: that stands fast
