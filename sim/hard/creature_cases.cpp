@@ -21,6 +21,7 @@ Rest legsRight(int feet, double length, double within)
     for (int i = 0; i < feet; ++i)
         rest.distances.push_back({"foot" + std::to_string(i), "body", length, within});
     rest.speed = within;
+    rest.after = 200;
     return rest;
 }
 
@@ -87,7 +88,7 @@ std::vector<HardCase> manyFeet()
                    200),
         feetOnBody("feet_10000", SIM_TEXT("ten thousand feet"),
                    SIM_TEXT("Ten thousand feet pull one body as hard as a spring of stiffness 2000."), 10000,
-                   120),
+                   3),
     };
 }
 

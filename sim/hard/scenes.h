@@ -38,6 +38,9 @@ Scene contradiction(const Values &values);
 /// A chain of `links` sticks between two points that stand fast, 440 px apart; its sticks are `stretched` times as
 /// short as they would have to be. Values: links, stretched, damp, gravity, passes.
 Scene stretchedChain(const Values &values);
+/// A chain of `links` sticks of 1 px, listed from one end to the other, that nothing holds. Values: links, damp, passes,
+/// back: 1 if every second pass goes through the list from its end.
+Scene freeChain(const Values &values);
 /// Two points in one place on a stick of length 0, on which a heavy body hangs. Values: damp, gravity.
 Scene noLengthStick(const Values &values);
 /// A stick that is 50 px too short between two points that stand fast, and a body that hangs on one of them.
@@ -47,7 +50,7 @@ Scene fixedStick(const Values &values);
 /// A tree whose branches fork `levels` times, each `slope` times as large as its parent.
 Tree forkedTree(int levels, double slope, double baseLength);
 /// A tree that turns to the wind. Values: levels, slope, base_length, ease, formula (0: corrected, 1: published), by
-/// (0: ease, 1: distance, 2: thickness), wind.
+/// (0: ease, 1: distance, 2: thickness), wind, turned (degrees, by which the trunk starts off its rest).
 Scene windyTree(const Values &values);
 /// A tree that turns to the pointer. Values: levels, slope, base_length.
 Scene turningTree(const Values &values);
