@@ -127,8 +127,8 @@ void Books::gather(const Phase &phase, const State &before, const State &after, 
     Gathered one{
         phase.effect, Eigen::ArrayX2d::Zero(before.points(), 2), Eigen::ArrayXd::Zero(before.points()), {}};
     const bool balances = m_meter.balances(*phase.effect);
-    if (force && balances && phase.points.contains(before.hold.point))
-        one.heldPush = heldPush(*force, before, m_meter, m_directions);
+    if (force && balances)
+        one.heldPush = heldPush(*force, before, phase.points, m_meter, m_directions);
     const Account account = accountOf(*phase.effect, m_meter);
     if (force && after.acceleration.rows() == 0) {
         Vec2 &push = into.momentum[balances ? Account::hand : account];

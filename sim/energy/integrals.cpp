@@ -83,14 +83,14 @@ Vec2 Integrals::pushOf(const Eigen::ArrayXd &rate) const
     return {push.head(points).sum(), push.tail(points).sum()};
 }
 
-/// What a hand must push with so that what it holds stays, pulled by a force that balances.
-Vec2 heldPush(const Force &force, const State &state, const Meter &meter, Directions directions)
+Vec2 heldPush(const Force &force, const State &state, Points movers, const Meter &meter,
+              Directions directions)
 {
     const int held = state.hold.point;
     if (held < 0 || meter.mass()[held] == 0.0)
         return {};
     Eigen::ArrayX2d pull = Eigen::ArrayX2d::Zero(state.points(), 2);
-    force.add(meter.freed(state), {0, state.points()}, 1.0, directions, pull);
+    force.add(meter.freed(state), movers, 1.0, directions, pull);
     return {-meter.mass()[held] * pull(held, 0), -meter.mass()[held] * pull(held, 1)};
 }
 
@@ -98,7 +98,7 @@ void Integrals::addForce(const Force &force, const State &state, const Moment &n
 {
     if (m_meter.balances(force)) {
         Vec2 &hand = sums.momentum[Account::hand];
-        hand = hand + now.weight * heldPush(force, state, m_meter, m_directions);
+        hand = hand + now.weight * heldPush(force, state, {0, state.points()}, m_meter, m_directions);
         return;
     }
     Eigen::ArrayX2d pull = Eigen::ArrayX2d::Zero(state.points(), 2);

@@ -62,7 +62,9 @@ private:
 /// balance.
 Account accountOf(const Effect &effect, const Meter &meter);
 
-/// What the hand pushes with (mass px/frame^2) so that what it holds stays, against a force that balances.
-Vec2 heldPush(const Force &force, const State &state, const Meter &meter, Directions directions);
+/// What the hand pushes with (mass px/frame^2) so that what it holds stays, against what a force that balances gives it
+/// when it is the turn of `movers`.
+Vec2 heldPush(const Force &force, const State &state, Points movers, const Meter &meter,
+              Directions directions);
 
 }

@@ -1,65 +1,29 @@
-// Where energy and momentum go: each account against a closed form, and what is left against the method's order.
+// Where energy and momentum go: each account against a closed form.
 
+#include "energy_bench.h"
 #include "implicit_scenes.h"
 #include "support.h"
 
 #include "sim/effects/body_spring.h"
 #include "sim/effects/damping.h"
 #include "sim/effects/gravity.h"
+#include "sim/effects/leg_spring.h"
 #include "sim/effects/point_spring.h"
 #include "sim/effects/push.h"
 #include "sim/effects/radial_spring.h"
 #include "sim/effects/sticks.h"
 #include "sim/effects/walls.h"
-#include "sim/energy/integrals.h"
 #include "sim/energy/ledger.h"
 #include "sim/methods/methods.h"
 
 #include <QTest>
 
-#include <complex>
-
 using namespace sim;
+using namespace energy_bench;
 using implicit_scenes::oscillator;
-using implicit_scenes::SmoothScene;
-using implicit_scenes::smoothScenes;
 using std::make_shared;
 
 namespace {
-
-struct Run
-{
-    Balance sum;
-    double drifted = 0.0; ///< the energy's drift, each row's counted as it is without its sign
-};
-
-Run accounted(const Script &script, int frames)
-{
-    Track track(script, Timeline::defaultBudget);
-    track.seek({frames, 0});
-    Ledger ledger;
-    Run run;
-    for (std::int64_t frame = track.rowFrames(); frame <= frames; frame += track.rowFrames()) {
-        const Balance row = ledger.row(track, frame).value();
-        if (frame == track.rowFrames())
-            run.sum.before = row.before;
-        run.sum.append(row);
-        run.drifted += std::abs(row.energy[Account::drift]);
-    }
-    return run;
-}
-
-Balance balanceOf(const Script &script, int frames)
-{
-    return accounted(script, frames).sum;
-}
-
-Script scriptOf(const Scene &scene, const std::string &method, double h)
-{
-    Script script = support::script(scene, method);
-    script.step = support::stepFor(*findMethod(method), h);
-    return script;
-}
 
 /// A point of mass `mass` at (100, 50), at rest.
 Scene lone(double mass)
@@ -96,15 +60,6 @@ class TestEnergyLedger : public QObject
     Q_OBJECT
 
 private:
-    static void addMethods(bool (*wanted)(const Method &))
-    {
-        QTest::addColumn<QString>("method");
-        for (const MethodPtr &method : allMethods()) {
-            if (wanted(*method))
-                QTest::newRow(method->id().c_str()) << QString::fromStdString(method->id());
-        }
-    }
-    static bool every(const Method &) { return true; }
     static bool takesAllAtOnce(const Method &method) { return method.id() != "published"; }
 
 private slots:
@@ -151,106 +106,6 @@ private slots:
         QVERIFY(std::abs(balance.before.total() - start) < 1e-9 * start);
         QVERIFY(std::abs(balance.energy[Account::drift] - made) < 1e-9 * made);
         QCOMPARE(balance.energy[Account::damping], 0.0);
-    }
-
-    /// What is lost by damping is what an exact motion has less at its end; drift is none of it.
-    void theDriftShrinksWithTheOrderOfTheMethod_data()
-    {
-        QTest::addColumn<QString>("method");
-        QTest::addColumn<int>("number");
-        for (const MethodPtr &method : support::fixedMethods()) {
-            for (std::size_t i = 0; i < smoothScenes().size(); ++i)
-                QTest::addRow("%s, %s", method->id().c_str(), smoothScenes()[i].name.c_str())
-                    << QString::fromStdString(method->id()) << int(i);
-        }
-    }
-    void theDriftShrinksWithTheOrderOfTheMethod()
-    {
-        QFETCH(QString, method);
-        QFETCH(int, number);
-        const SmoothScene &smooth = smoothScenes()[std::size_t(number)];
-        const MethodPtr rule = findMethod(method.toStdString());
-        constexpr int frames = 10;
-        std::vector<double> drifts;
-        for (const double h : {0.5, 0.25, 0.125}) {
-            const Run run = accounted(scriptOf(smooth.scene, rule->id(), h), frames);
-            drifts.push_back(run.drifted);
-            if (run.drifted < 1e-6)
-                return; // it makes none here
-            QVERIFY2(
-                run.sum.doubt < 0.1 * run.drifted,
-                qPrintable(QString("h %1: drift %2, doubt %3").arg(h).arg(run.drifted).arg(run.sum.doubt)));
-        }
-        for (std::size_t i = 1; i < drifts.size(); ++i) {
-            const double order = std::log2(drifts[i - 1] / drifts[i]);
-            QVERIFY2(order > rule->order() - 0.35,
-                     qPrintable(QString("%1 -> %2: order %3").arg(drifts[i - 1]).arg(drifts[i]).arg(order)));
-        }
-    }
-
-    void dampingTakesWhatTheExactMotionLoses_data() { addMethods(every); }
-    void dampingTakesWhatTheExactMotionLoses()
-    {
-        QFETCH(QString, method);
-        const MethodPtr rule = findMethod(method.toStdString());
-        const SmoothScene &swing = smoothScenes()[0];
-        constexpr int frames = 10;
-        constexpr double k = 0.2;
-        const implicit_scenes::Ends end = swing.exact(frames), start = swing.exact(0);
-        const auto energy = [&](const implicit_scenes::Ends &e) {
-            return 0.5 * (e.v.square().sum() + k * e.x.square().sum());
-        };
-        const double lost = energy(end) - energy(start);
-        std::vector<double> errors;
-        for (const double h : {0.25, 0.125, 0.0625}) {
-            const Balance balance = balanceOf(scriptOf(swing.scene, rule->id(), h), frames);
-            errors.push_back(std::abs(balance.energy[Account::damping] - lost));
-        }
-        if (rule->stepping() == Stepping::adaptive) {
-            QVERIFY2(errors[0] < 1e-5 * -lost, qPrintable(QString::number(errors[0])));
-            return;
-        }
-        const double order = std::log2(errors[1] / errors[2]);
-        QVERIFY2(order > rule->order() - 0.35 && errors[2] < 0.1 * -lost,
-                 qPrintable(QString("%1 %2 %3").arg(errors[0]).arg(errors[1]).arg(errors[2])));
-    }
-
-    /// From exact ends, an integral along the polynomial through them is off by h^6 or less, and owns up to it.
-    void integralsAlongAStepAreExactToOrderSix()
-    {
-        constexpr double k = 0.2, damp = 0.8;
-        const Scene scene = oscillator(k, damp);
-        const Meter meter(scene);
-        const Integrals integrals(scene, meter, Directions::apart);
-        const auto exactAt = [&](double t) { // of x'' = -k x - c x', by its complex root
-            using Complex = std::complex<double>;
-            const double c = -std::log(damp);
-            const Complex root = -c / 2 + std::sqrt(Complex(c * c / 4 - k, 0.0));
-            State state = scene.start;
-            for (int i = 0; i < 2; ++i) {
-                const double x = scene.start.position(0, i), v = scene.start.velocity(0, i);
-                const Complex a = (v - std::conj(root) * x) / (root - std::conj(root));
-                state.position(0, i) = 2.0 * (a * std::exp(root * t)).real();
-                state.velocity(0, i) = 2.0 * (a * root * std::exp(root * t)).real();
-            }
-            return state;
-        };
-        constexpr double span = 8.0;
-        const double lost = meter.read(exactAt(span)).total() - meter.read(exactAt(0.0)).total();
-        std::vector<double> errors;
-        for (const double h : {2.0, 1.0, 0.5}) {
-            Balance balance;
-            for (int i = 0; i < span / h; ++i)
-                integrals.step(exactAt(i * h), exactAt((i + 1) * h), h, balance);
-            errors.push_back(std::abs(balance.energy[Account::damping] - lost));
-            QVERIFY2(errors.back() < balance.doubt,
-                     qPrintable(QString("%1, doubt %2").arg(errors.back()).arg(balance.doubt)));
-            QVERIFY(balance.doubt < 50.0 * errors.back());
-        }
-        for (std::size_t i = 1; i < errors.size(); ++i) {
-            const double order = std::log2(errors[i - 1] / errors[i]);
-            QVERIFY2(order > 5.6, qPrintable(QString::number(order)));
-        }
     }
 
     /// A fall of H onto a floor that gives back the share b of the speed loses (1 - b^2) m g H; a bounce back up to b^2 H.
@@ -355,6 +210,26 @@ private slots:
             QVERIFY2(lengthOf(balance.momentum[name.account]) < 1e-10, name.id.c_str());
     }
 
+    /// A foot on a leg whose body is held, in its own turn: what it gets, the hand has pushed with.
+    void whatPullsOnAHeldBodyIsTheHandsPush_data()
+    {
+        addMethods([](const Method &m) { return m.id() == "published" || m.id() == "velocity_verlet"; });
+    }
+    void whatPullsOnAHeldBodyIsTheHandsPush()
+    {
+        QFETCH(QString, method);
+        Scene scene = support::pointsOf(1);
+        scene.start.place(0, {200.0, 260.0});
+        const LegRule rule{0.1, 40.0, 0.0, Aim::bone, Reaction::equal};
+        scene.effects = {make_shared<LegSpring>(std::vector<sim::Leg>{{0, 1, 0.0, 0}}, rule)};
+        Script script = scriptOf(scene, method.toStdString(), 0.5);
+        script.input = {{1, Grab{"body"}}};
+        const Balance balance = balanceOf(script, 5);
+        QVERIFY(lengthOf(balance.after.momentum) > 1.0);
+        QVERIFY(lengthOf(balance.momentum[Account::hand] - balance.after.momentum) < 1e-9);
+        QVERIFY(lengthOf(balance.momentum[Account::drift]) < 1e-9);
+    }
+
     void publishedMakesMomentumFromNothing()
     {
         const Script script = scriptOf(pairOf(0.3), "published", 1.0);
@@ -393,42 +268,6 @@ private slots:
         QVERIFY2(std::abs(balance.energy[Account::drift]) < 1e-10 * balance.energy[Account::pulls],
                  qPrintable(QString::number(balance.energy[Account::drift])));
         QVERIFY(lengthOf(balance.momentum[Account::drift]) < 1e-9);
-    }
-
-    void aClockThatTurnsLegsDoesWork()
-    {
-        const SmoothScene *walk = nullptr;
-        for (const SmoothScene &smooth : smoothScenes())
-            walk = smooth.name == "undamped legs that swing" ? &smooth : walk;
-        QVERIFY(walk);
-        const Run run = accounted(scriptOf(walk->scene, "dop853", 1e-6), 20);
-        QVERIFY(std::abs(run.sum.energy[Account::motors]) > 1.0);
-        const double gained = run.sum.after.total() - run.sum.before.total();
-        QVERIFY2(std::abs(run.sum.energy[Account::motors] - gained) < 1e-6 * std::abs(gained),
-                 qPrintable(QString("%1 of %2").arg(run.sum.energy[Account::motors]).arg(gained)));
-    }
-
-    void theDriftOfAnAdaptiveMethodShrinksWithItsTolerance_data()
-    {
-        QTest::addColumn<QString>("method");
-        QTest::addColumn<int>("number");
-        for (const QString method : {"dormand_prince", "dop853"}) {
-            for (std::size_t i = 0; i < smoothScenes().size(); ++i)
-                QTest::addRow("%s, %s", qPrintable(method), smoothScenes()[i].name.c_str())
-                    << method << int(i);
-        }
-    }
-    void theDriftOfAnAdaptiveMethodShrinksWithItsTolerance()
-    {
-        QFETCH(QString, method);
-        QFETCH(int, number);
-        const SmoothScene &smooth = smoothScenes()[std::size_t(number)];
-        const Run coarse = accounted(scriptOf(smooth.scene, method.toStdString(), 10.0), 20);
-        const Run fine = accounted(scriptOf(smooth.scene, method.toStdString(), 1e-6), 20);
-        const double scale = coarse.sum.before.moving + coarse.sum.before.springs;
-        QVERIFY2(fine.drifted < 1e-7 * scale, qPrintable(QString("%1 of %2").arg(fine.drifted).arg(scale)));
-        QVERIFY2(fine.drifted < 0.05 * coarse.drifted,
-                 qPrintable(QString("%1, %2").arg(coarse.drifted).arg(fine.drifted)));
     }
 
     void everySumIsWhatTheRunHas_data()

@@ -21,7 +21,7 @@ constexpr int listWidth = 276;
 
 EnergyPanel::EnergyPanel(Session &session, const Theme &theme, QWidget *parent)
     : QWidget(parent), m_session(session), m_course(session),
-      m_title(new PanelTitle(tr("Energy"), PanelTitle::CaptionPlace::besideTitle, theme, this)),
+      m_title(new PanelTitle(tr("Where it went"), PanelTitle::CaptionPlace::besideTitle, theme, this)),
       m_pages(new QStackedWidget(this))
 {
     setObjectName("panel");
@@ -149,9 +149,8 @@ void EnergyPanel::refreshNow()
     }
     const EnergyLines lines(m_course);
     const std::int64_t frame = m_session.timeline().at().frame;
-    m_title->setCaption(m_course.at(frame)
-                            ? tr("where it went, frame %1 to %2").arg(m_course.start()).arg(frame)
-                            : tr("counting…"));
+    m_title->setCaption(m_course.at(frame) ? tr("frame %1 to %2").arg(m_course.start()).arg(frame)
+                                           : tr("counting…"));
     m_unit->setText(unit());
     m_list->setLines(m_view == energy ? lines.energyAt(frame) : lines.momentumAt(frame), unit());
     m_plot->refresh(lines);

@@ -1,0 +1,173 @@
+// What the ledger leaves to the method's error: it shrinks with the method's order, and so does what is integrated.
+
+#include "energy_bench.h"
+#include "implicit_scenes.h"
+#include "support.h"
+
+#include "sim/energy/integrals.h"
+#include "sim/methods/methods.h"
+
+#include <QTest>
+
+#include <complex>
+
+using namespace sim;
+using namespace energy_bench;
+using implicit_scenes::oscillator;
+using implicit_scenes::SmoothScene;
+using implicit_scenes::smoothScenes;
+
+class TestEnergyDrift : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    /// What is lost by damping is what an exact motion has less at its end; drift is none of it.
+    void theDriftShrinksWithTheOrderOfTheMethod_data()
+    {
+        QTest::addColumn<QString>("method");
+        QTest::addColumn<int>("number");
+        for (const MethodPtr &method : support::fixedMethods()) {
+            for (std::size_t i = 0; i < smoothScenes().size(); ++i)
+                QTest::addRow("%s, %s", method->id().c_str(), smoothScenes()[i].name.c_str())
+                    << QString::fromStdString(method->id()) << int(i);
+        }
+    }
+    void theDriftShrinksWithTheOrderOfTheMethod()
+    {
+        QFETCH(QString, method);
+        QFETCH(int, number);
+        const SmoothScene &smooth = smoothScenes()[std::size_t(number)];
+        const MethodPtr rule = findMethod(method.toStdString());
+        constexpr int frames = 10;
+        std::vector<double> drifts;
+        for (const double h : {0.5, 0.25, 0.125}) {
+            const Run run = accounted(scriptOf(smooth.scene, rule->id(), h), frames);
+            drifts.push_back(run.drifted);
+            if (run.drifted < 1e-6)
+                return; // it makes none here
+            QVERIFY2(
+                run.sum.doubt < 0.1 * run.drifted,
+                qPrintable(QString("h %1: drift %2, doubt %3").arg(h).arg(run.drifted).arg(run.sum.doubt)));
+        }
+        for (std::size_t i = 1; i < drifts.size(); ++i) {
+            const double order = std::log2(drifts[i - 1] / drifts[i]);
+            QVERIFY2(order > rule->order() - 0.35,
+                     qPrintable(QString("%1 -> %2: order %3").arg(drifts[i - 1]).arg(drifts[i]).arg(order)));
+        }
+    }
+
+    void dampingTakesWhatTheExactMotionLoses_data() { addMethods(every); }
+    void dampingTakesWhatTheExactMotionLoses()
+    {
+        QFETCH(QString, method);
+        const MethodPtr rule = findMethod(method.toStdString());
+        const SmoothScene &swing = smoothScenes()[0];
+        constexpr int frames = 10;
+        constexpr double k = 0.2;
+        const implicit_scenes::Ends end = swing.exact(frames), start = swing.exact(0);
+        const auto energy = [&](const implicit_scenes::Ends &e) {
+            return 0.5 * (e.v.square().sum() + k * e.x.square().sum());
+        };
+        const double lost = energy(end) - energy(start);
+        std::vector<double> errors;
+        for (const double h : {0.25, 0.125, 0.0625}) {
+            const Balance balance = balanceOf(scriptOf(swing.scene, rule->id(), h), frames);
+            errors.push_back(std::abs(balance.energy[Account::damping] - lost));
+        }
+        if (rule->stepping() == Stepping::adaptive) {
+            QVERIFY2(errors[0] < 1e-5 * -lost, qPrintable(QString::number(errors[0])));
+            return;
+        }
+        const double order = std::log2(errors[1] / errors[2]);
+        QVERIFY2(order > rule->order() - 0.35 && errors[2] < 0.1 * -lost,
+                 qPrintable(QString("%1 %2 %3").arg(errors[0]).arg(errors[1]).arg(errors[2])));
+    }
+
+    /// From exact ends, an integral along the polynomial through them is off by h^6 or less, and owns up to it.
+    void integralsAlongAStepAreExactToOrderSix()
+    {
+        constexpr double k = 0.2, damp = 0.8;
+        const Scene scene = oscillator(k, damp);
+        const Meter meter(scene);
+        const Integrals integrals(scene, meter, Directions::apart);
+        const auto exactAt = [&](double t) { // of x'' = -k x - c x', by its complex root
+            using Complex = std::complex<double>;
+            const double c = -std::log(damp);
+            const Complex root = -c / 2 + std::sqrt(Complex(c * c / 4 - k, 0.0));
+            State state = scene.start;
+            for (int i = 0; i < 2; ++i) {
+                const double x = scene.start.position(0, i), v = scene.start.velocity(0, i);
+                const Complex a = (v - std::conj(root) * x) / (root - std::conj(root));
+                state.position(0, i) = 2.0 * (a * std::exp(root * t)).real();
+                state.velocity(0, i) = 2.0 * (a * root * std::exp(root * t)).real();
+            }
+            return state;
+        };
+        constexpr double span = 8.0;
+        const double lost = meter.read(exactAt(span)).total() - meter.read(exactAt(0.0)).total();
+        std::vector<double> errors;
+        for (const double h : {2.0, 1.0, 0.5}) {
+            Balance balance;
+            for (int i = 0; i < span / h; ++i)
+                integrals.step(exactAt(i * h), exactAt((i + 1) * h), h, balance);
+            errors.push_back(std::abs(balance.energy[Account::damping] - lost));
+            QVERIFY2(errors.back() < balance.doubt,
+                     qPrintable(QString("%1, doubt %2").arg(errors.back()).arg(balance.doubt)));
+            QVERIFY(balance.doubt < 50.0 * errors.back());
+        }
+        for (std::size_t i = 1; i < errors.size(); ++i) {
+            const double order = std::log2(errors[i - 1] / errors[i]);
+            QVERIFY2(order > 5.6, qPrintable(QString::number(order)));
+        }
+    }
+
+    /// A spring swings seven times as fast as frames pass: two ends of a step do not tell its way, and the ledger says so.
+    void whereStepsAreTooLongForTheirWayTheDoubtIsLarge()
+    {
+        const Balance calm = balanceOf(scriptOf(oscillator(0.1, 0.9), "implicit_midpoint", 1.0), 20);
+        QVERIFY(calm.doubt < 1e-2 * std::abs(calm.energy[Account::damping]));
+        const Balance wild = balanceOf(scriptOf(oscillator(50.0, 0.9), "implicit_midpoint", 1.0), 20);
+        QVERIFY2(wild.doubt > 0.5 * std::abs(wild.energy[Account::damping]),
+                 qPrintable(QString("%1 of %2").arg(wild.doubt).arg(wild.energy[Account::damping])));
+    }
+
+    void aClockThatTurnsLegsDoesWork()
+    {
+        const SmoothScene *walk = nullptr;
+        for (const SmoothScene &smooth : smoothScenes())
+            walk = smooth.name == "undamped legs that swing" ? &smooth : walk;
+        QVERIFY(walk);
+        const Run run = accounted(scriptOf(walk->scene, "dop853", 1e-6), 20);
+        QVERIFY(std::abs(run.sum.energy[Account::motors]) > 1.0);
+        const double gained = run.sum.after.total() - run.sum.before.total();
+        QVERIFY2(std::abs(run.sum.energy[Account::motors] - gained) < 1e-6 * std::abs(gained),
+                 qPrintable(QString("%1 of %2").arg(run.sum.energy[Account::motors]).arg(gained)));
+    }
+
+    void theDriftOfAnAdaptiveMethodShrinksWithItsTolerance_data()
+    {
+        QTest::addColumn<QString>("method");
+        QTest::addColumn<int>("number");
+        for (const QString method : {"dormand_prince", "dop853"}) {
+            for (std::size_t i = 0; i < smoothScenes().size(); ++i)
+                QTest::addRow("%s, %s", qPrintable(method), smoothScenes()[i].name.c_str())
+                    << method << int(i);
+        }
+    }
+    void theDriftOfAnAdaptiveMethodShrinksWithItsTolerance()
+    {
+        QFETCH(QString, method);
+        QFETCH(int, number);
+        const SmoothScene &smooth = smoothScenes()[std::size_t(number)];
+        const Run coarse = accounted(scriptOf(smooth.scene, method.toStdString(), 10.0), 20);
+        const Run fine = accounted(scriptOf(smooth.scene, method.toStdString(), 1e-6), 20);
+        const double scale = coarse.sum.before.moving + coarse.sum.before.springs;
+        QVERIFY2(fine.drifted < 1e-7 * scale, qPrintable(QString("%1 of %2").arg(fine.drifted).arg(scale)));
+        QVERIFY2(fine.drifted < 0.05 * coarse.drifted,
+                 qPrintable(QString("%1, %2").arg(coarse.drifted).arg(fine.drifted)));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestEnergyDrift)
+#include "tst_energy_drift.moc"
