@@ -17,21 +17,21 @@ constexpr int mostHalvings = 6;
 using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, mostDense, mostDense>;
 using Sparse = Eigen::SparseMatrix<double>;
 
-/// 1 on the diagonal, and entries that add up.
-Small denseOf(const std::vector<Slopes::Entry> &entries, int size)
+/// The same number on all of the diagonal, and entries that add up.
+Small denseOf(const std::vector<Slopes::Entry> &entries, double diagonal, int size)
 {
-    Small matrix = Small::Identity(size, size);
+    Small matrix = diagonal * Small::Identity(size, size);
     for (const Slopes::Entry &entry : entries)
         matrix(entry.row, entry.column) += entry.value;
     return matrix;
 }
 
-Sparse sparseOf(const std::vector<Slopes::Entry> &entries, int size)
+Sparse sparseOf(const std::vector<Slopes::Entry> &entries, double diagonal, int size)
 {
     std::vector<Eigen::Triplet<double>> all;
     all.reserve(entries.size() + static_cast<std::size_t>(size));
     for (int i = 0; i < size; ++i)
-        all.emplace_back(i, i, 1.0);
+        all.emplace_back(i, i, diagonal);
     for (const Slopes::Entry &entry : entries)
         all.emplace_back(entry.row, entry.column, entry.value);
     Sparse matrix(size, size);
@@ -40,12 +40,13 @@ Sparse sparseOf(const std::vector<Slopes::Entry> &entries, int size)
 }
 
 /// The solution of matrix * x = right, not a number where there is none. Few unknowns are solved with all their zeros.
-Eigen::VectorXd solved(const std::vector<Slopes::Entry> &entries, const Eigen::VectorXd &right)
+Eigen::VectorXd solved(const std::vector<Slopes::Entry> &entries, double diagonal,
+                       const Eigen::VectorXd &right)
 {
     const auto size = static_cast<int>(right.size());
     if (size <= mostDense)
-        return denseOf(entries, size).partialPivLu().solve(right);
-    const Eigen::SparseLU<Sparse> factors(sparseOf(entries, size));
+        return denseOf(entries, diagonal, size).partialPivLu().solve(right);
+    const Eigen::SparseLU<Sparse> factors(sparseOf(entries, diagonal, size));
     if (factors.info() != Eigen::Success)
         return Eigen::VectorXd::Constant(size, std::nan(""));
     return factors.solve(right);
@@ -63,11 +64,28 @@ bool isTiny(const Numbers &step, double reach, const Numbers &place)
     return isWithin(1e-12, step, reach, place);
 }
 
+/// Whether a correction is far below what can be seen, though it is not lost in rounding.
+bool isClose(const Numbers &step, double reach, const Numbers &place)
+{
+    return isWithin(1e-9, step, reach, place);
+}
+
 /// Whether corrections are so small that pulls are straight lines along them, and shrink no more: then they correct
 /// how a stiff spring's pull is rounded.
 bool isNoise(const Numbers &next, const Numbers &step, double reach, const Numbers &place)
 {
     return next.abs().maxCoeff() >= step.abs().maxCoeff() && isWithin(1e-6, next, reach, place);
+}
+
+/// What has to be added to the diagonal, 1, so that no part of a velocity makes what it misses grow by itself: the
+/// matrix has then no eigenvalue with a negative real part, by Gershgorin's circles.
+double heldBack(const std::vector<Slopes::Entry> &entries, int size)
+{
+    Numbers centre = Numbers::Ones(size), radius = Numbers::Zero(size);
+    for (const Slopes::Entry &entry : entries)
+        (entry.row == entry.column ? centre[entry.row] : radius[entry.row]) +=
+            entry.row == entry.column ? entry.value : std::abs(entry.value);
+    return size == 0 ? 0.0 : std::max(0.0, (radius - centre).maxCoeff());
 }
 
 }
@@ -112,9 +130,9 @@ struct ImplicitStep::Wanted
     const Numbers &share;
 };
 
-ImplicitStep::ImplicitStep(const Equations &equations, State &state)
+ImplicitStep::ImplicitStep(const Equations &equations, State &state, Effort effort)
     : motion{Numbers(equations.flow().size()), Numbers(equations.flow().size())}, m_equations(equations),
-      m_state(state), m_unknowns(equations.unknowns(state))
+      m_state(state), m_effort(effort), m_unknowns(equations.unknowns(state))
 {
     equations.flow().read(state, motion.x.data(), motion.v.data());
     for (std::size_t row = 0; row < m_unknowns.size(); ++row) {
@@ -158,12 +176,9 @@ Numbers ImplicitStep::misses(const Wanted &wanted, const Numbers &u)
     return u - wanted.drift - wanted.share * pulls(wanted.from + wanted.reach * u);
 }
 
-/// What to take off u to make good what it misses, if pulls change with places by their slopes at u.
-Numbers ImplicitStep::correction(const Wanted &wanted, const Numbers &u)
+/// What 1 on the diagonal and these entries make up: how what u misses changes with u, where the state is.
+std::vector<Slopes::Entry> ImplicitStep::changes(const Wanted &wanted) const
 {
-    const Numbers wrong = misses(wanted, u);
-    if (isWithin(1e-15, wrong, wanted.reach, wanted.from))
-        return Numbers::Zero(u.size()); // rounding: not worth a matrix
     Slopes slopes(m_state.points());
     m_equations.flow().slopes(m_state, slopes);
     std::vector<Slopes::Entry> entries;
@@ -174,18 +189,61 @@ Numbers ImplicitStep::correction(const Wanted &wanted, const Numbers &u)
         if (row >= 0 && column >= 0)
             entries.push_back({row, column, -wanted.share[entry.row] * wanted.reach * entry.value});
     }
+    return entries;
+}
+
+/// What to take off u for what it misses, if that changes by `entries` and `diagonal`.
+Numbers ImplicitStep::stepFor(const Numbers &wrong, const std::vector<Slopes::Entry> &entries,
+                              double diagonal) const
+{
     Eigen::VectorXd right(m_count);
     for (std::size_t row = 0; row < m_unknowns.size(); ++row) {
         if (m_unknowns[row] >= 0)
             right[m_unknowns[row]] = wrong[static_cast<Eigen::Index>(row)];
     }
-    const Eigen::VectorXd found = solved(entries, right);
+    const Eigen::VectorXd found = solved(entries, diagonal, right);
     Numbers step = Numbers::Zero(wrong.size());
     for (std::size_t row = 0; row < m_unknowns.size(); ++row) {
         if (m_unknowns[row] >= 0)
             step[static_cast<Eigen::Index>(row)] = found[m_unknowns[row]];
     }
     return step;
+}
+
+/// What to take off u to make good what it misses, if pulls change with places by their slopes at u.
+Numbers ImplicitStep::correction(const Wanted &wanted, const Numbers &u)
+{
+    const Numbers wrong = misses(wanted, u);
+    if (isWithin(1e-15, wrong, wanted.reach, wanted.from))
+        return Numbers::Zero(u.size()); // rounding: not worth a matrix
+    return stepFor(wrong, changes(wanted), 1.0);
+}
+
+/// Where Newton's method has found nothing, or jumps about: u as something that moves in syrup, u' = -misses(u), until
+/// it stands. Its steps are backward Euler's, short at first, so that the matrix has no negative part, and longer as
+/// less is missed; in the end they are Newton's. Returns what misses least of all this and `plain`.
+/// Source: Kelley and Keyes, "Convergence analysis of pseudo-transient continuation", 1998.
+Numbers ImplicitStep::calmly(const Wanted &wanted, const Numbers &start, const Numbers &plain)
+{
+    const auto size = [](const Numbers &numbers) { return numbers.abs().maxCoeff(); };
+    Numbers best = plain, u = start;
+    double least = size(misses(wanted, plain));
+    Numbers wrong = misses(wanted, u);
+    double held = heldBack(changes(wanted), m_count);
+    for (int i = 0; i < m_effort.calm; ++i) {
+        if (!(size(wrong) >= least)) {
+            least = size(wrong);
+            best = u;
+        }
+        const Numbers step = stepFor(wrong, changes(wanted), 1.0 + held);
+        if (!step.isFinite().all() || isTiny(step, wanted.reach, wanted.from))
+            break;
+        u = u - step;
+        const Numbers next = misses(wanted, u);
+        held *= std::clamp(size(next) / size(wrong), 0.1, 2.0);
+        wrong = next;
+    }
+    return best;
 }
 
 /// Takes `step` off u; or a half, a quarter... of it, if the whole leads to where nothing is finite. Returns the next
@@ -209,24 +267,29 @@ Numbers ImplicitStep::advance(const Wanted &wanted, Numbers &u, const Numbers &s
 Numbers ImplicitStep::solve(const Numbers &from, const Numbers &drift, double reach, const Numbers &share)
 {
     const Wanted wanted{from, drift, reach, share};
+    const int plain = m_effort.plain;
     // Shown lines are short.
     // clang-format off
     //! [newton]
     // wanted: u = drift + share a(...)
     // at first, as if nothing moved
-    Numbers u = standing(wanted);
+    const Numbers start = standing(wanted);
+    Numbers u = start;
     // as if pulls grew evenly from here
     Numbers step = correction(wanted, u);
-    for (int i = 0; i < 20; ++i) {
+    for (int i = 0; i < plain; ++i) {
         if (isTiny(step, reach, from))
             return u - step;
         Numbers next =
             advance(wanted, u, step);
         if (isNoise(next, step, reach, from))
-            break;
+            return u;
         step = next;
     }
-    return u;
+    if (isClose(step, reach, from))
+        return u;
+    // it jumps about: more slowly
+    return calmly(wanted, start, u);
     //! [newton]
     // clang-format on
 }
