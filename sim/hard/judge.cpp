@@ -110,10 +110,10 @@ std::optional<Error> lookAtRest(const Rest &rest, const Scene &scene, const Stat
 }
 
 /// Asks now and then whether to go on.
-class Patience
+class JudgesPatience
 {
 public:
-    explicit Patience(const JudgeProgress &progress) : m_progress(progress) {}
+    explicit JudgesPatience(const JudgeProgress &progress) : m_progress(progress) {}
     bool goesOn(double share)
     {
         if (m_progress && Clock::now() >= m_next) {
@@ -131,7 +131,7 @@ private:
 };
 
 /// The first run: looks at every row. Returns the state it ends with.
-State watchedRun(const HardCase &hard, const Script &script, const RunSize &size, Patience &patience,
+State watchedRun(const HardCase &hard, const Script &script, const RunSize &size, JudgesPatience &patience,
                  Verdict &verdict)
 {
     const std::int64_t frames = size.frames;
@@ -163,7 +163,7 @@ State watchedRun(const HardCase &hard, const Script &script, const RunSize &size
 }
 
 /// The second run: under a clock, in stretches of some milliseconds, and looked at only in the end.
-void repeatedRun(const Script &script, const State &end, Patience &patience, Verdict &verdict)
+void repeatedRun(const Script &script, const State &end, JudgesPatience &patience, Verdict &verdict)
 {
     Track track(script, 0);
     const double whole = static_cast<double>(verdict.frames);
@@ -223,7 +223,7 @@ Verdict judge(const HardCase &hard, const MethodPtr &method, const RunSize &size
         verdict.why = misfit;
         return verdict;
     }
-    Patience patience(progress);
+    JudgesPatience patience(progress);
     const State end = watchedRun(hard, script, size, patience, verdict);
     if (verdict.isComplete)
         repeatedRun(script, end, patience, verdict);
