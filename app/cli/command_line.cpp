@@ -99,7 +99,10 @@ int runHardCases(const QStringList &arguments)
                        {"full", Text::tr("Runs of full size: some take hours.")}});
     if (const auto settled = readArguments(parser, "hardcases", arguments, {}))
         return *settled;
-    return runHardCases({parser.value("case"), parser.isSet("json"), parser.isSet("full")});
+    HardCasesRequest request{{}, parser.isSet("json"), parser.isSet("full")};
+    if (parser.isSet("case"))
+        request.only = parser.value("case");
+    return hardCases(request);
 }
 
 void describeProgram(QCommandLineParser &parser)

@@ -26,8 +26,8 @@ struct Text
 std::vector<sim::HardCase> casesOf(const HardCasesRequest &request)
 {
     std::vector<sim::HardCase> all = sim::hardCases();
-    if (!request.only.isEmpty())
-        std::erase_if(all, [&](const sim::HardCase &one) { return one.id != request.only.toStdString(); });
+    if (request.only)
+        std::erase_if(all, [&](const sim::HardCase &one) { return one.id != request.only->toStdString(); });
     return all;
 }
 
@@ -56,11 +56,11 @@ HardRow rowOf(const sim::HardCase &hard, const sim::MethodPtr &method, bool isFu
 
 }
 
-int runHardCases(const HardCasesRequest &request)
+int hardCases(const HardCasesRequest &request)
 {
     const std::vector<sim::HardCase> cases = casesOf(request);
     if (cases.empty())
-        return refuseCase(request.only);
+        return refuseCase(*request.only);
     listenForInterrupt();
     std::vector<HardRow> rows;
     for (const sim::HardCase &hard : cases) {

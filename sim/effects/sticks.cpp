@@ -2,11 +2,7 @@
 
 #include "sim/error.h"
 
-#include <cstddef>
-
 namespace sim {
-
-using std::size_t;
 
 namespace {
 
@@ -35,8 +31,8 @@ bool acts(const Stick &one, const State &state)
 
 }
 
-Sticks::Sticks(std::vector<Stick> sticks, int points, int iterations, Sweep sweep)
-    : m_sticks(std::move(sticks)), m_iterations(iterations), m_sweep(sweep)
+Sticks::Sticks(std::vector<Stick> sticks, int points, int iterations)
+    : m_sticks(std::move(sticks)), m_iterations(iterations)
 {
     for (std::size_t i = 0; i < m_sticks.size(); ++i) {
         for (const int end : {m_sticks[i].a, m_sticks[i].b}) {
@@ -63,23 +59,14 @@ template <class Visit>
 void Sticks::forEach(
     Points points, Visit &&visit) const
 {
-    size_t count = m_sticks.size();
     for (int i = 0; i < m_iterations; ++i)
-        for (size_t n = 0; n < count; ++n) {
-            auto &one = stickAt(i, n);
+        for (const Stick &one : m_sticks)
             if (points.contains(
                     std::max(one.a, one.b)))
                 visit(one);
-        }
 }
 //! [sticks]
 // clang-format on
-
-const Stick &Sticks::stickAt(int pass, std::size_t i) const
-{
-    const bool back = m_sweep == Sweep::forthAndBack && pass % 2 == 1;
-    return m_sticks[back ? m_sticks.size() - 1 - i : i];
-}
 
 int Sticks::count(const State &state, Points points) const
 {

@@ -5,12 +5,6 @@
 
 namespace sim {
 
-/// In which order a list of sticks is gone through.
-enum class Sweep {
-    forth, ///< as it is listed, in each pass: what the last point does reaches the first a stick a pass
-    forthAndBack, ///< every second pass from its end: both ways alike
-};
-
 /// Rigid sticks, enforced one after the other, each seeing what those before it have moved. One pass over the list
 /// makes each stick right for a moment; the next ones may make it wrong again, and more passes leave less error.
 class Sticks : public Constraint
@@ -18,7 +12,7 @@ class Sticks : public Constraint
 public:
     /// `points`: how many points the scene has. `iterations`: passes over the list in a step.
     /// @throws Error "stick-without-end" (stick, end, points) when a stick ends at a point that is not there
-    Sticks(std::vector<Stick> sticks, int points, int iterations = 1, Sweep sweep = Sweep::forth);
+    Sticks(std::vector<Stick> sticks, int points, int iterations = 1);
 
     std::string id() const override { return "sticks"; }
     std::string title() const override { return SIM_TEXT("sticks"); }
@@ -36,11 +30,9 @@ public:
 private:
     template <class Visit>
     void forEach(Points points, Visit &&visit) const;
-    const Stick &stickAt(int pass, std::size_t i) const;
 
     std::vector<Stick> m_sticks;
     int m_iterations;
-    Sweep m_sweep;
 };
 
 }

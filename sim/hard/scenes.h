@@ -38,9 +38,6 @@ Scene contradiction(const Values &values);
 /// A chain of `links` sticks between two points that stand fast, 440 px apart; its sticks are `stretched` times as
 /// short as they would have to be. Values: links, stretched, damp, gravity, passes.
 Scene stretchedChain(const Values &values);
-/// A chain of `links` sticks of 1 px, listed from one end to the other, that nothing holds. Values: links, damp, passes,
-/// back: 1 if every second pass goes through the list from its end.
-Scene freeChain(const Values &values);
 /// Two points in one place on a stick of length 0, on which a heavy body hangs. Values: damp, gravity.
 Scene noLengthStick(const Values &values);
 /// A stick that is 50 px too short between two points that stand fast, and a body that hangs on one of them.

@@ -54,24 +54,7 @@ Scene stretchedChain(const Values &values)
     holdFast(scene, 0);
     holdFast(scene, links);
     scene.effects = {make_shared<Gravity>(values["gravity"]), make_shared<Damping>(values["damp"]),
-                     make_shared<Sticks>(sticks, links + 1, values.whole("passes"), Sweep::forthAndBack)};
-    return scene;
-}
-
-Scene freeChain(const Values &values)
-{
-    const int links = values.whole("links");
-    std::vector<Vec2> places;
-    std::vector<Stick> sticks;
-    for (int i = 0; i <= links; ++i) {
-        places.push_back({middle.x - links / 2.0 + i, middle.y});
-        if (i > 0)
-            sticks.push_back({i - 1, i, 1.0});
-    }
-    Scene scene = pointsAt(places);
-    const Sweep sweep = values["back"] == 1.0 ? Sweep::forthAndBack : Sweep::forth;
-    scene.effects = {make_shared<Damping>(values["damp"]),
-                     make_shared<Sticks>(sticks, links + 1, values.whole("passes"), sweep)};
+                     make_shared<Sticks>(sticks, links + 1, values.whole("passes"))};
     return scene;
 }
 

@@ -65,7 +65,7 @@ HardCase deep()
     one.script.values.set("slope", 1);
     one.script.values.set("base_length", 20);
     one.asks = {Ask::driven, Ask::manyPoints};
-    one.brief.frames = 3;
+    one.brief.frames = 1;
     return one;
 }
 
@@ -94,12 +94,12 @@ HardCase stiffTree()
                   {"damp", damp},
                   {"wind", 0},
                   {"bent", 10}}),
-        400);
+        100);
     one.asks = {Ask::swings, Ask::rests};
     // Gershgorin's circles bound the fastest swing: see Torsion::stiffestPull().
     one.stiffest = Stiffest{10.0, 10.0 * k, 1.0, 0.0, damp};
     one.bound = {600.0, root, {}};
-    one.rest = Rest{200, {{"branch1", trunkEnd, 1e-3}}, {}, 1e-3};
+    one.rest = Rest{100, {{"branch1", trunkEnd, 1e-3}}, {}, 1e-3};
     return one;
 }
 

@@ -1,10 +1,13 @@
 #include "sim/methods/newton.h"
 
+#include "sim/methods/calm_slopes.h"
+
 #include <Eigen/Dense>
 #include <Eigen/SparseLU>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace sim {
 
@@ -17,21 +20,21 @@ constexpr int mostHalvings = 6;
 using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, mostDense, mostDense>;
 using Sparse = Eigen::SparseMatrix<double>;
 
-/// The same number on all of the diagonal, and entries that add up.
-Small denseOf(const std::vector<Slopes::Entry> &entries, double diagonal, int size)
+/// 1 on the diagonal, and entries that add up.
+Small denseOf(const std::vector<Slopes::Entry> &entries, int size)
 {
-    Small matrix = diagonal * Small::Identity(size, size);
+    Small matrix = Small::Identity(size, size);
     for (const Slopes::Entry &entry : entries)
         matrix(entry.row, entry.column) += entry.value;
     return matrix;
 }
 
-Sparse sparseOf(const std::vector<Slopes::Entry> &entries, double diagonal, int size)
+Sparse sparseOf(const std::vector<Slopes::Entry> &entries, int size)
 {
     std::vector<Eigen::Triplet<double>> all;
     all.reserve(entries.size() + static_cast<std::size_t>(size));
     for (int i = 0; i < size; ++i)
-        all.emplace_back(i, i, diagonal);
+        all.emplace_back(i, i, 1.0);
     for (const Slopes::Entry &entry : entries)
         all.emplace_back(entry.row, entry.column, entry.value);
     Sparse matrix(size, size);
@@ -40,13 +43,12 @@ Sparse sparseOf(const std::vector<Slopes::Entry> &entries, double diagonal, int 
 }
 
 /// The solution of matrix * x = right, not a number where there is none. Few unknowns are solved with all their zeros.
-Eigen::VectorXd solved(const std::vector<Slopes::Entry> &entries, double diagonal,
-                       const Eigen::VectorXd &right)
+Eigen::VectorXd solved(const std::vector<Slopes::Entry> &entries, const Eigen::VectorXd &right)
 {
     const auto size = static_cast<int>(right.size());
     if (size <= mostDense)
-        return denseOf(entries, diagonal, size).partialPivLu().solve(right);
-    const Eigen::SparseLU<Sparse> factors(sparseOf(entries, diagonal, size));
+        return denseOf(entries, size).partialPivLu().solve(right);
+    const Eigen::SparseLU<Sparse> factors(sparseOf(entries, size));
     if (factors.info() != Eigen::Success)
         return Eigen::VectorXd::Constant(size, std::nan(""));
     return factors.solve(right);
@@ -75,17 +77,6 @@ bool isClose(const Numbers &step, double reach, const Numbers &place)
 bool isNoise(const Numbers &next, const Numbers &step, double reach, const Numbers &place)
 {
     return next.abs().maxCoeff() >= step.abs().maxCoeff() && isWithin(1e-6, next, reach, place);
-}
-
-/// What has to be added to the diagonal, 1, so that no part of a velocity makes what it misses grow by itself: the
-/// matrix has then no eigenvalue with a negative real part, by Gershgorin's circles.
-double heldBack(const std::vector<Slopes::Entry> &entries, int size)
-{
-    Numbers centre = Numbers::Ones(size), radius = Numbers::Zero(size);
-    for (const Slopes::Entry &entry : entries)
-        (entry.row == entry.column ? centre[entry.row] : radius[entry.row]) +=
-            entry.row == entry.column ? entry.value : std::abs(entry.value);
-    return size == 0 ? 0.0 : std::max(0.0, (radius - centre).maxCoeff());
 }
 
 }
@@ -176,14 +167,15 @@ Numbers ImplicitStep::misses(const Wanted &wanted, const Numbers &u)
     return u - wanted.drift - wanted.share * pulls(wanted.from + wanted.reach * u);
 }
 
-/// What 1 on the diagonal and these entries make up: how what u misses changes with u, where the state is.
-std::vector<Slopes::Entry> ImplicitStep::changes(const Wanted &wanted) const
+/// How fast what u misses changes with u, where the state is: with 1 on the diagonal, the entries of that matrix.
+std::vector<Slopes::Entry> ImplicitStep::changes(const Wanted &wanted, Kept kept) const
 {
     Slopes slopes(m_state.points());
     m_equations.flow().slopes(m_state, slopes);
     std::vector<Slopes::Entry> entries;
     entries.reserve(slopes.entries().size());
-    for (const Slopes::Entry &entry : slopes.entries()) {
+    for (const Slopes::Entry &entry :
+         kept == Kept::all ? slopes.entries() : calmed(slopes, m_state.points())) {
         const int row = m_unknowns[static_cast<std::size_t>(entry.row)];
         const int column = m_unknowns[static_cast<std::size_t>(entry.column)];
         if (row >= 0 && column >= 0)
@@ -192,16 +184,15 @@ std::vector<Slopes::Entry> ImplicitStep::changes(const Wanted &wanted) const
     return entries;
 }
 
-/// What to take off u for what it misses, if that changes by `entries` and `diagonal`.
-Numbers ImplicitStep::stepFor(const Numbers &wrong, const std::vector<Slopes::Entry> &entries,
-                              double diagonal) const
+/// What to take off u for what it misses, if that changes by `entries`.
+Numbers ImplicitStep::stepFor(const Numbers &wrong, const std::vector<Slopes::Entry> &entries) const
 {
     Eigen::VectorXd right(m_count);
     for (std::size_t row = 0; row < m_unknowns.size(); ++row) {
         if (m_unknowns[row] >= 0)
             right[m_unknowns[row]] = wrong[static_cast<Eigen::Index>(row)];
     }
-    const Eigen::VectorXd found = solved(entries, diagonal, right);
+    const Eigen::VectorXd found = solved(entries, right);
     Numbers step = Numbers::Zero(wrong.size());
     for (std::size_t row = 0; row < m_unknowns.size(); ++row) {
         if (m_unknowns[row] >= 0)
@@ -216,32 +207,30 @@ Numbers ImplicitStep::correction(const Wanted &wanted, const Numbers &u)
     const Numbers wrong = misses(wanted, u);
     if (isWithin(1e-15, wrong, wanted.reach, wanted.from))
         return Numbers::Zero(u.size()); // rounding: not worth a matrix
-    return stepFor(wrong, changes(wanted), 1.0);
+    return stepFor(wrong, changes(wanted, Kept::all));
 }
 
-/// Where Newton's method has found nothing, or jumps about: u as something that moves in syrup, u' = -misses(u), until
-/// it stands. Its steps are backward Euler's, short at first, so that the matrix has no negative part, and longer as
-/// less is missed; in the end they are Newton's. Returns what misses least of all this and `plain`.
-/// Source: Kelley and Keyes, "Convergence analysis of pseudo-transient continuation", 1998.
+/// Where Newton's method has found nothing, or jumps about: the same without the slopes that push (see calmed()), so
+/// that no step leads away. It takes more steps, as what turns then comes round a part of the way at a time. Returns
+/// what misses least of all this and `plain`.
 Numbers ImplicitStep::calmly(const Wanted &wanted, const Numbers &start, const Numbers &plain)
 {
-    const auto size = [](const Numbers &numbers) { return numbers.abs().maxCoeff(); };
     Numbers best = plain, u = start;
-    double least = size(misses(wanted, plain));
-    Numbers wrong = misses(wanted, u);
-    double held = heldBack(changes(wanted), m_count);
+    double least = misses(wanted, plain).abs().maxCoeff();
+    Numbers last = Numbers::Constant(u.size(), std::numeric_limits<double>::infinity());
     for (int i = 0; i < m_effort.calm; ++i) {
-        if (!(size(wrong) >= least)) {
-            least = size(wrong);
+        const Numbers wrong = misses(wanted, u);
+        const double most = wrong.abs().maxCoeff();
+        if (!(most >= least)) { // also where nothing was finite so far
+            least = most;
             best = u;
         }
-        const Numbers step = stepFor(wrong, changes(wanted), 1.0 + held);
-        if (!step.isFinite().all() || isTiny(step, wanted.reach, wanted.from))
+        const Numbers step = stepFor(wrong, changes(wanted, Kept::calm));
+        if (!step.isFinite().all() || isTiny(step, wanted.reach, wanted.from) ||
+            isNoise(step, last, wanted.reach, wanted.from))
             break;
         u = u - step;
-        const Numbers next = misses(wanted, u);
-        held *= std::clamp(size(next) / size(wrong), 0.1, 2.0);
-        wrong = next;
+        last = step;
     }
     return best;
 }
@@ -288,7 +277,7 @@ Numbers ImplicitStep::solve(const Numbers &from, const Numbers &drift, double re
     }
     if (isClose(step, reach, from))
         return u;
-    // it jumps about: more slowly
+    // it jumps about: calmer
     return calmly(wanted, start, u);
     //! [newton]
     // clang-format on

@@ -4,13 +4,15 @@
 
 #include "sim/direction.h"
 #include "sim/effects/area_stick.h"
-#include "sim/effects/radial_spring.h"
-#include "sim/effects/sticks.h"
+#include "sim/effects/slope.h"
 #include "sim/effects/tree_wind.h"
 #include "sim/error.h"
 #include "sim/hard/scenes.h"
+#include "sim/methods/calm_slopes.h"
 #include "sim/methods/methods.h"
 #include "sim/methods/newton.h"
+
+#include <Eigen/Eigenvalues>
 
 #include <QTest>
 
@@ -34,48 +36,46 @@ std::string refusalOf(const Script &script)
     return {};
 }
 
-/// How far the sticks of a chain are wrong at the worst after its last point went 5 px along.
-double worstAfterPull(Sweep sweep)
-{
-    const int links = 100;
-    Scene scene = support::pointsOf(links);
-    std::vector<Stick> sticks;
-    for (int i = 0; i <= links; ++i)
-        scene.start.place(i, {10.0 * i, 200.0});
-    for (int i = 0; i < links; ++i)
-        sticks.push_back({i, i + 1, 10.0});
-    scene.start.place(links, {10.0 * links + 5.0, 200.0});
-    scene.start.inverseMass[links] = 0.0; // the hand
-    const Sticks chain(sticks, links + 1, 40, sweep);
-    chain.enforce(scene.start, {0, links + 1}, Directions::apart, 1.0);
-    double worst = 0.0;
-    for (const Stick &one : sticks)
-        worst = std::max(worst, std::abs(length(scene.start.at(one.a) - scene.start.at(one.b)) - one.length));
-    return worst;
-}
-
-/// A crowd in one place under backward Euler: what is missing in its equation after a step of one frame, as the most that
-/// any velocity is off, px/frame. And what that took.
+/// A first step of backward Euler, of one frame, for `feet` feet `out` px from their body on springs of 50 px: by how
+/// much the velocities that it found miss its equation at the most, px/frame, and what that took.
 struct Solved
 {
     double off = 0.0;
     std::int64_t evaluations = 0;
 };
 
-Solved burstApart(Effort effort)
+Solved burstApart(double k, int feet, double out, Effort effort)
 {
-    const double k = 1.0, radius = 50.0;
-    Scene scene = support::pointsOf(5);
-    scene.effects = {std::make_shared<RadialSpring>(support::legs(5), k, radius)};
+    Scene scene = hard::creature(
+        hard::valuesOf({{"k", k}, {"damp", 0.9}, {"radius", 50}, {"feet", double(feet)}, {"out", out}}));
     findMethod("backward_euler")->prepare(scene.start);
     const Equations equations(scene, Directions::apart);
     State state = scene.start;
     ImplicitStep step(equations, state, effort);
-    const Numbers from = step.motion.x, drift = step.motion.v;
-    const Numbers u = step.solve(from, drift, 1.0);
+    const Numbers from = step.motion.x, drift = step.motion.v, share = step.kept(1.0);
+    const Numbers u = step.solve(from, drift, 1.0, share);
     const std::int64_t evaluations = state.evaluations;
-    const Numbers off = u - drift - step.pulls(from + u);
+    const Numbers off = u - drift - share * step.pulls(from + u);
     return {off.abs().maxCoeff(), evaluations};
+}
+
+/// How pulls between two points change when a spring between them is pressed together to half its length.
+Slopes pressedTogether()
+{
+    Slopes slopes(2);
+    const Vec2 from = {15.0, 20.0};
+    addSlopeBetween(slopes, 0, 1, slopeToDistance(from, 1.0, 50.0));
+    addSlopeBetween(slopes, 1, 0, slopeToDistance(-1.0 * from, 1.0, 50.0));
+    return slopes;
+}
+
+/// The least eigenvalue of 1 less what `entries` make up.
+double leastOf(const std::vector<Slopes::Entry> &entries)
+{
+    Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
+    for (const Slopes::Entry &entry : entries)
+        matrix(entry.row, entry.column) -= entry.value;
+    return Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d>(matrix).eigenvalues().minCoeff();
 }
 
 }
@@ -92,10 +92,12 @@ private slots:
     void pointsInOnePlaceHaveADirection();
     void windWithoutADistanceTurnsNoFartherThanTheWind();
     void aSpineWithoutALengthHasAWidth();
-    void sticksAreGoneThroughBothWays();
-    void sticksGoneThroughForthKeepTheirBits();
+    void aCrowdBurstsOutOfOnePlace_data();
     void aCrowdBurstsOutOfOnePlace();
-    void aSolutionThatIsNotThereIsNotLookedForForEver();
+    void moreOfNewtonsMethodIsNoHelp();
+    void slopesThatPushAreLeftOut();
+    void slopesThatPullStayAsTheyAre();
+    void aSolutionThatIsNotFoundIsNotLookedForForEver();
 };
 
 void TestSafeguards::aHandThatIsNowhereIsRefused_data()
@@ -179,49 +181,61 @@ void TestSafeguards::aSpineWithoutALengthHasAWidth()
     QCOMPARE(keepArea(left, right, none, 400.0, 10.0, 0.5).wanted, 80.0);
 }
 
-void TestSafeguards::sticksAreGoneThroughBothWays()
+void TestSafeguards::aCrowdBurstsOutOfOnePlace_data()
 {
-    // Forth alone, what the hand does at the end of the list gets a stick nearer to its start each time, so that it is
-    // shared by as many sticks as there are passes; both ways it is passed on in one.
-    const double forth = worstAfterPull(Sweep::forth);
-    const double both = worstAfterPull(Sweep::forthAndBack);
-    qInfo("worst stick: %g px forth, %g px both ways", forth, both);
-    QVERIFY(both < 0.5 * forth);
-}
-
-void TestSafeguards::sticksGoneThroughForthKeepTheirBits()
-{
-    const std::vector<Stick> sticks = {{0, 1, 40.0}, {1, 2, 40.0}, {0, 2, 40.0}};
-    Scene scene = support::pointsOf(2);
-    support::scatter(scene.start, 5, 100.0);
-    State state = scene.start;
-    Sticks(sticks, 3, 3).enforce(state, {0, 3}, Directions::apart, 1.0);
-    State plain = scene.start;
-    for (int pass = 0; pass < 3; ++pass) {
-        for (const Stick &one : sticks) {
-            const Vec2 a = plain.at(one.a), b = plain.at(one.b);
-            const StickEnds ends = stick(a, b, direction(a - b, one.b, one.a), one.length, one.share);
-            plain.place(one.a, ends.a);
-            plain.place(one.b, ends.b);
-        }
-    }
-    QVERIFY(sameBits(state, plain));
+    QTest::addColumn<double>("k");
+    QTest::addColumn<int>("feet");
+    QTest::addColumn<double>("out");
+    QTest::newRow("soft, in one place") << 0.1 << 20 << 0.0;
+    QTest::newRow("in one place") << 1.0 << 20 << 0.0;
+    QTest::newRow("stiff, in one place") << 1e4 << 7 << 0.0;
+    QTest::newRow("stiff, nearly in one place") << 1e4 << 40 << 0.001;
+    QTest::newRow("stiff, within one px") << 1e6 << 12 << 1.0;
 }
 
 void TestSafeguards::aCrowdBurstsOutOfOnePlace()
 {
-    const Solved without = burstApart({20, 0});
-    const Solved with = burstApart({});
-    qInfo("off by %g px/frame without, %g with", without.off, with.off);
-    QVERIFY(without.off > 1e-3);
-    QVERIFY(with.off < 1e-9);
+    QFETCH(double, k);
+    QFETCH(int, feet);
+    QFETCH(double, out);
+    const Solved without = burstApart(k, feet, out, {20, 0});
+    const Solved with = burstApart(k, feet, out, {});
+    QVERIFY2(without.off > 0.1, qPrintable(QString::number(without.off)));
+    // To some digits before the last one of k times 50 px.
+    QVERIFY2(with.off < 1e-8 + 1e-14 * k * 50.0 * feet, qPrintable(QString::number(with.off)));
 }
 
-void TestSafeguards::aSolutionThatIsNotThereIsNotLookedForForEver()
+void TestSafeguards::moreOfNewtonsMethodIsNoHelp()
 {
-    const Effort few = {5, 10}, more = {5, 20};
-    QVERIFY(burstApart(few).evaluations <= 5 * 8 + 10 + 4);
-    QVERIFY(burstApart(more).evaluations > burstApart(few).evaluations || burstApart(few).off < 1e-9);
+    QVERIFY(burstApart(1e4, 40, 0.001, {2000, 0}).off > 0.1);
+}
+
+void TestSafeguards::slopesThatPushAreLeftOut()
+{
+    // Across a spring of half its length the slope is k (50 / 25 - 1), for each end; so 1 - 2 in the matrix.
+    const Slopes slopes = pressedTogether();
+    QVERIFY(std::abs(leastOf(slopes.entries()) - (1.0 - 2.0)) < 1e-12);
+    QVERIFY(std::abs(leastOf(calmed(slopes, 2)) - 1.0) < 1e-12);
+}
+
+void TestSafeguards::slopesThatPullStayAsTheyAre()
+{
+    Slopes slopes(2);
+    addSlopeBetween(slopes, 0, 1, slopeToDistance({60.0, 80.0}, 1.0, 50.0));
+    slopes.addTurn(0, 1, 3.0);
+    const std::vector<Slopes::Entry> calm = calmed(slopes, 2);
+    QCOMPARE(calm.size(), slopes.entries().size());
+    for (std::size_t i = 0; i < calm.size(); ++i)
+        QCOMPARE(calm[i].value, slopes.entries()[i].value);
+}
+
+void TestSafeguards::aSolutionThatIsNotFoundIsNotLookedForForEver()
+{
+    // Each correction by Newton's method may be halved six times.
+    const std::int64_t most = 1 + 20 * 7 + 1 + 60;
+    for (const double k : {0.1, 1e4, 1e9})
+        QVERIFY(burstApart(k, 7, 0.001, {}).evaluations <= most);
+    QVERIFY(burstApart(1e4, 40, 0.001, {2000, 0}).evaluations > 2000); // without the bound
 }
 
 QTEST_GUILESS_MAIN(TestSafeguards)
