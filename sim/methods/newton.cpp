@@ -1,9 +1,7 @@
 #include "sim/methods/newton.h"
 
 #include "sim/methods/calm_slopes.h"
-
-#include <Eigen/Dense>
-#include <Eigen/SparseLU>
+#include "sim/methods/linear_solve.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,46 +11,7 @@ namespace sim {
 
 namespace {
 
-/// Up to here a matrix with all its zeros is solved faster than one without.
-constexpr int mostDense = 64;
 constexpr int mostHalvings = 6;
-
-using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, mostDense, mostDense>;
-using Sparse = Eigen::SparseMatrix<double>;
-
-/// 1 on the diagonal, and entries that add up.
-Small denseOf(const std::vector<Slopes::Entry> &entries, int size)
-{
-    Small matrix = Small::Identity(size, size);
-    for (const Slopes::Entry &entry : entries)
-        matrix(entry.row, entry.column) += entry.value;
-    return matrix;
-}
-
-Sparse sparseOf(const std::vector<Slopes::Entry> &entries, int size)
-{
-    std::vector<Eigen::Triplet<double>> all;
-    all.reserve(entries.size() + static_cast<std::size_t>(size));
-    for (int i = 0; i < size; ++i)
-        all.emplace_back(i, i, 1.0);
-    for (const Slopes::Entry &entry : entries)
-        all.emplace_back(entry.row, entry.column, entry.value);
-    Sparse matrix(size, size);
-    matrix.setFromTriplets(all.begin(), all.end());
-    return matrix;
-}
-
-/// The solution of matrix * x = right, not a number where there is none. Few unknowns are solved with all their zeros.
-Eigen::VectorXd solved(const std::vector<Slopes::Entry> &entries, const Eigen::VectorXd &right)
-{
-    const auto size = static_cast<int>(right.size());
-    if (size <= mostDense)
-        return denseOf(entries, size).partialPivLu().solve(right);
-    const Eigen::SparseLU<Sparse> factors(sparseOf(entries, size));
-    if (factors.info() != Eigen::Success)
-        return Eigen::VectorXd::Constant(size, std::nan(""));
-    return factors.solve(right);
-}
 
 /// Whether a change of velocities changes the places that they lead to by no more than this share of them.
 bool isWithin(double share, const Numbers &change, double reach, const Numbers &place)
@@ -187,14 +146,19 @@ std::vector<Slopes::Entry> ImplicitStep::changes(const Wanted &wanted, Kept kept
 }
 
 /// What to take off u for what it misses, if that changes by `entries`.
-Numbers ImplicitStep::stepFor(const Numbers &wrong, const std::vector<Slopes::Entry> &entries) const
+Numbers ImplicitStep::stepFor(const Numbers &wrong, const Numbers &share,
+                              const std::vector<Slopes::Entry> &entries) const
 {
-    Eigen::VectorXd right(m_count);
+    const int points = m_state.points();
+    Eigen::VectorXd right(m_count), weights(m_count);
     for (std::size_t row = 0; row < m_unknowns.size(); ++row) {
-        if (m_unknowns[row] >= 0)
-            right[m_unknowns[row]] = wrong[static_cast<Eigen::Index>(row)];
+        const auto i = static_cast<Eigen::Index>(row);
+        if (m_unknowns[row] < 0)
+            continue;
+        right[m_unknowns[row]] = wrong[i];
+        weights[m_unknowns[row]] = 1.0 / (share[i] * m_state.inverseMass[i % points]);
     }
-    const Eigen::VectorXd found = solved(entries, right);
+    const Eigen::VectorXd found = solved(entries, right, weights);
     Numbers step = Numbers::Zero(wrong.size());
     for (std::size_t row = 0; row < m_unknowns.size(); ++row) {
         if (m_unknowns[row] >= 0)
@@ -209,7 +173,7 @@ Numbers ImplicitStep::correction(const Wanted &wanted, const Numbers &u)
     const Numbers wrong = misses(wanted, u);
     if (isWithin(1e-15, wrong, wanted.reach, wanted.from))
         return Numbers::Zero(u.size()); // rounding: not worth a matrix
-    return stepFor(wrong, changes(wanted, Kept::all));
+    return stepFor(wrong, wanted.share, changes(wanted, Kept::all));
 }
 
 /// Where Newton's method has found nothing, or jumps about: the same without the slopes that push (see calmed()), so
@@ -227,7 +191,7 @@ Numbers ImplicitStep::calmly(const Wanted &wanted, const Numbers &start, const N
             least = most;
             best = u;
         }
-        const Numbers step = stepFor(wrong, changes(wanted, Kept::calm));
+        const Numbers step = stepFor(wrong, wanted.share, changes(wanted, Kept::calm));
         if (!step.isFinite().all() || isTiny(step, wanted.reach, wanted.from) ||
             isNoise(step, last, wanted.reach, wanted.from))
             break;

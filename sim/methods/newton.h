@@ -79,7 +79,8 @@ private:
         calm, ///< those that push left out
     };
     std::vector<Slopes::Entry> changes(const Wanted &wanted, Kept kept) const;
-    Numbers stepFor(const Numbers &wrong, const std::vector<Slopes::Entry> &entries) const;
+    Numbers stepFor(const Numbers &wrong, const Numbers &share,
+                    const std::vector<Slopes::Entry> &entries) const;
     Numbers calmly(const Wanted &wanted, const Numbers &start, const Numbers &plain);
     Numbers advance(const Wanted &wanted, Numbers &u, const Numbers &step);
 

@@ -1,0 +1,262 @@
+#include "random_trial.h"
+
+#include "app/model/experiment.h"
+#include "app/model/sentences.h"
+
+#include <QRegularExpression>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace random_experiments {
+
+namespace {
+
+constexpr std::int64_t mostRows = 300;
+constexpr std::int64_t mostWork = 150'000; ///< phases times points that a run may be
+
+/// Something that must not be.
+struct Fault
+{
+    QString what;
+};
+
+void require(bool holds, const QString &what)
+{
+    if (!holds)
+        throw Fault{what};
+}
+
+/// A refusal is one line that says where, and ends as a sentence.
+void checkRefusal(const QString &sentence, const QByteArray &text)
+{
+    static const QRegularExpression form("^x\\.json: line (\\d+): [^\\n\\r%]+\\.$");
+    const QRegularExpressionMatch match = form.match(sentence);
+    require(match.hasMatch() || sentence.contains('%'), "no sentence with its place: " + sentence);
+    require(!sentence.contains('\n') && sentence.endsWith('.'), "not one sentence: " + sentence);
+    require(match.captured(1).toInt() <= text.count('\n') + 1, "no such line: " + sentence);
+    require(!sentence.contains("does not fit together"), "nobody has words for this: " + sentence);
+    require(sentence.size() < 1000, "too long: " + sentence);
+}
+
+void checkFinite(double number, const QString &what)
+{
+    require(std::isfinite(number), what + " is not finite");
+}
+
+/// All that a state holds, whatever the run itself looks at, and all that `trace` writes of it.
+void checkState(const sim::State &state)
+{
+    const QString where = QStringLiteral(" at frame %1").arg(state.frame);
+    const auto all = [&where](const auto &numbers, const char *what) {
+        require(numbers.isFinite().all(), what + where + " is not finite");
+    };
+    all(state.position, "a place");
+    all(state.velocity, "a velocity");
+    all(state.acceleration, "an acceleration");
+    all(state.angle, "an angle");
+    all(state.spin, "a spin");
+    all(state.gait, "a gait");
+    all(state.gaitSpeed, "a gait's speed");
+    checkFinite(state.gale.front + state.gale.end, "a gale" + where);
+    checkFinite(state.outside.target.x, "a target" + where);
+    checkFinite(state.hold.hand.x, "a hand" + where);
+}
+
+void checkStop(const sim::Stop &stop, std::int64_t at)
+{
+    const QString sentence = app::sentenceFor(stop);
+    require(stop.frame == at, "stopped at another frame than the last good one: " + sentence);
+    require(sentence.startsWith(QStringLiteral("Stopped at frame %1").arg(stop.frame)) &&
+                sentence.endsWith('.'),
+            "no reason: " + sentence);
+    require(!stop.body.empty(), "nothing is named that failed: " + sentence);
+}
+
+/// A run, and the work that it may still be.
+class Run
+{
+public:
+    Run(const app::Experiment &experiment, const lessons::Step &step, Draw &draw)
+        : m_experiment(experiment), m_step(step), m_draw(draw),
+          m_track(experiment.script, draw.of(std::vector<std::size_t>{0, 50'000, 1'000'000}))
+    {
+        const bool solves = !experiment.script.method->needs().empty();
+        m_cost = solves ? 30 : 1;
+    }
+
+    Outcome::End all()
+    {
+        forth();
+        back();
+        shown();
+        if (m_left > mostWork / 2)
+            edited();
+        return m_track.stop() ? Outcome::End::stopped : Outcome::End::ran;
+    }
+
+private:
+    bool goes(sim::Cursor target)
+    {
+        return m_track.seek(target, [this] {
+            m_left -= m_cost * (5 + m_track.now().points());
+            return m_left > 0;
+        });
+    }
+
+    void forth()
+    {
+        checkState(m_track.now());
+        m_seen[0] = m_track.now();
+        const std::int64_t row = m_track.rowFrames();
+        const std::int64_t last = std::min(m_experiment.frames, mostRows * row);
+        for (std::int64_t frame = row; frame <= last; frame += row) {
+            if (!goes({frame, 0}) || m_track.stop())
+                break;
+            checkState(m_track.now());
+            if (m_draw.chance(0.05))
+                m_seen[frame] = m_track.now();
+        }
+        if (m_track.stop())
+            checkStop(*m_track.stop(), m_track.at().frame);
+    }
+
+    /// To moments that were there before, also inside a row: the same numbers again.
+    void back()
+    {
+        m_left += mostWork / 4;
+        for (int i = 0; i < 3; ++i) {
+            const auto seen = std::next(m_seen.begin(), m_draw.below(int(m_seen.size())));
+            if (!goes({seen->first, m_draw.below(7)}))
+                return;
+            if (m_track.at().phase == 0)
+                checkState(m_track.now());
+            if (!goes({seen->first, 0}))
+                return;
+            require(sim::sameBits(m_track.now(), seen->second),
+                    QStringLiteral("frame %1 is another the second time").arg(seen->first));
+        }
+    }
+
+    /// What is drawn over the picture and written beside it.
+    void shown()
+    {
+        const sim::Segment &segment = m_track.shown();
+        const sim::State &state = m_track.now();
+        const lessons::Look look = m_step.look(segment.scene, segment.values);
+        require(int(look.bodies.size()) == state.points(), "some bodies have no look");
+        std::vector<lessons::Guide> guides;
+        if (m_step.guides)
+            guides = m_step.guides(segment.scene, state, segment.values);
+        for (const lessons::Guide &guide : guides)
+            checkFinite(guide.a.x + guide.a.y + guide.b.x + guide.b.y + guide.size, "a guide");
+        for (const lessons::Measure &measure : m_step.measures) {
+            if (measure.of)
+                measure.of(segment.scene, state, nullptr, segment.values);
+        }
+    }
+
+    /// As a learner goes about it.
+    void edited()
+    {
+        sim::Timeline line(m_experiment.script, 200'000);
+        const std::int64_t middle = m_seen.rbegin()->first / 2;
+        line.seek({middle, 0});
+        line.stepPhase();
+        line.stepPhaseBack();
+        line.stepRowBack();
+        line.stepRow();
+        checkState(line.now());
+        const sim::Scene &scene = line.track().shown().scene;
+        line.hand(sim::Grab{scene.names[std::size_t(m_draw.below(int(scene.names.size())))]});
+        line.hand(sim::Move{{m_draw.real(-1e9, 1e9), m_draw.real(0.0, 400.0)}});
+        line.stepRow();
+        line.hand(sim::Release{});
+        if (!m_step.parameters.empty()) {
+            const lessons::Parameter &parameter = m_draw.of(m_step.parameters);
+            if (!parameter.whole && parameter.choices.isEmpty())
+                set(line, parameter);
+        }
+        for (int i = 0; i < 5; ++i) {
+            line.stepRow();
+            checkState(line.now());
+        }
+        if (line.stop())
+            checkStop(*line.stop(), line.at().frame);
+        for (const lessons::Try &one : m_step.tries)
+            one.done(line);
+        line.forgetGhost();
+        line.seek({0, 0});
+        checkState(line.now());
+    }
+
+    void set(sim::Timeline &line, const lessons::Parameter &parameter)
+    {
+        try {
+            line.set(parameter.id.toStdString(), m_draw.real(parameter.min, parameter.max));
+        } catch (const sim::Error &error) {
+            const QString sentence = app::sentenceFor(error);
+            require(!sentence.contains("does not fit together"), "nobody has words for this: " + sentence);
+        }
+    }
+
+    const app::Experiment &m_experiment;
+    const lessons::Step &m_step;
+    Draw &m_draw;
+    sim::Track m_track;
+    std::int64_t m_left = mostWork;
+    std::int64_t m_cost = 1;
+    std::map<std::int64_t, sim::State> m_seen; ///< states by frame
+};
+
+/// What is written is read as the same experiment, and written the same again.
+void checkWritten(const app::Experiment &first, const app::LessonLibrary &library)
+{
+    const QByteArray written = app::experimentText(first, library);
+    try {
+        const app::Experiment second = app::parseExperiment(written, "x.json", library);
+        const sim::Script &a = first.script, &b = second.script;
+        require(a.values == b.values && a.bodies == b.bodies && a.effectsOff == b.effectsOff &&
+                    a.input == b.input && a.step == b.step && a.method->id() == b.method->id() &&
+                    first.frames == second.frames && first.lesson == second.lesson &&
+                    first.step == second.step,
+                "written and read again it is another: " + written);
+        require(app::experimentText(second, library) == written, "written again it is another");
+    } catch (const app::Refusal &refusal) {
+        throw Fault{"what it writes it refuses: " + refusal.sentence() + '\n' + written};
+    }
+}
+
+void go(const QByteArray &text, const app::LessonLibrary &library, Draw &draw, Outcome &outcome)
+{
+    app::Experiment experiment;
+    try {
+        experiment = app::parseExperiment(text, "x.json", library);
+    } catch (const app::Refusal &refusal) {
+        checkRefusal(refusal.sentence(), text);
+        return;
+    }
+    outcome.lesson = experiment.lesson;
+    outcome.method = QString::fromStdString(experiment.script.method->id());
+    checkWritten(experiment, library);
+    const lessons::Step *step = library.lesson(experiment.lesson)->step(experiment.step);
+    outcome.end = Run(experiment, *step, draw).all();
+}
+
+}
+
+Outcome tried(const QByteArray &text, const app::LessonLibrary &library, Draw &draw)
+{
+    Outcome outcome;
+    try {
+        go(text, library, draw, outcome);
+    } catch (const Fault &fault) {
+        outcome.fault = fault.what;
+    } catch (const std::exception &error) {
+        outcome.fault = QStringLiteral("thrown: ") + error.what();
+    }
+    return outcome;
+}
+
+}

@@ -1,0 +1,191 @@
+// A cloth that is far stiffer than a step follows, and the solver that it takes.
+
+#include "cloth.h"
+#include "implicit_scenes.h"
+#include "support.h"
+
+#include "sim/flow.h"
+#include "sim/methods/conjugate_gradients.h"
+#include "sim/methods/linear_solve.h"
+#include "sim/methods/methods.h"
+
+#include <Eigen/Dense>
+#include <QTest>
+
+using namespace sim;
+
+namespace {
+
+using Entries = std::vector<Slopes::Entry>;
+
+/// The slopes of all points of `scene` that feel something, numbered through, times `reach` squared: what backward
+/// Euler solves with.
+Entries entriesOf(const Scene &scene, double reach)
+{
+    const int points = scene.start.points();
+    std::vector<int> number(std::size_t(points), -1);
+    int free = 0;
+    for (int i = 0; i < points; ++i)
+        number[std::size_t(i)] = scene.start.feels(i) ? free++ : -1;
+    Slopes slopes(points);
+    Flow(scene, Directions::apart).slopes(scene.start, slopes);
+    Entries entries;
+    const auto numberOf = [&](int row) {
+        const int own = number[std::size_t(row % points)];
+        return own < 0 || row < points ? own : own + free;
+    };
+    for (const Slopes::Entry &entry : slopes.entries()) {
+        if (numberOf(entry.row) >= 0 && numberOf(entry.column) >= 0)
+            entries.push_back({numberOf(entry.row), numberOf(entry.column), -reach * reach * entry.value});
+    }
+    return entries;
+}
+
+int unknowns(const Scene &scene)
+{
+    return 2 * int((scene.start.inverseMass != 0.0).count());
+}
+
+/// 1 / inverse mass of each unknown.
+Eigen::VectorXd massesOf(const Scene &scene)
+{
+    std::vector<double> masses;
+    for (int i = 0; i < scene.start.points(); ++i) {
+        if (scene.start.feels(i))
+            masses.push_back(1.0 / scene.start.inverseMass[i]);
+    }
+    const Eigen::VectorXd one = Eigen::Map<Eigen::VectorXd>(masses.data(), Eigen::Index(masses.size()));
+    Eigen::VectorXd both(2 * one.size());
+    both << one, one;
+    return both;
+}
+
+Eigen::MatrixXd denseOf(const Entries &entries, int size)
+{
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(size, size);
+    for (const Slopes::Entry &entry : entries)
+        matrix(entry.row, entry.column) += entry.value;
+    return matrix;
+}
+
+/// A cloth whose springs are all stretched, with masses of 1 to 1000.
+Scene crumpled(int side, double k)
+{
+    Scene scene = cloth::hung(side, k, 1.0);
+    support::Dice dice(5);
+    scene.start.position *= 1.5;
+    for (int i = 0; i < scene.start.points(); ++i) {
+        scene.start.place(i, scene.start.at(i) + Vec2{dice.real(-1, 1), dice.real(-1, 1)});
+        if (scene.start.feels(i))
+            scene.start.inverseMass[i] = std::pow(10.0, dice.real(-3.0, 0.0));
+    }
+    return scene;
+}
+
+}
+
+class TestStiffCloth : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void itComesToRestAtItsExactSag_data()
+    {
+        QTest::addColumn<QString>("method");
+        QTest::newRow("backward Euler") << "backward_euler";
+        QTest::newRow("TR-BDF2") << "tr_bdf2";
+    }
+    void itComesToRestAtItsExactSag()
+    {
+        QFETCH(QString, method);
+        constexpr int side = 64, frames = 12;
+        constexpr double k = 1e6; // and one step a frame: k h^2 = 1e6
+        const Scene scene = cloth::hung(side, k, 0.5);
+        const State end = support::plainRun(scene, method.toStdString(), 1.0, frames);
+        for (int point = 0; point < end.points(); ++point) {
+            const double exact = cloth::sag(side, k, point / side);
+            const Vec2 moved = end.at(point) - scene.start.at(point);
+            QVERIFY2(std::abs(moved.y - exact) <= 0.01 * exact,
+                     qPrintable(QString("point %1: %2, not %3").arg(point).arg(moved.y).arg(exact)));
+            QVERIFY2(std::abs(moved.x) <= 0.01 * cloth::sag(side, k, side - 1),
+                     qPrintable(QString("point %1: %2 aside").arg(point).arg(moved.x)));
+        }
+        // In a hundred frames it would move by less than a hundredth of its sag.
+        QVERIFY2(end.velocity.abs().maxCoeff() < 1e-4 * cloth::sag(side, k, side - 1),
+                 qPrintable(QString::number(end.velocity.abs().maxCoeff())));
+    }
+
+    /// Else nothing above would have taken conjugate gradients.
+    void whichSolverAMatrixTakesFollowsFromItsSprings()
+    {
+        const auto of = [](const Scene &scene) { return solverFor(entriesOf(scene, 1.0), unknowns(scene)); };
+        QVERIFY(of(cloth::hung(4, 1.0, 1.0)) == Solver::dense);
+        QVERIFY(of(cloth::hung(16, 1.0, 1.0)) == Solver::sparse);
+        QVERIFY(of(cloth::hung(64, 1.0, 1.0)) == Solver::conjugate);
+        QVERIFY(of(implicit_scenes::creature(2000, 1.0)) == Solver::sparse); // a star: it has no rounds
+    }
+
+    void conjugateGradientsFindWhatFactorsFind_data()
+    {
+        QTest::addColumn<double>("k");
+        for (const double k : {0.2, 1e3, 1e6})
+            QTest::addRow("k = %g", k) << k;
+    }
+    void conjugateGradientsFindWhatFactorsFind()
+    {
+        QFETCH(double, k);
+        const Scene scene = crumpled(8, k);
+        const int size = unknowns(scene);
+        const Entries entries = entriesOf(scene, 1.0);
+        const Eigen::VectorXd right = Eigen::VectorXd::LinSpaced(size, -1.0, 2.0), masses = massesOf(scene);
+        const auto matrix = SpringMatrix::of(entries, masses);
+        QVERIFY(matrix);
+        const Conjugate found = conjugateGradients(*matrix, inTurn(masses.cwiseProduct(right)), 1e-13);
+        const Eigen::MatrixXd dense = denseOf(entries, size);
+        const Eigen::VectorXd exact = dense.fullPivLu().solve(right);
+        const double off = (inColumns(found.x) - exact).cwiseAbs().maxCoeff() / exact.cwiseAbs().maxCoeff();
+        const double worst = dense.norm() * dense.inverse().norm(); // how much rounding can grow
+        QVERIFY2(off < 1e-13 * worst + 1e-13, qPrintable(QString("%1, %2").arg(off).arg(worst)));
+        QVERIFY(found.iterations > 5);
+    }
+
+    void withoutMassesAMatrixIsNotTheSameOnBothSides()
+    {
+        const Scene scene = crumpled(8, 1e3);
+        const Entries entries = entriesOf(scene, 1.0);
+        QVERIFY(!SpringMatrix::of(entries, Eigen::VectorXd::Ones(unknowns(scene))));
+        Eigen::VectorXd masses = massesOf(scene);
+        QVERIFY(SpringMatrix::of(entries, masses));
+        masses[3] = std::numeric_limits<double>::infinity();
+        QVERIFY(!SpringMatrix::of(entries, masses));
+    }
+
+    /// Springs pressed to a third of their length push sideways: no conjugate gradients, and factors do it.
+    void whatPushesIsLeftToFactors()
+    {
+        Scene scene = cloth::hung(40, 1e3, 1.0);
+        scene.start.position /= 3.0;
+        const Entries entries = entriesOf(scene, 1.0);
+        const int size = unknowns(scene);
+        const Eigen::VectorXd right = Eigen::VectorXd::LinSpaced(size, -1.0, 2.0), masses = massesOf(scene);
+        QVERIFY(solverFor(entries, size) == Solver::conjugate);
+        const auto matrix = SpringMatrix::of(entries, masses);
+        QVERIFY(matrix && !conjugateGradients(*matrix, inTurn(right), 1e-12).x.allFinite());
+        const Eigen::VectorXd found = solved(entries, right, masses);
+        Eigen::VectorXd missed = found - right;
+        for (const Slopes::Entry &entry : entries)
+            missed[entry.row] += entry.value * found[entry.column];
+        QVERIFY2(missed.norm() < 1e-8 * right.norm(), qPrintable(QString::number(missed.norm())));
+    }
+
+    void twoRunsAreTheSameBitForBit()
+    {
+        const Scene scene = cloth::hung(32, 1e6, 0.9);
+        const State one = support::plainRun(scene, "backward_euler", 1.0, 3);
+        QVERIFY(sameBits(one, support::plainRun(scene, "backward_euler", 1.0, 3)));
+        QCOMPARE(firstNotFinite(one), -1);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestStiffCloth)
+#include "tst_stiff_cloth.moc"
