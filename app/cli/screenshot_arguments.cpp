@@ -75,6 +75,7 @@ ScreenshotRequest requestFrom(const QCommandLineParser &parser)
     request.size = pictureSize(parser.value("size"));
     request.dark = isDark(parser.value("theme"));
     request.measuring = isMeasuring(parser.value("mode"));
+    request.energy = parser.isSet("energy");
     return request;
 }
 
@@ -89,6 +90,7 @@ void addScreenshotOptions(QCommandLineParser &parser)
         {"size", Text::tr("Width and height in pixels (default 1280x800)."), "WxH", "1280x800"},
         {"theme", Text::tr("light or dark (default light)."), "THEME", "light"},
         {"mode", Text::tr("learn or measure (default learn)."), "MODE", "learn"},
+        {"energy", Text::tr("Show where energy went, below the picture.")},
     });
 }
 

@@ -55,7 +55,8 @@ struct Bench
         }
         return nullptr;
     }
-    double amount(const QString &id) const { return line(id) ? line(id)->amount : std::nan(""); }
+    /// What has never had anything in it has no line.
+    double amount(const QString &id) const { return line(id) ? line(id)->amount : 0.0; }
 
     World world{withPuppet()};
     EnergyPanel panel{world.session, world.theme};
@@ -124,7 +125,8 @@ private slots:
         bench.goTo(10);
         QVERIFY(!bench.line("hand"));
         const double before = springEnergy(bench.session().timeline().now());
-        bench.session().grab("foot0");
+        const sim::Scene &scene = bench.session().timeline().track().shown().scene;
+        bench.session().grab(QString::fromStdString(scene.names.front()));
         bench.session().moveHand({370.0, 200.0});
         bench.session().frameForward();
         bench.session().moveHand({370.0, 200.0});

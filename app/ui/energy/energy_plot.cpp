@@ -23,7 +23,7 @@ protected:
         const double size = std::abs(tick);
         if (size >= 1e5 || (size > 0.0 && size < 1e-3))
             return roughNumber(tick);
-        return writtenNumber(tick, 3);
+        return writtenNumber(tick, 0);
     }
 };
 
@@ -210,7 +210,9 @@ void EnergyPlot::refresh(const EnergyLines &lines)
     for (QCPItemText *name : m_names)
         name->setVisible(isCounted);
     if (isCounted) {
-        xAxis->setRange(static_cast<double>(left), static_cast<double>(std::max(right, left + 10 * rows)));
+        const auto start = static_cast<double>(left),
+                   end = static_cast<double>(std::max(right, left + 10 * rows));
+        xAxis->setRange(start, end + 0.02 * (end - start)); // room for a cursor at the end
         if (m_shows == Shows::energy)
             drawEnergy(left, right, lines.lowest());
         else

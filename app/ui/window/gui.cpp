@@ -66,6 +66,8 @@ int takeScreenshot(QApplication &application, const ScreenshotRequest &request)
         QApplication::processEvents();
         if (request.measuring)
             window.setMode(MainWindow::Mode::measure);
+        if (request.energy)
+            window.showEnergy(true);
         while (window.study().stage() == AccuracyStudy::Stage::measuring)
             QApplication::processEvents(QEventLoop::WaitForMoreEvents);
         session.goTo({request.frame, request.phase});

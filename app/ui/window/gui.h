@@ -19,6 +19,7 @@ struct ScreenshotRequest
     QSize size{1280, 800};
     bool dark = false;
     bool measuring = false; ///< arranged for measuring, with all that is measured
+    bool energy = false;    ///< whether the ledger of energy is shown
     QString out;            ///< a file name; its ending tells the format
 };
 
