@@ -1,0 +1,21 @@
+#include "sim/hard/hard_case.h"
+
+#include <algorithm>
+
+namespace sim {
+
+bool HardCase::asksFor(Ask what) const
+{
+    return std::find(asks.begin(), asks.end(), what) != asks.end();
+}
+
+Script scriptOf(const HardCase &hard, const MethodPtr &method, const RunSize &size)
+{
+    Script script = hard.script;
+    script.method = method;
+    script.step =
+        method->stepping() == Stepping::adaptive ? StepSize::within(size.tolerance) : StepSize::of(size.h);
+    return script;
+}
+
+}
