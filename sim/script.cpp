@@ -1,8 +1,35 @@
 #include "sim/script.h"
 
+#include "sim/error.h"
+
 #include <algorithm>
+#include <cmath>
 
 namespace sim {
+
+namespace {
+
+bool isFinite(Vec2 at)
+{
+    return std::isfinite(at.x) && std::isfinite(at.y);
+}
+
+/// What an event is called in files, if a number of it is not finite.
+struct Unfit
+{
+    std::string operator()(const Move &move) const { return isFinite(move.to) ? "" : "move"; }
+    std::string operator()(const Pointer &pointer) const { return isFinite(pointer.at) ? "" : "pointer"; }
+    std::string operator()(const Target &target) const { return isFinite(target.at) ? "" : "target"; }
+    std::string operator()(const Gust &gust) const { return std::isfinite(gust.degrees) ? "" : "gust"; }
+    std::string operator()(const Set &set) const { return std::isfinite(set.value) ? "" : "set"; }
+    template <class Other>
+    std::string operator()(const Other &) const
+    {
+        return {};
+    }
+};
+
+}
 
 Scene sceneOf(const Script &script, const Values &values)
 {
@@ -26,6 +53,13 @@ Scene sceneOf(const Script &script, const Values &values)
 Event eventOf(std::int64_t frame, const Input &what)
 {
     return {frame, std::visit([](const auto &one) -> decltype(Event::what) { return one; }, what)};
+}
+
+void checkFinite(const Event &event)
+{
+    const std::string unfit = std::visit(Unfit{}, event.what);
+    if (!unfit.empty())
+        throw Error("input-not-finite", {{"event", unfit}, {"frame", std::to_string(event.frame)}});
 }
 
 void sortByFrame(std::vector<Event> &input)

@@ -97,6 +97,10 @@ Scene sceneOf(const Script &script, const Values &values);
 /// `what` as an event of the row whose computation it precedes.
 Event eventOf(std::int64_t frame, const Input &what);
 
+/// Lets no event through that is no place, no angle or no value: one would make all numbers of a run so.
+/// @throws Error "input-not-finite" (event, frame) when a number of it is not finite
+void checkFinite(const Event &event);
+
 /// Sorts events by frame and keeps the order within each frame.
 void sortByFrame(std::vector<Event> &input);
 

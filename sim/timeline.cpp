@@ -75,11 +75,12 @@ bool replaces(const Event &second, const Event &first)
 bool Timeline::hand(const Input &what)
 {
     const std::int64_t frame = at().frame + m_track.rowFrames();
+    const Event event = eventOf(frame, what);
+    checkFinite(event);
     const int phase = at().phase;
     const bool forked = openRow(frame);
     std::vector<Event> input = script().input;
-    std::erase_if(input, [&](const Event &event) { return event.frame > frame; });
-    const Event event = eventOf(frame, what);
+    std::erase_if(input, [&](const Event &other) { return other.frame > frame; });
     if (!input.empty() && replaces(event, input.back()))
         input.pop_back();
     input.push_back(event);

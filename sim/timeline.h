@@ -33,6 +33,7 @@ public:
 
     /// What a learner does now: it becomes input of the row at the cursor. Later input is forgotten: it belonged to
     /// another future. Returns whether the run as it was became the ghost; so do the next two.
+    /// @throws Error "input-not-finite" (event, frame) for what is nowhere; nothing has changed then
     bool hand(const Input &what);
     /// A parameter changes now: at the start of the run for the whole run, later from the row at the cursor on.
     /// Later input stays, so that the two runs differ by this alone.

@@ -68,6 +68,8 @@ std::vector<Track::Change> Track::changesOf(const Script &script)
 
 void Track::check(const Script &script, std::int64_t frame)
 {
+    for (const Event &event : script.input)
+        checkFinite(event);
     for (const Change &change : changesOf(script)) {
         if (change.frame >= frame)
             compose(sceneOf(script, change.values), *script.method, script.step);

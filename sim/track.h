@@ -83,7 +83,7 @@ public:
     std::vector<Moment> moments(const std::string &body) const;
 
     /// Composes each scene that `script` comes to from `frame` on, so that no step meets one that does not fit.
-    /// @throws Error when one does not
+    /// @throws Error when one does not, or when a number of the input is not finite
     static void check(const Script &script, std::int64_t frame);
     /// Replaces the input, which may differ from `frame` on only, and forgets what was computed from there. The
     /// cursor must stand between two rows, before `frame`.

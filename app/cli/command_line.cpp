@@ -1,6 +1,7 @@
 #include "app/cli/command_line.h"
 
 #include "app/cli/accuracy.h"
+#include "app/cli/hard_cases.h"
 #include "app/cli/lessons_list.h"
 #include "app/cli/terminal.h"
 #include "app/cli/trace.h"
@@ -87,6 +88,23 @@ int runAccuracy(const QStringList &arguments)
     }
 }
 
+int runHardCases(const QStringList &arguments)
+{
+    QCommandLineParser parser;
+    parser.setApplicationDescription(Text::tr(
+        "Runs every hard case under every method, and tells what holds; exit code 1 if a method fails a "
+        "case that it claims."));
+    parser.addOptions({{"case", Text::tr("Runs this case only."), "ID"},
+                       {"json", Text::tr("The same as JSON.")},
+                       {"full", Text::tr("Runs of full size: some take hours.")}});
+    if (const auto settled = readArguments(parser, "hardcases", arguments, {}))
+        return *settled;
+    HardCasesRequest request{{}, parser.isSet("json"), parser.isSet("full")};
+    if (parser.isSet("case"))
+        request.only = parser.value("case");
+    return hardCases(request);
+}
+
 void describeProgram(QCommandLineParser &parser)
 {
     parser.setApplicationDescription(
@@ -97,6 +115,7 @@ void describeProgram(QCommandLineParser &parser)
                  "  trace FILE                                  writes the run of an experiment as CSV\n"
                  "  accuracy FILE|LESSON/STEP [--json] [--svg OUT] [--tolerance E]\n"
                  "                                              measures errors and costs of the methods\n"
+                 "  hardcases [--case ID] [--json]              tells which methods hold where runs break\n"
                  "  screenshot LESSON/STEP --frame N OUT.png    draws the window"));
     parser.addPositionalArgument("FILE", Text::tr("An experiment to open."), "[FILE | VERB ...]");
     parser.addOption({{"v", "version"}, Text::tr("Prints the version.")});
@@ -120,7 +139,7 @@ bool refusesName(const QStringList &names)
 
 QStringList verbs()
 {
-    return {"lessons", "trace", "accuracy", "screenshot"};
+    return {"lessons", "trace", "accuracy", "hardcases", "screenshot"};
 }
 
 int refuseUse(const QString &sentence)
@@ -174,6 +193,8 @@ std::optional<int> runPlainVerb(const QStringList &arguments)
         return runTrace(arguments.mid(1));
     if (verb == "accuracy")
         return runAccuracy(arguments.mid(1));
+    if (verb == "hardcases")
+        return runHardCases(arguments.mid(1));
     return {};
 }
 

@@ -1,5 +1,7 @@
 #include "app/model/sentences.h"
 
+#include "app/model/hard_sentences.h"
+
 #include <QCoreApplication>
 
 namespace app {
@@ -82,6 +84,13 @@ QString sentenceFor(const sim::Error &error)
         return Text::tr(
                    "Stick %1 ends at p%2, and there is no such point: there are %3, and the first is p0.")
             .arg(value(error, "stick"), value(error, "end"), value(error, "points"));
+    if (error.id() == "input-not-finite")
+        return Text::tr(
+                   "The event %1 before frame %2 has a number that is infinite or none at all: give it a "
+                   "finite one.")
+            .arg(value(error, "event"), value(error, "frame"));
+    if (const QString hard = hardSentence(error); !hard.isEmpty())
+        return hard;
     return Text::tr("This does not fit together: %1.").arg(QString::fromUtf8(error.what()));
 }
 

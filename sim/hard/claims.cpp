@@ -12,11 +12,13 @@ namespace sim {
 
 namespace {
 
-/// Methods that keep an error small take some steps in each swing; a frame of theirs has an end (see Advance), and
-/// this many swings, in rad/frame, they come through.
-constexpr double fastestFollowed = 5000.0;
-/// They find each bounce by itself: this many a frame they come through.
-constexpr double mostFound = 5000.0;
+/// Methods that choose their steps give up a frame that takes more of them than 20,000 (see Advance). They claim what
+/// should take half as many.
+constexpr double mostSteps = 10'000.0;
+/// Each bounce that they find takes a few.
+constexpr double stepsPerBounce = 4.0;
+/// What a step may be off stirs what should be at rest: by as much as a swing of that size, and some of them add up.
+constexpr double stirs = 10.0;
 
 std::string text(double value)
 {
@@ -76,16 +78,34 @@ double pace(const Stiffest &stiffest)
     return std::sqrt(stiffest.k * (stiffest.inverseMass + stiffest.inverseMass2));
 }
 
+/// The most exact that places and distances have to be in the end, px.
+double closest(const Rest &rest)
+{
+    double within = std::numeric_limits<double>::infinity();
+    for (const RestPlace &place : rest.places)
+        within = std::min(within, place.within);
+    for (const RestDistance &distance : rest.distances)
+        within = std::min(within, distance.within);
+    return within;
+}
+
 /// For methods that choose their steps by the error that those make.
 Claim claimByTolerance(const HardCase &hard, const Method &method, const RunSize &size)
 {
     const Stiffest &stiffest = *hard.stiffest;
-    if (pace(stiffest) > fastestFollowed)
-        return no("claim-too-fast", method, {{"swings", text(pace(stiffest) / 6.283185307179586)}});
+    // A step's error goes with a power of its length.
+    const double perRadian = std::pow(stiffest.apart / size.tolerance, 1.0 / method.order());
+    const double steps = std::max(pace(stiffest) * perRadian, hard.driven) + stepsPerBounce * hard.bounces;
+    if (steps > mostSteps)
+        return no("claim-too-many-steps", method, {{"steps", text(steps)}});
     // Where nothing damps, what one step is off stays.
     const double mostOff = static_cast<double>(size.frames) * size.tolerance;
     if (stiffest.damp == 1.0 && mostOff > hard.bound.reach - stiffest.apart)
         return no("claim-adds-up", method, {{"frames", std::to_string(size.frames)}, {"off", text(mostOff)}});
+    const Rest *rest = hard.asksFor(Ask::rests) ? hard.restAfter(size) : nullptr;
+    const double stirred = stirs * size.tolerance * std::max(1.0, pace(stiffest));
+    if (rest && (stirred > rest->speed || stirred > closest(*rest)))
+        return no("claim-stirs", method, {{"tolerance", text(size.tolerance)}, {"stirred", text(stirred)}});
     return {true, {}};
 }
 
@@ -101,16 +121,10 @@ Claim claimByStep(const HardCase &hard, const MethodPtr &method, const RunSize &
                                                         {"frames", std::to_string(size.frames)}};
     if (!(told.most <= hard.bound.reach))
         return no("claim-grows", *method, numbers);
-    if (!hard.asksFor(Ask::rests) || !hard.rest)
-        return {true, {}};
-    double within = std::numeric_limits<double>::infinity();
-    for (const RestPlace &place : hard.rest->places)
-        within = std::min(within, place.within);
-    for (const RestDistance &distance : hard.rest->distances)
-        within = std::min(within, distance.within);
-    if (!(told.left <= within && told.speed <= hard.rest->speed))
-        return no("claim-rings", *method, numbers);
-    return {true, {}};
+    const Rest *rest = hard.restAfter(size);
+    const bool comes =
+        !rest || !hard.asksFor(Ask::rests) || (told.left <= closest(*rest) && told.speed <= rest->speed);
+    return comes ? Claim{true, {}} : no("claim-rings", *method, numbers);
 }
 
 }
@@ -122,9 +136,10 @@ Foretold foretell(const Stiffest &stiffest, const MethodPtr &method, double h, s
     Eigen::Vector4d now(stiffest.apart, 0.0, 0.0, 0.0);
     Foretold told{stiffest.apart, stiffest.apart, 0.0};
     for (std::int64_t i = 0; i < steps && told.most <= enough; ++i) {
+        const double before = now[0] - now[1];
         now = step * now;
         told.left = std::abs(now[0] - now[1]);
-        told.speed = std::abs(now[2] - now[3]);
+        told.speed = std::abs(now[0] - now[1] - before) / h;
         told.most = std::isfinite(told.left) ? std::max(told.most, told.left) : told.left;
     }
     return told;
@@ -141,8 +156,6 @@ Claim claimOf(const HardCase &hard, const MethodPtr &method, const RunSize &size
     const bool byTolerance = method->stepLimit() == StepLimit::tolerance;
     if (byTolerance && hard.asksFor(Ask::noRoom))
         return no("claim-no-room", *method, {});
-    if (byTolerance && hard.bounces > mostFound)
-        return no("claim-bounces", *method, {{"bounces", text(hard.bounces)}});
     if (!hard.stiffest)
         return {true, {}};
     return byTolerance ? claimByTolerance(hard, *method, size) : claimByStep(hard, method, size);

@@ -20,7 +20,7 @@ struct Foretold
 {
     double most = 0.0;  ///< px: the farthest that it was out of its length on the way
     double left = 0.0;  ///< px: that it is in the end
-    double speed = 0.0; ///< px/frame: of its ends against each other, in the end
+    double speed = 0.0; ///< px/frame: from its place a step before, in the end
 };
 
 /// Takes `steps` steps of `method` on `stiffest` alone. All of it is linear, so a step is a matrix, found by taking it

@@ -21,6 +21,7 @@ Rest legsRight(int feet, double length, double within)
     for (int i = 0; i < feet; ++i)
         rest.distances.push_back({"foot" + std::to_string(i), "body", length, within});
     rest.speed = within;
+    rest.after = 200;
     return rest;
 }
 
@@ -55,6 +56,24 @@ HardCase cramped(const char *id, const char *title, const char *story, Scene (*s
     return one;
 }
 
+HardCase squeezed()
+{
+    const int feet = 12;
+    const double stiff = 1e6;
+    HardCase one = caseOf(
+        "crowd_squeezed", SIM_TEXT("pressed into one px"),
+        SIM_TEXT(
+            "Twelve feet stand within 1 px of their body, on springs of stiffness a million that are 50 px "
+            "long: pressed together they turn over at a touch."),
+        creature, valuesOf({{"k", stiff}, {"damp", damp}, {"radius", radius}, {"feet", feet}, {"out", 1}}),
+        400);
+    one.asks = {Ask::swings, Ask::rests, Ask::noDirection};
+    one.stiffest = Stiffest{radius, feet * stiff, 1.0 / feet, 1.0, damp};
+    one.bound.reach = 500.0;
+    one.rest = legsRight(feet, radius, 1e-3);
+    return one;
+}
+
 HardCase runaway()
 {
     const double spring = 0.3, keep = 0.9;
@@ -83,11 +102,10 @@ std::vector<HardCase> manyFeet()
         feetOnBody("feet_100", SIM_TEXT("a hundred feet"),
                    SIM_TEXT("A hundred soft springs on one body make a stiff one."), 100, 400),
         feetOnBody("feet_1000", SIM_TEXT("a thousand feet"),
-                   SIM_TEXT("A thousand feet pull one body as hard as a spring of stiffness 200."), 1000,
-                   200),
+                   SIM_TEXT("A thousand feet pull one body as hard as a spring of stiffness 200."), 1000, 30),
         feetOnBody("feet_10000", SIM_TEXT("ten thousand feet"),
                    SIM_TEXT("Ten thousand feet pull one body as hard as a spring of stiffness 2000."), 10000,
-                   120),
+                   1),
     };
 }
 
@@ -104,6 +122,7 @@ std::vector<HardCase> crampedPlaces()
             "no_rest_length", SIM_TEXT("springs without a length"),
             SIM_TEXT("Springs of length 0 pull all points into one place, where their directions are lost."),
             creatureOnLine, 0.0),
+        squeezed(),
     };
 }
 

@@ -9,6 +9,11 @@ bool HardCase::asksFor(Ask what) const
     return std::find(asks.begin(), asks.end(), what) != asks.end();
 }
 
+const Rest *HardCase::restAfter(const RunSize &size) const
+{
+    return rest && size.frames >= rest->after ? &*rest : nullptr;
+}
+
 Script scriptOf(const HardCase &hard, const MethodPtr &method, const RunSize &size)
 {
     Script script = hard.script;

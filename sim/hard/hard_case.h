@@ -43,7 +43,7 @@ struct RunSize
 {
     std::int64_t frames = 0;
     double h = 1.0;          ///< frames; methods that choose their steps take `tolerance`
-    double tolerance = 1e-2; ///< px a step
+    double tolerance = 1e-6; ///< px a step
 };
 
 /// A place at which a body comes to rest.
@@ -66,9 +66,10 @@ struct RestDistance
 /// What a run comes to in the end.
 struct Rest
 {
-    std::vector<RestPlace> places;
-    std::vector<RestDistance> distances;
-    double speed = 0.0; ///< px/frame: nothing is faster
+    std::int64_t after = 0; ///< frames: runs that are shorter need not come to it
+    std::vector<RestPlace> places = {};
+    std::vector<RestDistance> distances = {};
+    double speed = 0.0; ///< px/frame: in the last row nothing goes faster from its place to the next
 };
 
 /// What "bounded" means in a case, in every frame.
@@ -91,12 +92,15 @@ struct HardCase
     std::vector<Ask> asks;
     std::optional<Stiffest> stiffest; ///< at any time of the run; set if it asks for `swings` or `rests`
     double bounces = 0.0;             ///< the most that happen in a frame
+    double driven = 0.0;              ///< rad/frame: how fast what drives it turns
     Bound bound;
     std::optional<Rest> rest;         ///< where there is a right one
     std::optional<double> stickError; ///< px: how wrong the length of a stick may be after any frame
     std::string refusal;              ///< the id of the Error that is right; empty: it runs
 
     bool asksFor(Ask what) const;
+    /// The rest that a run of this size must come to, if any.
+    const Rest *restAfter(const RunSize &size) const;
 };
 
 /// The run of `hard` under `method`.

@@ -85,12 +85,15 @@ private:
     Vec2 m_from;
 };
 
-/// What is wrong with the end of a run that should be at rest.
-std::optional<Error> lookAtRest(const Rest &rest, const Scene &scene, const State &state)
+/// What is wrong with the end of a run that should be at rest. `rowFrames`: since `before`. What a method calls a
+/// velocity at the end of a step may be one half way; so it is places that tell.
+std::optional<Error> lookAtRest(const Rest &rest, const Scene &scene, const State &before, const State &state,
+                                int rowFrames)
 {
     for (int i = 0; i < state.points(); ++i) {
-        if (!(length(state.speed(i)) <= rest.speed))
-            return Error("hard-moves", {{"body", nameOf(scene, i)}, {"speed", text(length(state.speed(i)))}});
+        const double speed = length(state.at(i) - before.at(i)) / rowFrames;
+        if (!(speed <= rest.speed))
+            return Error("hard-moves", {{"body", nameOf(scene, i)}, {"speed", text(speed)}});
     }
     for (const RestPlace &place : rest.places) {
         const double off = length(state.at(scene.find(place.body)) - place.x);
@@ -128,18 +131,22 @@ private:
 };
 
 /// The first run: looks at every row. Returns the state it ends with.
-State watchedRun(const HardCase &hard, const Script &script, std::int64_t frames, Patience &patience,
+State watchedRun(const HardCase &hard, const Script &script, const RunSize &size, Patience &patience,
                  Verdict &verdict)
 {
+    const std::int64_t frames = size.frames;
     Track track(script, 0);
     const Watcher watcher(hard, track.shown().scene);
     const double whole = static_cast<double>(frames);
+    State before = track.now();
     for (std::int64_t frame = track.rowFrames(); frame <= frames && !verdict.why;
          frame += track.rowFrames()) {
         if (!patience.goesOn(0.5 * static_cast<double>(frame) / whole)) {
             verdict.isComplete = false;
             return track.now();
         }
+        if (frame + track.rowFrames() > frames)
+            before = track.now();
         track.seek({frame, 0});
         if (const std::optional<Stop> &stop = track.stop()) {
             verdict.why =
@@ -150,8 +157,8 @@ State watchedRun(const HardCase &hard, const Script &script, std::int64_t frames
         verdict.frames = frame;
         verdict.why = watcher.look(track.shown().scene, track.now(), frame);
     }
-    if (!verdict.why && hard.rest)
-        verdict.why = lookAtRest(*hard.rest, track.shown().scene, track.now());
+    if (const Rest *rest = hard.restAfter(size); rest && !verdict.why)
+        verdict.why = lookAtRest(*rest, track.shown().scene, before, track.now(), track.rowFrames());
     return track.now();
 }
 
@@ -228,7 +235,7 @@ Verdict judge(const HardCase &hard, const MethodPtr &method, const RunSize &size
         return verdict;
     }
     Patience patience(progress);
-    const State end = watchedRun(hard, script, size.frames, patience, verdict);
+    const State end = watchedRun(hard, script, size, patience, verdict);
     if (verdict.isComplete)
         repeatedRun(script, end, patience, verdict);
     if (hard.asksFor(Ask::ends))

@@ -11,7 +11,7 @@ namespace {
 constexpr double damp = 0.85;
 constexpr int feet = 3;
 
-HardCase held(const char *id, const char *title, const char *story, double k, double far,
+HardCase held(const char *id, const char *title, const char *story, double k, double far, double speed,
               std::vector<Event> input)
 {
     HardCase one =
@@ -20,8 +20,9 @@ HardCase held(const char *id, const char *title, const char *story, double k, do
     one.script.input = std::move(input);
     one.asks = {Ask::swings, Ask::rests, Ask::hand};
     one.stiffest = Stiffest{far, feet * k, 1.0 / feet, 1.0, damp};
-    one.bound.reach = 20.0 * far; // a throw goes damp / (1 - damp) times its speed far
-    one.rest = Rest{{}, {}, 1e-3};
+    one.bound.reach =
+        100.0 * far; // a throw goes 1 / (1 - damp) times its speed far, and may be overdone a few times
+    one.rest = Rest{600, {}, {}, speed};
     for (int i = 0; i < feet; ++i)
         one.rest->distances.push_back({"foot" + std::to_string(i), "body", 50.0, 1e-2});
     return one;
@@ -79,10 +80,11 @@ HardCase heavyGravity()
                           SIM_TEXT("All falls at a million px a frame, each frame, onto a floor that "
                                    "gives nothing back."),
                           1e6, 0.0);
+    one.brief.frames = one.full.frames = 1000;
     one.stiffest->apart = 500.0;
     one.bounces = 1.0;
     one.bound.reach = 1000.0;
-    one.rest = Rest{{}, {}, 1e-3};
+    one.rest = Rest{1000, {}, {}, 1e-3};
     return one;
 }
 
@@ -93,6 +95,7 @@ HardCase walking(const char *id, const char *title, const char *story, double sp
     one.asks = {Ask::swings, Ask::bounces, Ask::driven};
     one.stiffest = Stiffest{100.0, 0.2, 0.5, 1.0, 0.9};
     one.bounces = 2.0;
+    one.driven = speed;
     one.bound.reach = 600.0 * 20.0; // no foot is pulled faster than 20 px a frame
     return one;
 }
@@ -115,13 +118,14 @@ std::vector<HardCase> roughHands()
 {
     return {
         held("grabbed_one_frame", SIM_TEXT("grabbed and let go"),
-             SIM_TEXT("A hand takes the body for one frame and lets it go."), 0.2, 100.0,
+             SIM_TEXT("A hand takes the body for one frame and lets it go."), 0.2, 100.0, 1e-3,
              {{10, Grab{"body"}}, {11, Release{}}}),
         held("dragged_1e9", SIM_TEXT("torn away"),
              SIM_TEXT("A hand takes the body a billion px away in one frame, and lets it go."), 0.2, 1e9,
-             {{10, Grab{"body"}}, {11, Move{{1e9, -1e9}}}, {12, Release{}}}),
+             1e-3, {{10, Grab{"body"}}, {11, Move{{1e9, -1e9}}}, {12, Release{}}}),
         held("dragged_1e9_stiff", SIM_TEXT("torn away on stiff springs"),
              SIM_TEXT("The same on springs of stiffness a million."), 1e6, 1e9,
+             10.0, // a place at 1e10 px has six digits after the point, and the springs pull by what is lost
              {{10, Grab{"body"}}, {11, Move{{1e9, -1e9}}}, {12, Release{}}}),
     };
 }

@@ -47,7 +47,7 @@ Scene fixedStick(const Values &values);
 /// A tree whose branches fork `levels` times, each `slope` times as large as its parent.
 Tree forkedTree(int levels, double slope, double baseLength);
 /// A tree that turns to the wind. Values: levels, slope, base_length, ease, formula (0: corrected, 1: published), by
-/// (0: ease, 1: distance, 2: thickness), wind.
+/// (0: ease, 1: distance, 2: thickness), wind, turned (degrees, by which the trunk starts off its rest).
 Scene windyTree(const Values &values);
 /// A tree that turns to the pointer. Values: levels, slope, base_length.
 Scene turningTree(const Values &values);

@@ -9,6 +9,7 @@ namespace {
 HardCase oneSpring(const char *id, const char *title, const char *story, double k, double damp)
 {
     HardCase one = caseOf(id, title, story, footOnSpring, valuesOf({{"k", k}, {"damp", damp}}), 2000);
+    one.brief.frames = 400;
     one.asks = {Ask::swings};
     one.stiffest = Stiffest{100.0, k, 1.0, 0.0, damp};
     one.bound.reach = 150.0;
@@ -18,7 +19,7 @@ HardCase oneSpring(const char *id, const char *title, const char *story, double 
 HardCase comesToRest(HardCase one)
 {
     one.asks.push_back(Ask::rests);
-    one.rest = Rest{{{"foot", middle, 1e-6}}, {}, 1e-6};
+    one.rest = Rest{400, {{"foot", middle, 1e-6}}, {}, 1e-6};
     return one;
 }
 
@@ -39,7 +40,7 @@ HardCase unequal(const char *id, const char *title, const char *story, double k)
     one.stiffest = Stiffest{100.0, k, 1.0, 1.0 / ratio, damp};
     one.bound.reach = 150.0;
     one.bound.drift = 1e-6;
-    one.rest = Rest{{{"heavy", middle, 1e-3}}, {{"light", "heavy", 0.0, 1e-3}}, 1e-3};
+    one.rest = Rest{1000, {{"heavy", middle, 1e-3}}, {{"light", "heavy", 0.0, 1e-3}}, 1e-3};
     return one;
 }
 
@@ -54,7 +55,7 @@ HardCase suddenlyStiff()
     one.asks = {Ask::swings, Ask::rests, Ask::setsInRun};
     one.stiffest = Stiffest{100.0, feet * stiff, 1.0 / feet, 1.0, damp};
     one.bound.reach = 500.0;
-    one.rest = Rest{{}, {}, 1e-3};
+    one.rest = Rest{400, {}, {}, 1e-3};
     for (const char *foot : {"foot0", "foot1", "foot2"})
         one.rest->distances.push_back({foot, "body", 50.0, 1e-3});
     return one;
@@ -91,7 +92,7 @@ std::vector<HardCase> stiffSprings()
             HardCase one =
                 oneSpring("damp_0", SIM_TEXT("damping that stops all"),
                           SIM_TEXT("With damping 0 no velocity is left: nothing may move."), 0.2, 0.0);
-            one.rest = Rest{{{"foot", middle + Vec2{100.0, 0.0}, 0.0}}, {}, 0.0};
+            one.rest = Rest{1, {{"foot", middle + Vec2{100.0, 0.0}, 0.0}}, {}, 0.0};
             return one;
         }(),
         oneSpring("damp_1", SIM_TEXT("no damping"),

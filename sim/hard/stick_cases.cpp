@@ -12,7 +12,7 @@ HardCase hanging(const char *id, const char *title, const char *story, Scene (*s
     one.asks = {Ask::sticks, Ask::rests};
     one.bound.reach = 200.0;
     one.stickError = 0.5;
-    one.rest = Rest{{{body, rest, 0.5}}, {}, 0.01};
+    one.rest = Rest{600, {{body, rest, 0.5}}, {}, 0.01};
     return one;
 }
 
@@ -57,7 +57,7 @@ HardCase swims(const char *id, const char *title, const char *story, Values valu
 /// The lead comes to rest at the target, and the tail 40 px from it.
 Rest atTarget(Vec2 target, double within)
 {
-    return {{{"lead", target, within}}, {{"lead", "tail", 40.0, within}}, within};
+    return {600, {{"lead", target, within}}, {{"lead", "tail", 40.0, within}}, within};
 }
 
 }

@@ -25,6 +25,7 @@ Values windBy(double by, double formula)
                      {"ease", 8},
                      {"formula", formula},
                      {"by", by},
+                     {"turned", 0},
                      {"wind", 5}});
 }
 
@@ -34,11 +35,11 @@ HardCase noDistancePublished()
         "wind_no_distance_published", SIM_TEXT("no distance to divide by"),
         SIM_TEXT("In the printed formula the pointer can be at distance 0: it divides by that, and the run "
                  "must end with a word about it."),
-        windBy(1, 1), {});
-    // Where its printed sum of the pointer and the branch's end is 0: as far below the root as the trunk is high.
-    const Vec2 reach = branchReach(-90.0, 100.0, publishedDegrees);
-    one.script.input = {{1, Pointer{root - reach, true}}};
+        windBy(1, 1), root);
+    // Where its printed sum of the pointer and the branch's end is 0, to the last digit.
+    one.script.input = {{1, Pointer{root - Vec2{100.0, 0.0}, true}}};
     one.script.values.set("levels", 0);
+    one.script.values.set("turned", 90);
     one.asks = {Ask::ends};
     return one;
 }
@@ -64,7 +65,7 @@ HardCase deep()
     one.script.values.set("slope", 1);
     one.script.values.set("base_length", 20);
     one.asks = {Ask::driven, Ask::manyPoints};
-    one.brief.frames = 3;
+    one.brief.frames = 1;
     return one;
 }
 
@@ -93,12 +94,12 @@ HardCase stiffTree()
                   {"damp", damp},
                   {"wind", 0},
                   {"bent", 10}}),
-        400);
+        100);
     one.asks = {Ask::swings, Ask::rests};
     // Gershgorin's circles bound the fastest swing: see Torsion::stiffestPull().
     one.stiffest = Stiffest{10.0, 10.0 * k, 1.0, 0.0, damp};
     one.bound = {600.0, root, {}};
-    one.rest = Rest{{{"branch1", trunkEnd, 1e-3}}, {}, 1e-3};
+    one.rest = Rest{100, {{"branch1", trunkEnd, 1e-3}}, {}, 1e-3};
     return one;
 }
 

@@ -65,6 +65,7 @@ Scene windyTree(const Values &values)
     const TreePtr tree = treeOf(values);
     const TreeFormula formula = formulaOf(values);
     Scene scene = standing(*tree, formula);
+    scene.start.angle[0] += values["turned"];
     const auto by = static_cast<Resistance::By>(values.whole("by"));
     const Resistance resistance{by, by == Resistance::By::ease ? values["ease"] : values["wind"]};
     scene.effects = {make_shared<Joints>(tree, degreesOf(formula)),

@@ -1,10 +1,13 @@
 #include "sim/methods/newton.h"
 
+#include "sim/methods/calm_slopes.h"
+
 #include <Eigen/Dense>
 #include <Eigen/SparseLU>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace sim {
 
@@ -63,6 +66,12 @@ bool isTiny(const Numbers &step, double reach, const Numbers &place)
     return isWithin(1e-12, step, reach, place);
 }
 
+/// Whether a correction is far below what can be seen, though it is not lost in rounding.
+bool isClose(const Numbers &step, double reach, const Numbers &place)
+{
+    return isWithin(1e-9, step, reach, place);
+}
+
 /// Whether corrections are so small that pulls are straight lines along them, and shrink no more: then they correct
 /// how a stiff spring's pull is rounded.
 bool isNoise(const Numbers &next, const Numbers &step, double reach, const Numbers &place)
@@ -112,9 +121,9 @@ struct ImplicitStep::Wanted
     const Numbers &share;
 };
 
-ImplicitStep::ImplicitStep(const Equations &equations, State &state)
+ImplicitStep::ImplicitStep(const Equations &equations, State &state, Effort effort)
     : motion{Numbers(equations.flow().size()), Numbers(equations.flow().size())}, m_equations(equations),
-      m_state(state), m_unknowns(equations.unknowns(state))
+      m_state(state), m_effort(effort), m_unknowns(equations.unknowns(state))
 {
     equations.flow().read(state, motion.x.data(), motion.v.data());
     for (std::size_t row = 0; row < m_unknowns.size(); ++row) {
@@ -158,22 +167,26 @@ Numbers ImplicitStep::misses(const Wanted &wanted, const Numbers &u)
     return u - wanted.drift - wanted.share * pulls(wanted.from + wanted.reach * u);
 }
 
-/// What to take off u to make good what it misses, if pulls change with places by their slopes at u.
-Numbers ImplicitStep::correction(const Wanted &wanted, const Numbers &u)
+/// How fast what u misses changes with u, where the state is: with 1 on the diagonal, the entries of that matrix.
+std::vector<Slopes::Entry> ImplicitStep::changes(const Wanted &wanted, Kept kept) const
 {
-    const Numbers wrong = misses(wanted, u);
-    if (isWithin(1e-15, wrong, wanted.reach, wanted.from))
-        return Numbers::Zero(u.size()); // rounding: not worth a matrix
     Slopes slopes(m_state.points());
     m_equations.flow().slopes(m_state, slopes);
     std::vector<Slopes::Entry> entries;
     entries.reserve(slopes.entries().size());
-    for (const Slopes::Entry &entry : slopes.entries()) {
+    for (const Slopes::Entry &entry :
+         kept == Kept::all ? slopes.entries() : calmed(slopes, m_state.points())) {
         const int row = m_unknowns[static_cast<std::size_t>(entry.row)];
         const int column = m_unknowns[static_cast<std::size_t>(entry.column)];
         if (row >= 0 && column >= 0)
             entries.push_back({row, column, -wanted.share[entry.row] * wanted.reach * entry.value});
     }
+    return entries;
+}
+
+/// What to take off u for what it misses, if that changes by `entries`.
+Numbers ImplicitStep::stepFor(const Numbers &wrong, const std::vector<Slopes::Entry> &entries) const
+{
     Eigen::VectorXd right(m_count);
     for (std::size_t row = 0; row < m_unknowns.size(); ++row) {
         if (m_unknowns[row] >= 0)
@@ -186,6 +199,40 @@ Numbers ImplicitStep::correction(const Wanted &wanted, const Numbers &u)
             step[static_cast<Eigen::Index>(row)] = found[m_unknowns[row]];
     }
     return step;
+}
+
+/// What to take off u to make good what it misses, if pulls change with places by their slopes at u.
+Numbers ImplicitStep::correction(const Wanted &wanted, const Numbers &u)
+{
+    const Numbers wrong = misses(wanted, u);
+    if (isWithin(1e-15, wrong, wanted.reach, wanted.from))
+        return Numbers::Zero(u.size()); // rounding: not worth a matrix
+    return stepFor(wrong, changes(wanted, Kept::all));
+}
+
+/// Where Newton's method has found nothing, or jumps about: the same without the slopes that push (see calmed()), so
+/// that no step leads away. It takes more steps, as what turns then comes round a part of the way at a time. Returns
+/// what misses least of all this and `plain`.
+Numbers ImplicitStep::calmly(const Wanted &wanted, const Numbers &start, const Numbers &plain)
+{
+    Numbers best = plain, u = start;
+    double least = misses(wanted, plain).abs().maxCoeff();
+    Numbers last = Numbers::Constant(u.size(), std::numeric_limits<double>::infinity());
+    for (int i = 0; i < m_effort.calm; ++i) {
+        const Numbers wrong = misses(wanted, u);
+        const double most = wrong.abs().maxCoeff();
+        if (!(most >= least)) { // also where nothing was finite so far
+            least = most;
+            best = u;
+        }
+        const Numbers step = stepFor(wrong, changes(wanted, Kept::calm));
+        if (!step.isFinite().all() || isTiny(step, wanted.reach, wanted.from) ||
+            isNoise(step, last, wanted.reach, wanted.from))
+            break;
+        u = u - step;
+        last = step;
+    }
+    return best;
 }
 
 /// Takes `step` off u; or a half, a quarter... of it, if the whole leads to where nothing is finite. Returns the next
@@ -209,24 +256,29 @@ Numbers ImplicitStep::advance(const Wanted &wanted, Numbers &u, const Numbers &s
 Numbers ImplicitStep::solve(const Numbers &from, const Numbers &drift, double reach, const Numbers &share)
 {
     const Wanted wanted{from, drift, reach, share};
+    const int plain = m_effort.plain;
     // Shown lines are short.
     // clang-format off
     //! [newton]
     // wanted: u = drift + share a(...)
     // at first, as if nothing moved
-    Numbers u = standing(wanted);
+    const Numbers start = standing(wanted);
+    Numbers u = start;
     // as if pulls grew evenly from here
     Numbers step = correction(wanted, u);
-    for (int i = 0; i < 20; ++i) {
+    for (int i = 0; i < plain; ++i) {
         if (isTiny(step, reach, from))
             return u - step;
         Numbers next =
             advance(wanted, u, step);
         if (isNoise(next, step, reach, from))
-            break;
+            return u;
         step = next;
     }
-    return u;
+    if (isClose(step, reach, from))
+        return u;
+    // it jumps about: calmer
+    return calmly(wanted, start, u);
     //! [newton]
     // clang-format on
 }

@@ -34,11 +34,18 @@ struct Moving
     Numbers v;
 };
 
+/// How often a step is corrected before it is given up: bounds, as nothing else bounds them.
+struct Effort
+{
+    int plain = 20; ///< corrections by Newton's method
+    int calm = 60;  ///< then, if those lead nowhere, corrections that leave out what pushes
+};
+
 /// One step of an implicit method under way.
 class ImplicitStep
 {
 public:
-    ImplicitStep(const Equations &equations, State &state);
+    ImplicitStep(const Equations &equations, State &state, Effort effort = {});
 
     Moving motion;
 
@@ -51,7 +58,8 @@ public:
     /// The velocity u that agrees with the pulls where it leads to, by Newton's method:
     /// u = drift + share a(from + reach u). Reach and share in frames. Starts from where the state is, as the nearest
     /// solution is the right one: beyond it are those in which springs swing through between two places. Stops when
-    /// corrections are below 1e-12 of the places or lost in rounding, or after 20.
+    /// corrections are below 1e-12 of the places or lost in rounding. Where Newton's method finds none (as where a
+    /// crowd bursts out of one place, and pulls turn round), it is looked for more calmly.
     /// Source: Hairer and Wanner, "Solving ordinary differential equations II", section IV.8.
     Numbers solve(const Numbers &from, const Numbers &drift, double reach, const Numbers &share);
     Numbers solve(const Numbers &from, const Numbers &drift, double reach)
@@ -66,10 +74,18 @@ private:
     Numbers standing(const Wanted &wanted) const;
     Numbers misses(const Wanted &wanted, const Numbers &u);
     Numbers correction(const Wanted &wanted, const Numbers &u);
+    enum class Kept {
+        all,  ///< slopes as they are
+        calm, ///< those that push left out
+    };
+    std::vector<Slopes::Entry> changes(const Wanted &wanted, Kept kept) const;
+    Numbers stepFor(const Numbers &wrong, const std::vector<Slopes::Entry> &entries) const;
+    Numbers calmly(const Wanted &wanted, const Numbers &start, const Numbers &plain);
     Numbers advance(const Wanted &wanted, Numbers &u, const Numbers &step);
 
     const Equations &m_equations;
     State &m_state;
+    Effort m_effort;
     std::vector<int> m_unknowns;
     int m_count = 0;
 };
