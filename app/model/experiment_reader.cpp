@@ -121,6 +121,7 @@ private:
         sim::Script opened = m_step->scriptWith(script().values, script().method);
         if (!m_fields.find("h") && !m_fields.find("tolerance"))
             script().step = opened.step;
+        script().bodies = opened.bodies;
         script().input = m_fields.find("input") ? std::vector<sim::Event>() : std::move(opened.input);
         for (const sim::Event &event : script().input)
             m_events.push_back({event, m_fields.line()});

@@ -93,10 +93,7 @@ QString Session::ownCaption() const
 
 QString Session::note() const
 {
-    if (!step().note)
-        return {};
-    const sim::Track &track = m_timeline->track();
-    return step().note(track.script(), track.shown().scene, track.now(), track.at().frame);
+    return step().note ? step().note(m_timeline->track()) : QString();
 }
 
 std::optional<Picture> Session::ghost() const

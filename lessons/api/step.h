@@ -75,7 +75,8 @@ struct Companion
     QString caption;  ///< who it is, in a few words
     sim::Vec2 offset; ///< px: how far its figure is moved from where its points are
     double h = 1.0;   ///< frames
-    std::vector<std::pair<QString, double>> values = {}; ///< of parameters that it does not share with the run
+    /// Of parameters that it does not share with the run.
+    std::vector<std::pair<QString, double>> values = {};
 };
 
 /// One step of a lesson.
@@ -97,10 +98,10 @@ struct Step
         guidesOfRun;
     /// Then both figures stand on the look's stage, each with a caption over it.
     std::optional<Companion> companion = {};
-    /// One line about the moment, shown over the scene; may be empty. `frame`: as for guidesOfRun.
-    std::function<QString(const sim::Script &, const sim::Scene &, const sim::State &, std::int64_t frame)>
-        note = {};
-    /// Adds to a script with values and method what its run begins with besides them: input, its step. May be empty.
+    /// What the step says of the moment at the run's cursor, between two frames, over the scene; may be empty.
+    std::function<QString(const sim::Track &)> note = {};
+    /// Adds to a script with values and method what its run begins with besides them: input, starts of bodies, its
+    /// step. May be empty.
     std::function<void(sim::Script &)> opening = {};
     /// Shown beside the scene; may be empty.
     std::vector<Measure> measures;

@@ -33,10 +33,12 @@ QString reasonOf(const sim::Error &why)
         return Text::tr("it swings on for longer than the run");
     if (id == "claim-one-by-one")
         return Text::tr("it moves one body after the other");
-    if (id == "claim-too-fast" || id == "claim-bounces")
+    if (id == "claim-too-many-steps")
         return Text::tr("it would need too many steps");
     if (id == "claim-adds-up")
         return Text::tr("its errors add up");
+    if (id == "claim-stirs")
+        return Text::tr("its errors keep it stirring");
     if (id == "claim-no-room")
         return Text::tr("no place there is free");
     return Text::tr("it cannot compute all of it");
@@ -69,15 +71,19 @@ Told toldOf(const sim::Script &script)
     return told;
 }
 
-/// How a moment is, in a few words.
-QString judgement(const Told &told, const sim::Scene &scene, const sim::State &state, std::int64_t frame)
+/// How the moment at the cursor is, in a few words.
+QString judgement(const Told &told, const sim::Track &run)
 {
-    if (sim::whatIsWrong(told.hard, told.first, scene, state, frame))
+    const std::int64_t frame = run.at().frame;
+    const sim::Scene &scene = run.shown().scene;
+    if (sim::whatIsWrong(told.hard, told.first, scene, run.now(), frame))
         return Text::tr("out of its bounds");
-    if (!told.hard.rest)
+    if (!told.hard.rest || frame == 0)
         return Text::tr("within its bounds");
-    return sim::whatIsUnrest(told.hard, scene, state) ? Text::tr("within its bounds, not at rest yet")
-                                                      : Text::tr("at rest, as it should be");
+    const sim::State before = run.stateAt(frame - run.rowFrames());
+    return sim::whatIsUnrest(told.hard, scene, before, run.now(), run.rowFrames())
+               ? Text::tr("within its bounds, not at rest yet")
+               : Text::tr("at rest, as it should be");
 }
 
 bool sameRun(const sim::Script &a, const sim::Script &b)
@@ -91,11 +97,11 @@ bool sameRun(const sim::Script &a, const sim::Script &b)
 bool isAsTold(const sim::Script &script)
 {
     const sim::HardCase hard = caseNumber(script.values.whole("case"));
-    return script.values["k"] == 0.0 && script.input == hard.script.input && script.bodies.empty() &&
-           script.effectsOff.empty();
+    return script.values["k"] == 0.0 && script.input == hard.script.input &&
+           script.bodies == hard.script.bodies && script.effectsOff.empty();
 }
 
-std::function<QString(const sim::Script &, const sim::Scene &, const sim::State &, std::int64_t)> caseNote()
+std::function<QString(const sim::Track &)> caseNote()
 {
     struct Kept
     {
@@ -104,16 +110,15 @@ std::function<QString(const sim::Script &, const sim::Scene &, const sim::State 
     };
     // What a claim is worth takes some computing: it is kept as long as the run is the same.
     const auto kept = std::make_shared<std::optional<Kept>>();
-    return [kept](const sim::Script &script, const sim::Scene &scene, const sim::State &state,
-                  std::int64_t frame) {
-        if (!*kept || !sameRun((*kept)->script, script))
-            *kept = Kept{script, toldOf(script)};
+    return [kept](const sim::Track &run) {
+        if (!*kept || !sameRun((*kept)->script, run.script()))
+            *kept = Kept{run.script(), toldOf(run.script())};
         const Told &told = (*kept)->told;
         return Text::tr("%1\n%2 Frame %3 of %4: %5.")
             .arg(phrase(told.hard.story), told.claim)
-            .arg(frame)
+            .arg(run.at().frame)
             .arg(told.hard.brief.frames)
-            .arg(judgement(told, scene, state, frame));
+            .arg(judgement(told, run));
     };
 }
 

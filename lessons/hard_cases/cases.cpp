@@ -115,6 +115,7 @@ void openCase(sim::Script &script)
 {
     const sim::HardCase hard = caseNumber(script.values.whole("case"));
     script.input = hard.script.input;
+    script.bodies = hard.script.bodies;
     script.step = sim::scriptOf(hard, script.method, hard.brief).step;
 }
 

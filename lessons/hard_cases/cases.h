@@ -19,7 +19,7 @@ lessons::Parameter caseParameter();
 /// The stiffness of its springs, in place of the case's own.
 lessons::Parameter stiffnessOfCase();
 
-/// Input and step of the case that the values name.
+/// Input, starts of bodies and step of the case that the values name.
 void openCase(sim::Script &script);
 /// Any scene of the catalogue, by its names and effects.
 lessons::Look caseLook(const sim::Scene &scene, const sim::Values &values);
@@ -27,6 +27,6 @@ lessons::Look caseLook(const sim::Scene &scene, const sim::Values &values);
 /// Whether the run is that of a case, with nothing but method and step changed.
 bool isAsTold(const sim::Script &script);
 /// Tells the story of the case, whether the method claims it, and whether it holds at this moment.
-std::function<QString(const sim::Script &, const sim::Scene &, const sim::State &, std::int64_t)> caseNote();
+std::function<QString(const sim::Track &)> caseNote();
 
 }

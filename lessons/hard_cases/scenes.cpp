@@ -219,7 +219,7 @@ Scene setUp(const Values &values)
     double k = values["k"];
     if (k > 0 && own.has("k"))
         own.set("k", k);
-    return sceneOf(hard.script, own);
+    return hard.script.build(own);
 }
 //! [torture]
 

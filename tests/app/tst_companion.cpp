@@ -57,9 +57,7 @@ lessons::Step openedStep()
         if (!script.step.adaptive())
             script.step = sim::StepSize::of(0.5);
     };
-    step.note = [](const sim::Script &, const sim::Scene &, const sim::State &, std::int64_t frame) {
-        return QStringLiteral("this is frame %1").arg(frame);
-    };
+    step.note = [](const sim::Track &run) { return QStringLiteral("this is frame %1").arg(run.at().frame); };
     return step;
 }
 
