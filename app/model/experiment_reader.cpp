@@ -38,11 +38,13 @@ public:
         refuseWhatNoStepHas();
         readMethod(m_file, m_fields, script());
         readParameters();
+        openRun();
         readPoints();
         if (const JsonValue *frames = m_fields.find("frames"))
             m_experiment.frames = wholeOf(m_file, *frames, "frames", 0, mostFrames);
         if (const JsonValue *input = m_fields.find("input"))
             m_events = readInput(m_file, *input, *m_step);
+        script().input.clear();
         for (const ReadEvent &read : m_events)
             script().input.push_back(read.event);
         walk();
@@ -109,6 +111,20 @@ private:
             const lessons::Parameter &parameter = parameterOf(m_file, value.line, *m_step, id);
             script().values.set(id.toStdString(), parameterValue(m_file, value, parameter));
         }
+    }
+
+    /// What the step's run begins with, with the file's values: what the file gives itself counts in its place.
+    void openRun()
+    {
+        if (!m_step->opening)
+            return;
+        sim::Script opened = m_step->scriptWith(script().values, script().method);
+        if (!m_fields.find("h") && !m_fields.find("tolerance"))
+            script().step = opened.step;
+        script().bodies = opened.bodies;
+        script().input = m_fields.find("input") ? std::vector<sim::Event>() : std::move(opened.input);
+        for (const sim::Event &event : script().input)
+            m_events.push_back({event, m_fields.line()});
     }
 
     /// Points and sticks of the file's own, where the step takes them: scenes are made from them.

@@ -199,7 +199,8 @@ QByteArray experimentText(const Experiment &experiment, const LessonLibrary &lib
     const sim::Script untouched = step->script();
     if (script.method->id() != untouched.method->id())
         writer.field("method", jsonText(script.method->id()));
-    if (script.step != sim::stepFor(*script.method, untouched.step))
+    const sim::Script opened = step->opening ? step->scriptWith(script.values, script.method) : untouched;
+    if (script.step != sim::stepFor(*script.method, opened.step))
         writeStep(script.step, writer);
     writer.field("frames", QString::number(experiment.frames));
     if (script.values.seed != untouched.values.seed)
@@ -214,7 +215,11 @@ QByteArray experimentText(const Experiment &experiment, const LessonLibrary &lib
     if (script.values.sticks && script.values.sticks->empty())
         writer.field("links", "[]");
     writer.block("links", "[]", linkEntries(script));
-    writer.block("input", "[]", inputEntries(script, *step));
+    const QStringList input = inputEntries(script, *step);
+    if (input.isEmpty() && !opened.input.empty())
+        writer.field("input", "[]");
+    if (script.input != opened.input)
+        writer.block("input", "[]", input);
     return writer.text();
 }
 

@@ -99,6 +99,9 @@ void checkStep(const lessons::Step &step)
     if (!sim::findMethod(step.method.toStdString()))
         refuseLesson(Text::tr("the step %1 wants the method %2, which is not there")
                          .arg(quoted(step.id), quoted(step.method)));
+    if (step.companion && !sim::findMethod(step.companion->method.toStdString()))
+        refuseLesson(Text::tr("the step %1 wants the method %2, which is not there")
+                         .arg(quoted(step.id), quoted(step.companion->method)));
     try {
         const sim::Script script = step.script();
         sim::compose(sim::sceneOf(script, script.values), *script.method, script.step);

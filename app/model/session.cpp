@@ -8,7 +8,6 @@ namespace app {
 
 namespace {
 
-constexpr std::size_t keptLooks = 3;
 /// What a run costs is measured no more often than this.
 constexpr qint64 measureAgainMilliseconds = 500;
 
@@ -17,6 +16,8 @@ constexpr qint64 measureAgainMilliseconds = 500;
 Session::Session(const LessonLibrary &library, QObject *parent) : QObject(parent), m_library(library)
 {
     connect(&m_player, &Player::due, this, &Session::advance);
+    // The first who hears of it: whoever draws the moment draws the companion, too.
+    connect(this, &Session::moved, this, &Session::bringCompanionLater);
     start(step().script(), {});
 }
 
@@ -100,65 +101,21 @@ void Session::leave()
 
 void Session::start(sim::Script script, sim::Cursor at)
 {
+    auto timeline = std::make_unique<sim::Timeline>(std::move(script)); // throws before anything has changed
     m_goingTo.reset();
     m_holding = false;
     m_keys = {};
     m_pointerDown.reset();
     m_ghostName.clear();
     m_otherStep.reset();
-    m_timeline = std::make_unique<sim::Timeline>(std::move(script));
+    m_timeline = std::move(timeline);
+    m_companion.reset();
+    if (step().companion)
+        m_companion.emplace(*step().companion);
+    bringCompanion();
     m_selected = QString::fromStdString(m_timeline->track().shown().scene.names.front());
     emit stepOpened();
     goTo(at);
-}
-
-Picture Session::pictureOf(const sim::Track &track, std::shared_ptr<const sim::Segment> segment,
-                           sim::State state) const
-{
-    Picture picture;
-    picture.look = lookOf(segment);
-    if (step().guides)
-        picture.guides = step().guides(segment->scene, state, segment->values);
-    if (step().guidesOfRun) {
-        const sim::Cursor at = track.at();
-        const std::int64_t frame = at.phase > 0 ? at.frame + track.rowFrames() : at.frame;
-        const std::vector<lessons::Guide> more = step().guidesOfRun(track.script(), state, frame);
-        picture.guides.insert(picture.guides.end(), more.begin(), more.end());
-    }
-    picture.segment = std::move(segment);
-    picture.state = std::move(state);
-    return picture;
-}
-
-std::shared_ptr<const lessons::Look> Session::lookOf(const std::shared_ptr<const sim::Segment> &segment) const
-{
-    for (const Looked &made : m_looks) {
-        if (made.segment.lock() == segment)
-            return made.look;
-    }
-    m_looks.push_back(
-        {segment, std::make_shared<const lessons::Look>(step().look(segment->scene, segment->values))});
-    if (m_looks.size() > keptLooks)
-        m_looks.pop_front();
-    return m_looks.back().look;
-}
-
-Picture Session::picture() const
-{
-    const sim::Track &track = m_timeline->track();
-    if (!m_timeline->hasPending())
-        return pictureOf(track, track.shownPtr(), track.now());
-    std::shared_ptr<const sim::Segment> segment;
-    sim::State state = track.preview(segment);
-    return pictureOf(track, std::move(segment), std::move(state));
-}
-
-std::optional<Picture> Session::ghost() const
-{
-    const sim::Track *track = m_timeline->ghost();
-    if (!track || track->at().frame != m_timeline->at().frame)
-        return std::nullopt;
-    return pictureOf(*track, track->shownPtr(), track->now());
 }
 
 void Session::forgetGhost()

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/model/companion_run.h"
 #include "app/model/experiment.h"
 #include "app/model/player.h"
 #include "app/model/progress.h"
@@ -109,6 +110,12 @@ public:
     Picture picture() const;
     /// The old run at the cursor's frame, if there is one.
     std::optional<Picture> ghost() const;
+    /// The figure beside the run's own, at the same moment; empty where the step has none, or its method cannot.
+    std::optional<Picture> companion() const;
+    /// Who the run's own figure is, next to a companion: its method and step.
+    QString ownCaption() const;
+    /// What the step has to say about this moment; may be empty.
+    QString note() const;
     /// What the ghost differs by, for example "before: damp 0.85".
     QString ghostName() const { return m_ghostName; }
     void forgetGhost();
@@ -151,7 +158,13 @@ private:
     void setStep(sim::StepSize step);
     void leave();
     void start(sim::Script script, sim::Cursor at);
+    /// The step's run with these values and no input of a learner's, by the first of `methods` that can. Goes on
+    /// playing if it played.
+    void startAnew(const sim::Values &values, const std::vector<sim::MethodPtr> &methods);
     void advance(int frames);
+    /// Takes the companion to the cursor. Returns whether it is there.
+    bool bringCompanion();
+    void bringCompanionLater();
     void approach();
     /// Runs `change` on the timeline. If a ghost came from it, it is called `before`; a refusal is said, and
     /// changes nothing.
@@ -164,6 +177,8 @@ private:
     std::size_t m_lesson = 0;
     std::size_t m_step = 0;
     std::unique_ptr<sim::Timeline> m_timeline;
+    std::optional<CompanionRun> m_companion; ///< where the step has one
+    bool m_companionIsThere = false;         ///< at the cursor
     Player m_player;
     Progress m_progress;
     QString m_selected;
@@ -174,6 +189,7 @@ private:
     sim::Keys m_keys;                       ///< those that the learner has down
     std::optional<sim::Vec2> m_pointerDown; ///< where the learner has the pointer's button down
     std::optional<sim::Cursor> m_goingTo;
+    bool m_companionDue = false;        ///< whether the next slice of its way is already asked for
     bool m_approachDue = false;         ///< whether the next slice of the way is already asked for
     mutable std::deque<Looked> m_looks; ///< the looks last made: of the run, its ghost and what is to come
     QElapsedTimer m_sinceMeasured;      ///< since a budget was last looked at

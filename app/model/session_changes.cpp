@@ -47,6 +47,12 @@ void Session::setParameter(const QString &id, double value)
     const double was = parameter(id);
     if (value == was)
         return;
+    if (declared->opens) {
+        sim::Values values = step().presets();
+        values.set(id.toStdString(), value);
+        startAnew(values, {m_timeline->script().method, sim::findMethod(step().method.toStdString())});
+        return;
+    }
     const QString before = tr("before: %1 %2").arg(id, QLocale::c().toString(was, 'g', 4));
     edit(before, [&](sim::Timeline &timeline) { return timeline.set(id.toStdString(), value); });
 }
@@ -170,19 +176,27 @@ void Session::letUp()
 
 void Session::startWith(const lessons::Preset &preset)
 {
+    sim::Values values = step().presets();
+    for (const auto &[id, value] : preset.values)
+        values.set(id.toStdString(), value);
+    startAnew(values, {sim::findMethod(step().method.toStdString())});
+}
+
+void Session::startAnew(const sim::Values &values, const std::vector<sim::MethodPtr> &methods)
+{
     const bool played = isPlaying();
     pause();
-    sim::Script script = step().script();
-    for (const auto &[id, value] : preset.values)
-        script.values.set(id.toStdString(), value);
-    try {
-        start(std::move(script), {});
-    } catch (const sim::Error &error) {
-        emit said(sentenceFor(error));
+    for (const sim::MethodPtr &method : methods) {
+        try {
+            start(step().scriptWith(values, method), {});
+        } catch (const sim::Error &error) {
+            emit said(sentenceFor(error));
+            continue; // another method may be able to
+        }
+        if (played)
+            play();
         return;
     }
-    if (played)
-        play();
 }
 
 }

@@ -101,7 +101,8 @@ void Session::approach()
     while (m_timeline->at().frame + rowFrames <= target && clock.elapsed() < sliceMilliseconds &&
            !m_timeline->stop())
         m_timeline->seek({std::min(target, m_timeline->at().frame + slice), 0});
-    if (m_timeline->at().frame + rowFrames > target || m_timeline->stop()) {
+    const bool isThere = m_timeline->at().frame + rowFrames > target || m_timeline->stop();
+    if (bringCompanion() && isThere) {
         const int phase = m_goingTo->phase;
         m_goingTo.reset();
         if (phase > 0)

@@ -35,11 +35,18 @@ sim::Values Step::presets() const
 
 sim::Script Step::script() const
 {
+    return scriptWith(presets(), sim::findMethod(method.toStdString()));
+}
+
+sim::Script Step::scriptWith(const sim::Values &values, const sim::MethodPtr &by) const
+{
     sim::Script script;
     script.build = scene;
-    script.values = presets();
-    script.method = sim::findMethod(method.toStdString());
-    script.step = sim::stepFor(*script.method, sim::StepSize::of(h));
+    script.values = values;
+    script.method = by;
+    script.step = sim::stepFor(*by, sim::StepSize::of(h));
+    if (opening)
+        opening(script);
     return script;
 }
 

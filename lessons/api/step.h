@@ -68,6 +68,17 @@ enum class Points {
     files, ///< a file's bodies p0, p1... are all the points there are, and its links all the sticks
 };
 
+/// A second run of the same script, to compare with: its figure is drawn beside that of the run.
+struct Companion
+{
+    QString method;   ///< id
+    QString caption;  ///< who it is, in a few words
+    sim::Vec2 offset; ///< px: how far its figure is moved from where its points are
+    double h = 1.0;   ///< frames
+    /// Of parameters that it does not share with the run.
+    std::vector<std::pair<QString, double>> values = {};
+};
+
 /// One step of a lesson.
 struct Step
 {
@@ -85,6 +96,13 @@ struct Step
     /// stands for; inside a frame the one that is under way.
     std::function<std::vector<Guide>(const sim::Script &, const sim::State &, std::int64_t frame)>
         guidesOfRun;
+    /// Then both figures stand on the look's stage, each with a caption over it.
+    std::optional<Companion> companion = {};
+    /// What the step says of the moment at the run's cursor, between two frames, over the scene; may be empty.
+    std::function<QString(const sim::Track &)> note = {};
+    /// Adds to a script with values and method what its run begins with besides them: input, starts of bodies, its
+    /// step. May be empty.
+    std::function<void(sim::Script &)> opening = {};
     /// Shown beside the scene; may be empty.
     std::vector<Measure> measures;
     /// Offered as a gallery; may be empty.
@@ -105,6 +123,8 @@ struct Step
     sim::Values presets() const;
     /// The run of this step that nobody has touched.
     sim::Script script() const;
+    /// The same with other values and by another method.
+    sim::Script scriptWith(const sim::Values &values, const sim::MethodPtr &method) const;
 };
 
 /// A step of the lesson in folder `lesson`, whose scene is set up in the region `id` of its scenes.cpp.

@@ -209,6 +209,18 @@ void judgeEnd(Verdict &verdict)
 
 }
 
+std::optional<Error> whatIsWrong(const HardCase &hard, const Scene &first, const Scene &scene,
+                                 const State &state, std::int64_t frame)
+{
+    return Watcher(hard, first).look(scene, state, frame);
+}
+
+std::optional<Error> whatIsUnrest(const HardCase &hard, const Scene &scene, const State &before,
+                                  const State &state, int rowFrames)
+{
+    return hard.rest ? lookAtRest(*hard.rest, scene, before, state, rowFrames) : std::nullopt;
+}
+
 Verdict judge(const HardCase &hard, const MethodPtr &method, const RunSize &size,
               const JudgeProgress &progress)
 {

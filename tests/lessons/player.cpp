@@ -7,7 +7,7 @@
 namespace support {
 
 Player::Player(const lessons::Step &step, std::size_t wanted)
-    : m_run(step.script()), m_try(step.tries.at(wanted)),
+    : m_step(step), m_run(step.script()), m_try(step.tries.at(wanted)),
       m_timing([](const sim::Script &, std::int64_t) { return std::numeric_limits<double>::infinity(); })
 {
     look();
@@ -82,7 +82,14 @@ void Player::key(bool sim::Keys::*key, bool down)
 
 void Player::set(const std::string &parameter, double value)
 {
-    m_run.set(parameter, value);
+    const lessons::Parameter *declared = m_step.parameter(QString::fromStdString(parameter));
+    if (declared && declared->opens) {
+        sim::Values values = m_step.presets();
+        values.set(parameter, value);
+        m_run = sim::Timeline(m_step.scriptWith(values, m_run.script().method));
+    } else {
+        m_run.set(parameter, value);
+    }
     look();
 }
 

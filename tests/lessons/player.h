@@ -28,6 +28,7 @@ public:
     void point(sim::Vec2 at, bool down);
     void target(sim::Vec2 at);
     void key(bool sim::Keys::*key, bool down);
+    /// A parameter that opens another experiment begins the run anew, as in the app.
     void set(const std::string &parameter, double value);
     void useMethod(const std::string &id);
     void useStep(double h);
@@ -47,6 +48,7 @@ private:
     void look();
     void use(sim::Script script);
 
+    lessons::Step m_step;
     sim::Timeline m_run;
     lessons::Try m_try;
     lessons::Timing m_timing;

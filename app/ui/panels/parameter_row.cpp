@@ -79,7 +79,11 @@ void ParameterRow::makeFields()
 void ParameterRow::makeChoice()
 {
     m_choice = new QComboBox(this);
-    m_choice->addItems(m_parameter.choices);
+    m_choice->addItems(m_parameter.choiceTitles.isEmpty() ? m_parameter.choices : m_parameter.choiceTitles);
+    for (int i = 0; i < m_parameter.choiceHelps.size(); ++i)
+        m_choice->setItemData(i, m_parameter.choiceHelps[i], Qt::ToolTipRole);
+    m_choice->setMinimumContentsLength(8); // long titles are cut rather than widen the panel
+    m_choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_choice->setAccessibleName(m_parameter.name);
     m_choice->setAccessibleDescription(m_parameter.help);
     m_choice->setFocusPolicy(Qt::StrongFocus);

@@ -1,5 +1,7 @@
 #include "app/ui/scene/canvas.h"
 
+#include <QPainterPath>
+
 #include <algorithm>
 #include <array>
 
@@ -74,6 +76,16 @@ QPen dashed(const QColor &color, double width, std::initializer_list<double> pat
 QPen solid(const QColor &color, double width)
 {
     return {color, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin};
+}
+
+void drawWords(const Canvas &canvas, const Words &words)
+{
+    QPainterPath path;
+    path.addText(words.from, words.font, words.text);
+    canvas.painter.strokePath(path, solid(canvas.tokens().scene, 4.0));
+    canvas.painter.setPen(words.ink);
+    canvas.painter.setFont(words.font);
+    canvas.painter.drawText(words.from, words.text);
 }
 
 QColor faded(QColor color, double alpha)

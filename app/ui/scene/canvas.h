@@ -43,4 +43,15 @@ QPen dashed(const QColor &color, double width, std::initializer_list<double> pat
 QPen solid(const QColor &color, double width);
 QColor faded(QColor color, double alpha);
 
+/// Words in the picture.
+struct Words
+{
+    QPointF from; ///< the left end of their base line, px of the screen
+    QString text;
+    QFont font;
+    QColor ink;
+};
+/// Words that stay readable over lines.
+void drawWords(const Canvas &canvas, const Words &words);
+
 }

@@ -10,18 +10,41 @@ namespace app {
 
 namespace {
 
-constexpr double captionRoom = 36.0;
+constexpr double captionMargin = 20.0;
+constexpr double captionTop = 12.0;
+constexpr double belowCaption = 9.0;
+constexpr double besideWall = 12.0;
+constexpr double captionShift = 120.0; ///< the farthest that a wall moves the caption
 constexpr double bottomRoom = 36.0;
 constexpr double edge = 8.0;
 constexpr double nameHeight = 20.0;
 constexpr double belowBody = 11.0;
 constexpr double leastCardRoom = 240.0; ///< px between two walls, below which a card lies over them
 
+/// With as little width as a wall may leave it.
+double captionHeight(const Shown &shown, QRectF view)
+{
+    const QRectF room(0.0, 0.0, view.width() - captionShift - captionMargin, view.height());
+    return std::ceil(QFontMetricsF(shown.text).boundingRect(room, Qt::TextWordWrap, shown.caption).height());
+}
+
+}
+
+QRectF captionBox(const Shown &shown, const Camera &camera, QRectF view)
+{
+    double x = captionMargin;
+    if (const std::optional<sim::Room> &room = shown.look().room) {
+        const double wall = camera.at({room->left, room->floor}).x();
+        if (wall > captionMargin - besideWall && wall < captionShift)
+            x = std::round(wall + besideWall); // no line runs through the words
+    }
+    return {x, captionTop, view.width() - x - captionMargin, captionHeight(shown, view)};
 }
 
 QRectF freeArea(const Shown &shown, QRectF view)
 {
-    return view.adjusted(edge, shown.caption.isEmpty() ? edge : captionRoom, -edge, -bottomRoom);
+    const double top = captionTop + captionHeight(shown, view) + belowCaption;
+    return view.adjusted(edge, shown.caption.isEmpty() ? edge : top, -edge, -bottomRoom);
 }
 
 QRectF cardArea(const Shown &shown, const Camera &camera, QRectF view)

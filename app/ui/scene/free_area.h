@@ -4,6 +4,8 @@
 
 namespace app {
 
+/// Where the caption stands in `view`: a line or more, broken where the width asks for it.
+QRectF captionBox(const Shown &shown, const Camera &camera, QRectF view);
 /// The part of `view` that caption, scale and legends leave free.
 QRectF freeArea(const Shown &shown, QRectF view);
 /// The same, between the walls of a room if there is room enough.

@@ -4,8 +4,6 @@
 #include "app/ui/scene/layers.h"
 #include "app/ui/scene/wind_guide.h"
 
-#include <QPainterPath>
-
 #include <cmath>
 #include <numbers>
 
@@ -64,16 +62,10 @@ void drawGuide(const Canvas &canvas, const Guide &guide)
     }
 }
 
-/// Text that stays readable over lines.
 void drawLabel(const Canvas &canvas, const GuideLabel &label)
 {
-    const QFontMetricsF metrics(canvas.shown.text);
-    QPainterPath path;
-    path.addText(label.box.left(), label.box.top() + metrics.ascent(), canvas.shown.text, label.text);
-    canvas.painter.strokePath(path, solid(canvas.tokens().scene, 4.0));
-    canvas.painter.setPen(canvas.tokens().ink2);
-    canvas.painter.setFont(canvas.shown.text);
-    canvas.painter.drawText(label.box.topLeft() + QPointF(0.0, metrics.ascent()), label.text);
+    const QPointF down(0.0, QFontMetricsF(canvas.shown.text).ascent());
+    drawWords(canvas, {label.box.topLeft() + down, label.text, canvas.shown.text, canvas.tokens().ink2});
 }
 
 }

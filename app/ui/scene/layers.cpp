@@ -22,11 +22,13 @@ void Layer::paint(QPainter *painter, const QStyleOptionGraphicsItem *option, QWi
 {
     if (m_shown.points() == 0)
         return;
-    const QTransform toView = painter->worldTransform();
+    const QRectF area = painter->worldTransform().mapRect(option->exposedRect);
+    QTransform toView = painter->worldTransform();
+    toView.translate(m_shown.shift.x, m_shown.shift.y);
     painter->save();
     painter->setWorldTransform({});
     painter->setBrush(Qt::NoBrush);
-    draw({*painter, m_shown, m_theme, Camera(toView), toView.mapRect(option->exposedRect)});
+    draw({*painter, m_shown, m_theme, Camera(toView), area});
     painter->restore();
 }
 
@@ -34,6 +36,18 @@ void TreeLayer::draw(const Canvas &canvas) const
 {
     if (canvas.shown.look().tree)
         m_tree.draw(canvas, canvas.shown.picture.look, canvas.shown.state());
+}
+
+void NameLayer::draw(const Canvas &canvas) const
+{
+    const Shown &shown = canvas.shown;
+    if (shown.name.isEmpty())
+        return;
+    const QRectF stage = shown.look().stage;
+    const QFontMetricsF metrics(shown.figures);
+    const QPointF top = canvas.camera.at({stage.center().x(), stage.top()});
+    const QPointF from = top + QPointF(-metrics.horizontalAdvance(shown.name) / 2.0, metrics.ascent());
+    drawWords(canvas, {from, shown.name, shown.figures, canvas.tokens().ink});
 }
 
 void ArrowLayer::draw(const Canvas &canvas) const

@@ -27,6 +27,7 @@ enum class Height {
     reference,
     guides,
     arrows,
+    names,
 };
 
 /// All things of one kind, drawn together.
@@ -200,6 +201,16 @@ class GuideLayer : public Layer
 {
 public:
     GuideLayer(const Shown &shown, const Theme &theme) : Layer(shown, theme, Height::guides) {}
+
+protected:
+    void draw(const Canvas &canvas) const override;
+};
+
+/// Who a figure is, where there are two.
+class NameLayer : public Layer
+{
+public:
+    NameLayer(const Shown &shown, const Theme &theme) : Layer(shown, theme, Height::names) {}
 
 protected:
     void draw(const Canvas &canvas) const override;

@@ -26,8 +26,6 @@ constexpr double lowest = 20.0;        ///< of the bottom lines' marks, above th
 constexpr double longestScale = 150.0; ///< px of the screen
 constexpr double legendRow = 20.0;
 constexpr double legendGap = 24.0;
-constexpr double besideWall = 12.0;
-constexpr double captionShift = 120.0; ///< the farthest that a wall moves the caption
 
 /// The longest of 1, 2, 5, 10, 20... px of the scene that is not longer than longestScale on the screen.
 double scaleLength(double zoom)
@@ -95,26 +93,20 @@ void Overlay::draw(QPainter &painter, const Camera &camera, QRectF view) const
     taken.push_back(nameBox(m_shown, camera, view));
     drawReferenceLabel(painter, m_shown, m_theme, camera, freeArea(m_shown, view).adjusted(8, 28, -8, -44),
                        std::move(taken));
-    drawCaption(painter, camera);
+    drawCaption(painter, camera, view);
     const double end = drawScale(painter, camera, view);
     drawLegend(painter, view, end);
     if (m_shown.focusVisible)
         drawFocus(painter, view);
 }
 
-void Overlay::drawCaption(QPainter &painter, const Camera &camera) const
+void Overlay::drawCaption(QPainter &painter, const Camera &camera, QRectF view) const
 {
     if (m_shown.caption.isEmpty())
         return;
-    double x = margin;
-    if (const std::optional<sim::Room> &room = m_shown.look().room) {
-        const double wall = camera.at({room->left, room->floor}).x();
-        if (wall > margin - besideWall && wall < captionShift)
-            x = std::round(wall + besideWall); // no line runs through the words
-    }
     painter.setFont(m_shown.text);
     painter.setPen(m_theme.tokens().ink2);
-    painter.drawText(QPointF(x, margin + 4.0), m_shown.caption);
+    painter.drawText(captionBox(m_shown, camera, view), Qt::TextWordWrap, m_shown.caption);
 }
 
 QColor Overlay::captionInk() const

@@ -21,7 +21,7 @@ private:
     std::vector<Entry> legend() const;
     /// For words on the background: stronger on a coloured sky.
     QColor captionInk() const;
-    void drawCaption(QPainter &painter, const Camera &camera) const;
+    void drawCaption(QPainter &painter, const Camera &camera, QRectF view) const;
     /// Returns where it ends.
     double drawScale(QPainter &painter, const Camera &camera, QRectF view) const;
     void drawLegend(QPainter &painter, QRectF view, double from) const;

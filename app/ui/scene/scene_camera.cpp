@@ -85,10 +85,18 @@ double belowArea(const lessons::Look &look, double height)
     return look.room ? groundBorder : border;
 }
 
+/// The stage of a figure and that of its companion.
+QRectF bothStages(const lessons::Look &look, const Shown &beside)
+{
+    return look.stage.united(look.stage.translated(beside.shift.x, beside.shift.y));
+}
+
 /// What a step shows first.
-QRectF homeOf(const Picture &picture)
+QRectF homeOf(const Picture &picture, const Shown &beside)
 {
     const lessons::Look &look = *picture.look;
+    if (!beside.name.isEmpty())
+        return bothStages(look, beside);
     if (look.room)
         return roomArea(*look.room, look.stage);
     if (look.tree || look.sky != lessons::Look::Sky::paper)
@@ -117,7 +125,7 @@ double SceneView::zoom() const
 
 void SceneView::showHome()
 {
-    m_home = homeOf(m_shown.picture);
+    m_home = homeOf(m_shown.picture, m_beside);
     m_atHome = true;
     showArea(m_home, mostAtHome(m_shown.look()));
     follow();
@@ -139,7 +147,7 @@ void SceneView::showArea(QRectF area, double most)
 
 void SceneView::fit()
 {
-    QRectF area = m_shown.look().stage;
+    QRectF area = bothStages(m_shown.look(), m_beside);
     if (m_shown.look().room)
         area = area.united(roomArea(*m_shown.look().room, area));
     if (m_shown.look().tree)

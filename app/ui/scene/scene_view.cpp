@@ -56,6 +56,9 @@ SceneView::SceneView(Session &session, const Theme &theme, QWidget *parent)
     addLayers<RoomLayer, GroundLayer, GhostLayer, OnionLayer, TrailLayer, TreeLayer, MeadowLayer, LimbLayer,
               SkinLayer, ChainLayer, LegLayer, StickLayer, BodyLayer, ReferenceLayer, GuideLayer, ArrowLayer>(
         m_scene, m_shown, theme);
+    addLayers<RoomLayer, LimbLayer, SkinLayer, ChainLayer, LegLayer, StickLayer, BodyLayer, GuideLayer,
+              NameLayer>(m_scene, m_beside, theme);
+    m_scene.addItem(new NameLayer(m_shown, theme));
     setScene(&m_scene);
 
     connect(&session, &Session::stepOpened, this, &SceneView::open);
@@ -78,6 +81,8 @@ void SceneView::readTheme()
 {
     m_shown.text = m_theme.ui(12);
     m_shown.figures = m_theme.ui(12, QFont::DemiBold);
+    m_beside.text = m_shown.text;
+    m_beside.figures = m_shown.figures;
     viewport()->update();
 }
 
@@ -102,9 +107,12 @@ void SceneView::refresh()
     m_shown.ghostName = m_session.ghostName();
     m_shown.gathered = m_session.gathered();
     m_shown.caption = frameCaption(timeline);
+    if (m_shown.caption.isEmpty())
+        m_shown.caption = m_session.note();
     m_shown.trail.follow(timeline);
     takeOnion();
     takeReference();
+    takeCompanion();
     m_shown.selected = m_shown.picture.segment->scene.find(m_session.selected().toStdString());
     measureArrows(m_shown, m_session.isPlaying());
     if (!m_session.isPlaying())
@@ -122,6 +130,8 @@ void SceneView::describe()
                             m_shown.state().speed(m_shown.selected));
     if (!m_shown.caption.isEmpty())
         text += ". " + m_shown.caption;
+    if (m_beside.points() > 0)
+        text += ". " + tr("Beside it: %1").arg(m_beside.name);
     if (m_shown.reference && m_shown.extras.reference)
         text += ". " + referenceSentence(*m_shown.reference);
     if (text != accessibleDescription())
@@ -189,6 +199,16 @@ void SceneView::takeReference()
     std::erase_if(m_shown.picture.guides, [](const lessons::Guide &guide) {
         return guide.about == lessons::Guide::About::exactMotion;
     });
+}
+
+void SceneView::takeCompanion()
+{
+    m_beside.picture = m_session.companion().value_or(Picture());
+    const std::optional<lessons::Companion> &companion = m_session.step().companion;
+    m_shown.name = companion ? m_session.ownCaption() : QString();
+    m_beside.name = companion ? companion->caption : QString();
+    m_beside.shift = companion ? companion->offset : sim::Vec2();
+    m_beside.extras = m_shown.extras;
 }
 
 void SceneView::drawBackground(QPainter *painter, const QRectF &)

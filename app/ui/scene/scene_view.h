@@ -33,6 +33,8 @@ public:
     const Extras &extras() const { return m_shown.extras; }
     /// All that is drawn now.
     const Shown &shown() const { return m_shown; }
+    /// The companion beside it.
+    const Shown &beside() const { return m_beside; }
     /// What differs from what was shown is the learner's choice from then on, in every step.
     void setExtras(const Extras &extras);
     /// Moves the picture so that the body is in the middle.
@@ -79,6 +81,7 @@ private:
     void takeExtrasOfStep();
     void takeOnion();
     void takeReference();
+    void takeCompanion();
     void readTheme();
     Camera camera() const { return Camera(viewportTransform()); }
     QRectF viewRect() const { return QRectF(viewport()->rect()); }
@@ -103,6 +106,7 @@ private:
     const AccuracyStudy *m_study = nullptr;
     const Theme &m_theme;
     Shown m_shown;
+    Shown m_beside; ///< the companion; no picture where there is none
     Overlay m_overlay;
     Hand m_hand;
     Tools m_tools;

@@ -45,7 +45,9 @@ struct Shown
     std::optional<ReferencePlaces> reference; ///< only while accuracy is measured on this scene
     QString ghostName;                        ///< what the ghost differs by
     std::vector<sim::Gathered> gathered;      ///< inside a frame: accelerations that no move has spent yet
-    QString caption;                          ///< inside a frame: what has been done, in words
+    QString caption; ///< what has been done inside a frame, or what the step says about the moment
+    QString name;    ///< who the figure is, where there are two; stands over its stage
+    sim::Vec2 shift; ///< px: how far the picture is moved from where its points are
     Trail trail;
     std::vector<sim::State> onion; ///< earlier moments, the latest first; empty unless they are shown
     Extras extras;

@@ -264,4 +264,4 @@ void TestHardCases::aRunThatIsNotWantedIsNoBrokenClaim()
 }
 
 QTEST_GUILESS_MAIN(TestHardCases)
-#include "tst_hard_cases.moc"
+#include "tst_hard_catalogue.moc"

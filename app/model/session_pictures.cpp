@@ -1,0 +1,107 @@
+// What a learner sees of the run, its ghost and its companion.
+
+#include "app/model/sentences.h"
+#include "app/model/session.h"
+#include "app/model/step_words.h"
+
+#include <QTimer>
+
+#include <utility>
+
+namespace app {
+
+namespace {
+
+constexpr std::size_t keptLooks = 4; ///< of the run, its ghost, its companion, and what a change has just made
+
+}
+
+Picture Session::pictureOf(const sim::Track &track, std::shared_ptr<const sim::Segment> segment,
+                           sim::State state) const
+{
+    Picture picture;
+    picture.look = lookOf(segment);
+    if (step().guides)
+        picture.guides = step().guides(segment->scene, state, segment->values);
+    if (step().guidesOfRun) {
+        const sim::Cursor at = track.at();
+        const std::int64_t frame = at.phase > 0 ? at.frame + track.rowFrames() : at.frame;
+        const std::vector<lessons::Guide> more = step().guidesOfRun(track.script(), state, frame);
+        picture.guides.insert(picture.guides.end(), more.begin(), more.end());
+    }
+    picture.segment = std::move(segment);
+    picture.state = std::move(state);
+    return picture;
+}
+
+std::shared_ptr<const lessons::Look> Session::lookOf(const std::shared_ptr<const sim::Segment> &segment) const
+{
+    for (const Looked &made : m_looks) {
+        if (made.segment.lock() == segment)
+            return made.look;
+    }
+    m_looks.push_back(
+        {segment, std::make_shared<const lessons::Look>(step().look(segment->scene, segment->values))});
+    if (m_looks.size() > keptLooks)
+        m_looks.pop_front();
+    return m_looks.back().look;
+}
+
+Picture Session::picture() const
+{
+    const sim::Track &track = m_timeline->track();
+    if (!m_timeline->hasPending())
+        return pictureOf(track, track.shownPtr(), track.now());
+    std::shared_ptr<const sim::Segment> segment;
+    sim::State state = track.preview(segment);
+    return pictureOf(track, std::move(segment), std::move(state));
+}
+
+bool Session::bringCompanion()
+{
+    m_companionIsThere = !m_companion || m_companion->follow(m_timeline->script(), m_timeline->at().frame);
+    return m_companionIsThere;
+}
+
+void Session::bringCompanionLater()
+{
+    if (bringCompanion() || std::exchange(m_companionDue, true))
+        return;
+    QTimer::singleShot(0, this, [this] {
+        m_companionDue = false;
+        emit moved();
+    });
+}
+
+std::optional<Picture> Session::companion() const
+{
+    const sim::Track *track = m_companion && m_companionIsThere ? m_companion->track() : nullptr;
+    if (!track)
+        return std::nullopt;
+    if (!m_timeline->hasPending())
+        return pictureOf(*track, track->shownPtr(), track->now());
+    std::shared_ptr<const sim::Segment> segment;
+    sim::State state = track->preview(segment);
+    return pictureOf(*track, std::move(segment), std::move(state));
+}
+
+QString Session::ownCaption() const
+{
+    const sim::Script &script = m_timeline->script();
+    return tr("%1, %2").arg(phrase(script.method->title()), stepTitle(script.step));
+}
+
+QString Session::note() const
+{
+    return step().note ? step().note(m_timeline->track()) : QString();
+}
+
+std::optional<Picture> Session::ghost() const
+{
+    const sim::Track *track = m_timeline->ghost();
+    if (!track || track->at().frame != m_timeline->at().frame)
+        return std::nullopt;
+    return pictureOf(*track, track->shownPtr(), track->now());
+}
+
+}

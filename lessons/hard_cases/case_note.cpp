@@ -1,0 +1,125 @@
+// What the last step says of a case while it runs.
+
+#include "cases.h"
+
+#include "sim/accuracy/run.h"
+#include "sim/hard/judge.h"
+
+#include <QCoreApplication>
+
+#include <memory>
+
+namespace hard_cases {
+
+namespace {
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(HardCases)
+};
+
+QString phrase(const std::string &text)
+{
+    return QCoreApplication::translate("sim", text.c_str());
+}
+
+/// Why a method does not claim a case, in a few words.
+QString reasonOf(const sim::Error &why)
+{
+    const std::string &id = why.id();
+    if (id == "claim-grows")
+        return Text::tr("its steps are too long for what is so stiff");
+    if (id == "claim-rings")
+        return Text::tr("it swings on for longer than the run");
+    if (id == "claim-one-by-one")
+        return Text::tr("it moves one body after the other");
+    if (id == "claim-too-many-steps")
+        return Text::tr("it would need too many steps");
+    if (id == "claim-adds-up")
+        return Text::tr("its errors add up");
+    if (id == "claim-stirs")
+        return Text::tr("its errors keep it stirring");
+    if (id == "claim-no-room")
+        return Text::tr("no place there is free");
+    return Text::tr("it cannot compute all of it");
+}
+
+/// What does not change while a case runs.
+struct Told
+{
+    sim::HardCase hard;
+    sim::RunSize size;
+    sim::Scene first;
+    QString claim;
+};
+
+Told toldOf(const sim::Script &script)
+{
+    Told told{caseNumber(script.values.whole("case")), {}, {}, {}};
+    told.size = told.hard.brief;
+    told.size.h = script.step.h;
+    if (script.step.adaptive())
+        told.size.tolerance = script.step.tolerance;
+    told.first = sim::sceneOf(script, script.values);
+    const sim::Claim claim = sim::claimOf(told.hard, script.method, told.size);
+    const QString method = phrase(script.method->title());
+    told.claim =
+        !isAsTold(script) ? Text::tr("You have changed it: nobody claims this.")
+        : claim.isMade
+            ? Text::tr("%1 claims this case.").arg(method)
+            : Text::tr("%1 does not claim it: %2.").arg(method, claim.why ? reasonOf(*claim.why) : QString());
+    return told;
+}
+
+/// How the moment at the cursor is, in a few words.
+QString judgement(const Told &told, const sim::Track &run)
+{
+    const std::int64_t frame = run.at().frame;
+    const sim::Scene &scene = run.shown().scene;
+    if (sim::whatIsWrong(told.hard, told.first, scene, run.now(), frame))
+        return Text::tr("out of its bounds");
+    if (!told.hard.rest || frame == 0)
+        return Text::tr("within its bounds");
+    const sim::State before = run.stateAt(frame - run.rowFrames());
+    return sim::whatIsUnrest(told.hard, scene, before, run.now(), run.rowFrames())
+               ? Text::tr("within its bounds, not at rest yet")
+               : Text::tr("at rest, as it should be");
+}
+
+bool sameRun(const sim::Script &a, const sim::Script &b)
+{
+    return a.values == b.values && a.method->id() == b.method->id() && a.step == b.step &&
+           a.input == b.input && a.bodies == b.bodies && a.effectsOff == b.effectsOff;
+}
+
+}
+
+bool isAsTold(const sim::Script &script)
+{
+    const sim::HardCase hard = caseNumber(script.values.whole("case"));
+    return script.values["k"] == 0.0 && script.input == hard.script.input &&
+           script.bodies == hard.script.bodies && script.effectsOff.empty();
+}
+
+std::function<QString(const sim::Track &)> caseNote()
+{
+    struct Kept
+    {
+        sim::Script script;
+        Told told;
+    };
+    // What a claim is worth takes some computing: it is kept as long as the run is the same.
+    const auto kept = std::make_shared<std::optional<Kept>>();
+    return [kept](const sim::Track &run) {
+        if (!*kept || !sameRun((*kept)->script, run.script()))
+            *kept = Kept{run.script(), toldOf(run.script())};
+        const Told &told = (*kept)->told;
+        return Text::tr("%1\n%2 Frame %3 of %4: %5.")
+            .arg(phrase(told.hard.story), told.claim)
+            .arg(run.at().frame)
+            .arg(told.hard.brief.frames)
+            .arg(judgement(told, run));
+    };
+}
+
+}

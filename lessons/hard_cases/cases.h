@@ -1,0 +1,32 @@
+#pragma once
+
+#include "lessons/api/step.h"
+#include "sim/hard/hard_case.h"
+
+/// The catalogue of sim/hard as the last step shows it.
+namespace hard_cases {
+
+/// Those that begin at all: what a refused one has to show is one sentence, and no scene. A tree that is too large to
+/// be drawn while it plays has fewer forks here.
+std::vector<sim::HardCase> shownCases();
+/// The one at position `number` of that list.
+sim::HardCase caseNumber(int number);
+/// The position of the case called `id`; -1 if it is not there.
+int numberOf(const char *id);
+
+/// The choice among them.
+lessons::Parameter caseParameter();
+/// The stiffness of its springs, in place of the case's own.
+lessons::Parameter stiffnessOfCase();
+
+/// Input, starts of bodies and step of the case that the values name.
+void openCase(sim::Script &script);
+/// Any scene of the catalogue, by its names and effects.
+lessons::Look caseLook(const sim::Scene &scene, const sim::Values &values);
+
+/// Whether the run is that of a case, with nothing but method and step changed.
+bool isAsTold(const sim::Script &script);
+/// Tells the story of the case, whether the method claims it, and whether it holds at this moment.
+std::function<QString(const sim::Track &)> caseNote();
+
+}

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "sim/scene.h"
+#include "sim/values.h"
+
+/// One scene a step, each set up by the same function name, so that the code of two steps differs only in what is
+/// new. The last step shows those of sim/hard.
+namespace hard_cases {
+
+/// px: where the springs of `limit` and `long_run` end.
+constexpr sim::Vec2 centre = {270, 200};
+
+namespace limit {
+sim::Scene setUp(const sim::Values &values);
+}
+namespace runaway {
+sim::Scene setUp(const sim::Values &values);
+}
+namespace many_feet {
+sim::Scene setUp(const sim::Values &values);
+}
+namespace one_place {
+sim::Scene setUp(const sim::Values &values);
+}
+namespace stiff {
+sim::Scene setUp(const sim::Values &values);
+}
+namespace contradiction {
+sim::Scene setUp(const sim::Values &values);
+}
+namespace long_run {
+sim::Scene setUp(const sim::Values &values);
+}
+namespace torture {
+sim::Scene setUp(const sim::Values &values);
+}
+
+}

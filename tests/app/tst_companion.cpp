@@ -1,0 +1,302 @@
+// A second run beside a step's own, what a step says of the moment, and runs that a step opens with input.
+
+#include "app/model/experiment.h"
+#include "lessons/api/creature.h"
+#include "lessons/api/parameters.h"
+#include "scene_bench.h"
+#include "sim/effects/damping.h"
+#include "sim/effects/point_spring.h"
+#include "sim/effects/sticks.h"
+#include "sim/methods/methods.h"
+
+#include <QTemporaryDir>
+#include <QtTest>
+
+using namespace app;
+
+namespace {
+
+sim::Scene footOnASpring(const sim::Values &values)
+{
+    sim::Scene scene = lessons::loneFoot();
+    scene.start.place(0, {310, 200});
+    lessons::add<sim::PointSpring>(scene, 0, sim::Vec2{270, 200}, values["k"]);
+    lessons::add<sim::Damping>(scene, values["damp"]);
+    return scene;
+}
+
+lessons::Step footStep()
+{
+    lessons::Step step;
+    step.id = step.title = "foot";
+    step.parameters = {lessons::stiffness(0.2), lessons::damping(1.0)};
+    step.scene = footOnASpring;
+    step.look = [](const sim::Scene &scene, const sim::Values &) {
+        lessons::Look look = lessons::creatureLook(scene);
+        look.bodies[0].radius = 8.0;
+        look.stage = QRectF(220, 150, 100, 80);
+        return look;
+    };
+    step.method = "explicit_euler";
+    step.companion = lessons::Companion{"implicit_midpoint", "calm", {0, 100}};
+    return step;
+}
+
+/// Opens with a hand, with steps of half a frame where its choice says so.
+lessons::Step openedStep()
+{
+    lessons::Step step = footStep();
+    step.companion.reset();
+    lessons::Parameter which = lessons::choice("which", "Which", "Which one.", {"one", "other"});
+    which.opens = true;
+    step.parameters.push_back(which);
+    step.opening = [](sim::Script &script) {
+        if (script.values.whole("which") == 0)
+            return;
+        script.input = {{3, sim::Grab{"foot"}}, {3, sim::Move{{280, 150}}}, {5, sim::Release{}}};
+        if (!script.step.adaptive())
+            script.step = sim::StepSize::of(0.5);
+    };
+    step.note = [](const sim::Track &run) { return QStringLiteral("this is frame %1").arg(run.at().frame); };
+    return step;
+}
+
+LessonLibrary libraryOf(const lessons::Step &step)
+{
+    LessonEntry entry;
+    entry.id = entry.title = "made";
+    entry.steps = {step};
+    LessonLibrary library;
+    library.lessons = {entry};
+    return library;
+}
+
+/// The script of `run` by implicit midpoint, after as many frames.
+sim::State beside(const sim::Timeline &run)
+{
+    sim::Script script = run.script();
+    script.method = sim::findMethod("implicit_midpoint");
+    script.step = sim::StepSize::of(1.0);
+    sim::Track track(script, 0);
+    track.seek({run.at().frame, 0});
+    return track.now();
+}
+
+bool isBeside(const Session &session)
+{
+    const std::optional<Picture> companion = session.companion();
+    return companion && sim::sameBits(companion->state, beside(session.timeline()));
+}
+
+}
+
+class CompanionTest : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { useOwnSettings(m_settings); }
+    void itGoesWithTheCursor();
+    void itTakesOverWhatIsChanged();
+    void itComesToAFarFrame();
+    void whereItsMethodCannotThereIsNone();
+    void itIsDrawnWhereItsOffsetSays();
+    void eachFigureHasItsCaption();
+    void aStepWithoutOneHasNone();
+    void anotherChoiceOpensTheRunAnew();
+    void aRefusedChoiceLeavesTheRunAsItWas();
+    void whatOpensARunIsNotWritten();
+    void whatTheFileGivesCountsInPlaceOfTheOpening();
+    void theNoteStandsOverTheScene();
+
+private:
+    QTemporaryDir m_settings;
+};
+
+void CompanionTest::itGoesWithTheCursor()
+{
+    const LessonLibrary library = libraryOf(footStep());
+    Session session(library);
+    QVERIFY(isBeside(session));
+    for (int i = 0; i < 20; ++i)
+        session.frameForward();
+    QVERIFY(isBeside(session));
+    QVERIFY(!sim::sameBits(session.companion()->state, session.timeline().now()));
+    for (int i = 0; i < 7; ++i)
+        session.frameBack();
+    QVERIFY(isBeside(session));
+    session.phaseForward();
+    QCOMPARE(session.companion()->state.frame, 13);
+}
+
+void CompanionTest::itTakesOverWhatIsChanged()
+{
+    const LessonLibrary library = libraryOf(footStep());
+    Session session(library);
+    for (int i = 0; i < 10; ++i)
+        session.frameForward();
+    session.setParameter("k", 0.05); // from here on
+    for (int i = 0; i < 10; ++i)
+        session.frameForward();
+    QVERIFY(isBeside(session));
+    session.grab("foot");
+    session.moveHand({250, 160});
+    session.frameForward();
+    session.moveHand({255, 150});
+    session.frameForward();
+    session.letGo();
+    for (int i = 0; i < 10; ++i)
+        session.frameForward();
+    QVERIFY(isBeside(session));
+    session.setMethod("semi_implicit_euler");
+    QVERIFY(isBeside(session));
+    session.rewind();
+    session.setParameter("damp", 0.9); // for the whole run
+    for (int i = 0; i < 10; ++i)
+        session.frameForward();
+    QVERIFY(isBeside(session));
+}
+
+void CompanionTest::itComesToAFarFrame()
+{
+    SceneBench bench({footStep()});
+    bench.session.setMethod("semi_implicit_euler");
+    bench.goTo(20'000);
+    QCOMPARE(bench.session.timeline().at().frame, 20'000);
+    QVERIFY(isBeside(bench.session));
+}
+
+void CompanionTest::whereItsMethodCannotThereIsNone()
+{
+    lessons::Step step = footStep();
+    step.scene = [](const sim::Values &values) {
+        sim::Scene scene = footOnASpring(values);
+        scene.effects.push_back(std::make_shared<sim::Sticks>(std::vector<sim::Stick>{}, 1));
+        return scene;
+    };
+    const LessonLibrary library = libraryOf(step);
+    Session session(library);
+    session.frameForward();
+    QVERIFY(!session.companion());
+    QCOMPARE(session.timeline().at().frame, 1);
+}
+
+void CompanionTest::itIsDrawnWhereItsOffsetSays()
+{
+    SceneBench bench({footStep()});
+    const auto onScreen = [&](sim::Vec2 place) {
+        return bench.view.viewportTransform().map(QPointF(place.x, place.y)).toPoint();
+    };
+    const QColor body = bench.theme.tokens().body;
+    const auto isBody = [&](sim::Vec2 place) { return bench.image().pixelColor(onScreen(place)) == body; };
+    QVERIFY(isBody({310, 200}));
+    QVERIFY(isBody({310, 300}));
+    bench.goTo(7);
+    const sim::Vec2 there = bench.session.companion()->state.at(0);
+    QVERIFY(isBody(there + sim::Vec2{0, 100}));
+    QVERIFY(!isBody({310, 300}));
+}
+
+void CompanionTest::eachFigureHasItsCaption()
+{
+    SceneBench bench({footStep()});
+    QCOMPARE(bench.view.shown().name, QStringLiteral("Explicit Euler, 1 frame"));
+    QCOMPARE(bench.view.beside().name, QStringLiteral("calm"));
+    QVERIFY(bench.view.accessibleDescription().contains("calm"));
+    bench.session.setMethod("rk4");
+    bench.session.setStepSize(0.25);
+    QCOMPARE(bench.view.shown().name, QStringLiteral("Runge–Kutta 4, 1/4 frame"));
+}
+
+void CompanionTest::aStepWithoutOneHasNone()
+{
+    SceneBench bench("creature");
+    QVERIFY(!bench.session.companion());
+    QCOMPARE(bench.view.beside().points(), 0);
+    QVERIFY(bench.view.shown().name.isEmpty());
+}
+
+void CompanionTest::anotherChoiceOpensTheRunAnew()
+{
+    const LessonLibrary library = libraryOf(openedStep());
+    Session session(library);
+    QVERIFY(session.timeline().script().input.empty());
+    session.setMethod("semi_implicit_euler");
+    session.setParameter("k", 0.05);
+    for (int i = 0; i < 10; ++i)
+        session.frameForward();
+    session.setParameter("which", 1);
+    QCOMPARE(session.timeline().at().frame, 0);
+    QCOMPARE(session.timeline().script().method->id(), std::string("semi_implicit_euler"));
+    QCOMPARE(session.timeline().script().step.h, 0.5);
+    QCOMPARE(session.timeline().script().input.size(), std::size_t{3});
+    QCOMPARE(session.parameter("k"), 0.2);
+    QVERIFY(!session.ghost());
+    session.setParameter("which", 0);
+    QVERIFY(session.timeline().script().input.empty());
+    QCOMPARE(session.timeline().script().step.h, 1.0);
+}
+
+void CompanionTest::aRefusedChoiceLeavesTheRunAsItWas()
+{
+    lessons::Step step = openedStep();
+    step.opening = [](sim::Script &script) {
+        if (script.values.whole("which") == 1)
+            script.input = {{3, sim::Move{{std::nan(""), 0}}}};
+    };
+    const LessonLibrary library = libraryOf(step);
+    Session session(library);
+    QSignalSpy said(&session, &Session::said);
+    for (int i = 0; i < 4; ++i)
+        session.frameForward();
+    session.setParameter("which", 1);
+    QVERIFY(said.count() > 0);
+    QCOMPARE(session.timeline().at().frame, 4);
+    QCOMPARE(session.parameter("which"), 0.0);
+}
+
+void CompanionTest::whatOpensARunIsNotWritten()
+{
+    const LessonLibrary library = libraryOf(openedStep());
+    Session session(library);
+    session.setParameter("which", 1);
+    const QByteArray text = experimentText(session.experiment(), library);
+    QVERIFY2(!text.contains("input") && !text.contains("\"h\""), text);
+    const Experiment back = parseExperiment(text, "x.json", library);
+    QVERIFY(back.script.input == session.timeline().script().input);
+    QVERIFY(back.script.step == session.timeline().script().step);
+}
+
+void CompanionTest::whatTheFileGivesCountsInPlaceOfTheOpening()
+{
+    const LessonLibrary library = libraryOf(openedStep());
+    Session session(library);
+    session.setParameter("which", 1);
+    session.frameForward();
+    session.grab("foot"); // forgets the input that was to come
+    session.setStepSize(0.25);
+    const QByteArray text = experimentText(session.experiment(), library);
+    const Experiment back = parseExperiment(text, "x.json", library);
+    QVERIFY(back.script.input == session.timeline().script().input);
+    QCOMPARE(back.script.step.h, 0.25);
+    const Experiment none =
+        parseExperiment("{\"format\": \"springstep-experiment/1\", \"lesson\": \"made\", \"step\": \"foot\","
+                        "\"parameters\": {\"which\": \"other\"}, \"h\": 1, \"input\": []}",
+                        "x.json", library);
+    QVERIFY(none.script.input.empty());
+    QCOMPARE(none.script.step.h, 1.0);
+    QVERIFY(experimentText(none, library).contains("\"input\": []"));
+}
+
+void CompanionTest::theNoteStandsOverTheScene()
+{
+    SceneBench bench({openedStep()});
+    QCOMPARE(bench.view.caption(), QStringLiteral("this is frame 0"));
+    bench.goTo(3);
+    QCOMPARE(bench.view.caption(), QStringLiteral("this is frame 3"));
+    bench.session.phaseForward();
+    QVERIFY(bench.view.caption().startsWith("Inside frame 3"));
+}
+
+QTEST_MAIN(CompanionTest)
+#include "tst_companion.moc"

@@ -1,0 +1,546 @@
+#include "sim/direction.h"
+#include "sim/error.h"
+#include "sim/hard/catalogue.h"
+#include "sim/methods/methods.h"
+#include "tests/lessons/attempts.h"
+
+#include <QTest>
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+using namespace support;
+
+namespace {
+
+constexpr double centre = 270.0; ///< px: where the lone spring ends, along x
+
+/// The largest of something over the frames of a run from `from` on; infinite where the run ends before.
+template <class Of>
+double largest(const sim::Script &script, std::int64_t from, std::int64_t frames, Of &&of)
+{
+    sim::Track track(script, 0);
+    double most = 0.0;
+    for (std::int64_t frame = from; frame <= frames; frame += track.rowFrames()) {
+        track.seek({frame, 0});
+        if (track.stop())
+            return std::numeric_limits<double>::infinity();
+        most = std::max(most, of(track.now()));
+    }
+    return most;
+}
+
+double reach(const sim::State &state)
+{
+    return (state.position.rowwise() - Eigen::Array2d(270.0, 200.0).transpose())
+        .matrix()
+        .rowwise()
+        .norm()
+        .maxCoeff();
+}
+
+double fastest(const sim::State &state)
+{
+    return state.velocity.matrix().rowwise().norm().maxCoeff();
+}
+
+sim::Vec2 middleOf(const sim::State &state)
+{
+    return {state.position.col(0).mean(), state.position.col(1).mean()};
+}
+
+double apart(const sim::State &state, int a, int b)
+{
+    return sim::length(state.at(a) - state.at(b));
+}
+
+/// px: how far the worst leg is from 50 px; the body comes last.
+double worstLeg(const sim::State &state)
+{
+    double worst = 0.0;
+    for (int i = 0; i + 1 < state.points(); ++i)
+        worst = std::max(worst, std::abs(apart(state, i, state.points() - 1) - 50.0));
+    return worst;
+}
+
+/// The printed rule for a foot and a body on one spring, written down a second time: the foot moves, then the body.
+struct PrintedPair
+{
+    double k = 0.3;
+    double x[2] = {330.0, 270.0}, y[2] = {260.0, 200.0}, vx[2] = {0.0, 0.0}, vy[2] = {0.0, 0.0};
+
+    void frame()
+    {
+        for (int i = 0; i < 2; ++i) {
+            const double angle = std::atan2(y[i] - y[1 - i], x[i] - x[1 - i]);
+            vx[i] += (x[1 - i] + std::cos(angle) * 50.0 - x[i]) * k;
+            vy[i] += (y[1 - i] + std::sin(angle) * 50.0 - y[i]) * k;
+            vx[i] *= 0.9;
+            vy[i] *= 0.9;
+            x[i] += vx[i];
+            y[i] += vy[i];
+        }
+    }
+};
+
+}
+
+class HardCasesLesson : public QObject
+{
+    Q_OBJECT
+
+    const LoadedLesson m_lesson = loadLesson(QStringLiteral("hard_cases"));
+
+    const lessons::Step &step(const char *id) const { return m_lesson.step(QString::fromUtf8(id)); }
+    bool saysOf(const char *id, const QString &words) const
+    {
+        return step(id).narration.simplified().contains(words);
+    }
+    sim::Script run(const char *id, const char *method, double h = 1.0, const Changes &changes = {}) const
+    {
+        return scriptOf(step(id), method, h, changes);
+    }
+
+private slots:
+    void withoutDampingTheLimitIsWhereTheClosedFormHasIt();
+    void halfAStepBearsFourTimesTheStiffness();
+    void dampingMovesTheLimitAsTheTextSays_data();
+    void dampingMovesTheLimitAsTheTextSays();
+    void implicitMidpointKeepsTheSwingAtAnyStiffness_data();
+    void implicitMidpointKeepsTheSwingAtAnyStiffness();
+    void thePrintedPairIsThatOfThePrintedRule();
+    void thePrintedPairNeverRests();
+    void aSofterPairRestsWhereTheTextSays();
+    void simultaneousPullsKeepTheMiddle();
+    void asManyFeetHoldAsTheTextSays();
+    void aLineOfFeetSwingsLikeTheSpringThatTheTextNames();
+    void inOnePlaceThePrintedRuleMakesOneFootOfFive();
+    void inOnePlaceEachPairHasADirectionOfItsOwn();
+    void stiffLegsAreGoneInOneStep();
+    void stiffLegsNeedTheStepsThatTheTextSays();
+    void backwardEulerIsCalmAtAnyStiffness();
+    void backwardEulerLosesWhatItsRuleSays();
+    void contradictorySpringsHaveTheLimitThatTheTextSays();
+    void contradictorySticksStayAndTheLastIsRight();
+    void rungeKuttaLosesWhatItsRuleSays();
+    void verletLosesNothing();
+    void everyCompanionHolds_data();
+    void everyCompanionHolds();
+    void everyCaseOpensAsTheCatalogueHasIt_data() { addCaseRows(); }
+    void everyCaseOpensAsTheCatalogueHasIt();
+    void everyCaseIsDrawnWhole_data() { addCaseRows(); }
+    void everyCaseIsDrawnWhole();
+    void theNoteTellsWhatAMethodClaims();
+    void theNoteTellsWhenACaseIsLost();
+    void aChangedCaseIsNobodysClaim();
+    void everyTryIsDoneByWhatItDescribes_data() { addAttemptRows(m_lesson, attempts()); }
+    void everyTryIsDoneByWhatItDescribes() { checkAttempt(m_lesson); }
+
+private:
+    void addCaseRows() const
+    {
+        QTest::addColumn<int>("number");
+        const QStringList ids = step("torture").parameter(QStringLiteral("case"))->choices;
+        for (int i = 0; i < ids.size(); ++i)
+            QTest::newRow(qPrintable(ids[i])) << i;
+    }
+    sim::Script caseScript(const QString &id, const char *method) const
+    {
+        const lessons::Step &torture = step("torture");
+        sim::Values values = torture.presets();
+        const auto position = torture.parameter(QStringLiteral("case"))->choices.indexOf(id);
+        values.set("case", static_cast<double>(position));
+        return torture.scriptWith(values, sim::findMethod(method));
+    }
+    QString noteAt(const sim::Script &script, std::int64_t frame) const
+    {
+        sim::Track track(script, 0);
+        track.seek({frame, 0});
+        return step("torture").note(track);
+    }
+};
+
+/// From one step to the next, x(n+1) + x(n-1) = (2 - k) x(n). Up to k = 4 that is a swing between
+/// +-40 / sqrt(1 - k / 4); at 4 it grows by 80 px a step; beyond, by a factor.
+void HardCasesLesson::withoutDampingTheLimitIsWhereTheClosedFormHasIt()
+{
+    QVERIFY(saysOf("limit", u"exactly **k h² = 4**"_qs) && saysOf("limit", u"k is 4.01"_qs));
+    const auto swingOf = [&](double k) { return run("limit", "semi_implicit_euler", 1.0, {{"k", k}}); };
+    const double below = largest(swingOf(3.9), 0, 5000, reach);
+    QVERIFY(below <= 40.0 / std::sqrt(1.0 - 3.9 / 4.0) + 1e-6);
+    QVERIFY(below > 250.0);
+    for (int n : {1, 10, 100}) {
+        const double x = stateAfter(swingOf(4.0), n).at(0).x - centre;
+        QCOMPARE(x, (n % 2 ? -40.0 : 40.0) * (2 * n + 1));
+    }
+    const double x = stateAfter(swingOf(4.01), 300).at(0).x - centre;
+    const double next = stateAfter(swingOf(4.01), 301).at(0).x - centre;
+    const double factor = 1.005 + std::sqrt(1.005 * 1.005 - 1.0);
+    QVERIFY(std::abs(-next / x - factor) < 1e-9);
+}
+
+void HardCasesLesson::halfAStepBearsFourTimesTheStiffness()
+{
+    QVERIFY(saysOf("limit", u"bears **four times** the stiffness"_qs));
+    const auto swingOf = [&](double k) { return run("limit", "semi_implicit_euler", 0.5, {{"k", k}}); };
+    QVERIFY(largest(swingOf(15.9), 0, 2000, reach) <= 40.0 / std::sqrt(1.0 - 15.9 / 16.0) + 1e-6);
+    QVERIFY(largest(swingOf(16.1), 0, 200, reach) > 1e6);
+}
+
+void HardCasesLesson::dampingMovesTheLimitAsTheTextSays_data()
+{
+    QTest::addColumn<double>("damp");
+    for (double damp : {0.9, 0.85, 0.5})
+        QTest::addRow("damp %g", damp) << damp;
+}
+
+/// The trace of a step is 1 + damp - damp k, its determinant damp: both roots are within the unit circle as long as
+/// |trace| < 1 + damp.
+void HardCasesLesson::dampingMovesTheLimitAsTheTextSays()
+{
+    QVERIFY(saysOf("limit", u"k = 2 (1 + damp) / damp"_qs));
+    QFETCH(double, damp);
+    const double limit = 2.0 * (1.0 + damp) / damp;
+    const auto at = [&](double k) {
+        return run("limit", "semi_implicit_euler", 1.0, {{"k", k}, {"damp", damp}});
+    };
+    QVERIFY(reach(stateAfter(at(0.99 * limit), 3000)) < 1e-6);
+    QVERIFY(reach(stateAfter(at(1.01 * limit), 3000)) > 1e6);
+}
+
+void HardCasesLesson::implicitMidpointKeepsTheSwingAtAnyStiffness_data()
+{
+    QTest::addColumn<double>("k");
+    for (double k : {0.2, 4.01, 1e3, 1e9})
+        QTest::addRow("k %g", k) << k;
+}
+
+void HardCasesLesson::implicitMidpointKeepsTheSwingAtAnyStiffness()
+{
+    QFETCH(double, k);
+    const auto energy = [k](const sim::State &state) {
+        return std::pow(state.at(0).x - centre, 2) + std::pow(state.speed(0).x, 2) / k;
+    };
+    QVERIFY(std::abs(largest(run("limit", "implicit_midpoint", 1.0, {{"k", k}}), 0, 3000, energy) - 1600.0) <
+            1e-3);
+}
+
+void HardCasesLesson::thePrintedPairIsThatOfThePrintedRule()
+{
+    PrintedPair pair;
+    sim::Track track(step("runaway").script(), 0);
+    for (int frame = 1; frame <= 40; ++frame) {
+        pair.frame();
+        track.seek({frame, 0});
+        for (int i : {0, 1})
+            QVERIFY(sim::length(track.now().at(i) - sim::Vec2{pair.x[i], pair.y[i]}) < 1e-9);
+    }
+}
+
+void HardCasesLesson::thePrintedPairNeverRests()
+{
+    QVERIFY(saysOf("runaway", u"never comes to rest"_qs));
+    PrintedPair pair;
+    for (int frame = 0; frame < 20'000; ++frame) {
+        pair.frame();
+        if (frame > 50)
+            QVERIFY(std::hypot(pair.vx[1], pair.vy[1]) > 1.0);
+    }
+    sim::Track track(step("runaway").script(), 0);
+    track.seek({5000, 0});
+    QVERIFY(fastest(track.now()) > 1.0);
+    QVERIFY(sim::length(middleOf(track.now()) - sim::Vec2{300.0, 230.0}) > 1000.0);
+}
+
+void HardCasesLesson::aSofterPairRestsWhereTheTextSays()
+{
+    const sim::State end = stateAfter(run("runaway", "published", 1.0, {{"k", 0.2}}), 3000);
+    QVERIFY(fastest(end) < 1e-6);
+    QVERIFY(std::abs(apart(end, 0, 1) - 50.0) < 1e-6);
+    QVERIFY(step("runaway").tries[1].text.contains(u"157\u2009px"_qs));
+    QCOMPARE(std::round(sim::length(middleOf(end) - sim::Vec2{300.0, 230.0})), 157.0);
+}
+
+void HardCasesLesson::simultaneousPullsKeepTheMiddle()
+{
+    const auto off = [](const sim::State &state) {
+        return sim::length(middleOf(state) - sim::Vec2{300.0, 230.0});
+    };
+    const sim::Script script = run("runaway", "semi_implicit_euler");
+    QVERIFY(largest(script, 0, 3000, off) < 1e-9);
+    QVERIFY(std::abs(apart(stateAfter(script, 3000), 0, 1) - 50.0) < 1e-9);
+}
+
+void HardCasesLesson::asManyFeetHoldAsTheTextSays()
+{
+    QVERIFY(saysOf("many_feet", u"so 38 feet hold here, and 41 do not"_qs));
+    const auto with = [&](double feet, const char *method) {
+        return largest(run("many_feet", method, 1.0, {{"feet", feet}}), 0, 600, reach);
+    };
+    QVERIFY(with(38, "semi_implicit_euler") < 100.0);
+    QVERIFY(with(41, "semi_implicit_euler") > 1e6);
+    QVERIFY(with(60, "semi_implicit_euler") > 1e6);
+    QVERIFY(with(100, "backward_euler") < 100.0);
+}
+
+/// Where all legs have their length, the body and what its feet do together swing like one spring.
+void HardCasesLesson::aLineOfFeetSwingsLikeTheSpringThatTheTextNames()
+{
+    QVERIFY(saysOf("many_feet", u"k (1 + feet / 2)"_qs) && saysOf("many_feet", u"about 41 feet"_qs));
+    const double limit = 2.0 * 1.85 / 0.85;
+    QVERIFY(saysOf("many_feet", u"is 4.35"_qs) && std::abs(limit - 4.35) < 0.005);
+    QVERIFY(0.2 * (1.0 + 41.0 / 2.0) < limit && 0.2 * (1.0 + 42.0 / 2.0) > limit);
+    // Undamped, a body that is a little off swings with that pace: once in 2 pi / sqrt(k (1 + n / 2)) frames.
+    const double feet = 8.0, k = 0.02;
+    sim::Script script = run("many_feet", "dop853", 1.0, {{"feet", feet}, {"k", k}, {"damp", 1.0}});
+    script.step = sim::StepSize::within(1e-9);
+    const sim::Scene scene = script.build(script.values);
+    const sim::Vec2 body = scene.start.at(8);
+    for (int i = 0; i < 8; ++i) {
+        const sim::Vec2 out = scene.start.at(i) - body;
+        script.bodies["foot" + std::to_string(i)] = {body + (50.0 / sim::length(out)) * out, sim::Vec2{}};
+    }
+    script.bodies["body"] = {body, sim::Vec2{0.01, 0.0}};
+    const double pace = std::sqrt(k * (1.0 + feet / 2.0));
+    sim::Track track(script, 0);
+    for (int frame = 1; frame <= 40; ++frame) {
+        track.seek({frame, 0});
+        // The body against the middle of all nine, which glides on; the feet along it are half of all.
+        const double share = feet / 2.0 / (1.0 + feet / 2.0);
+        const double along = 0.01 / (1.0 + feet / 2.0) * frame;
+        const double expected = along + share * 0.01 * std::sin(pace * frame) / pace;
+        QVERIFY(std::abs(track.now().at(8).x - body.x - expected) < 1e-4);
+    }
+}
+
+void HardCasesLesson::inOnePlaceThePrintedRuleMakesOneFootOfFive()
+{
+    QVERIFY(saysOf("one_place", u"what was five feet is one for ever"_qs));
+    sim::Track track(step("one_place").script(), 0);
+    for (int frame = 1; frame <= 600; ++frame) {
+        track.seek({frame, 0});
+        for (int i = 1; i < 5; ++i)
+            QVERIFY(track.now().at(i) == track.now().at(0));
+        QVERIFY(track.now().at(0).x > track.now().at(5).x);
+        QCOMPARE(track.now().at(5).y, 200.0);
+    }
+}
+
+void HardCasesLesson::inOnePlaceEachPairHasADirectionOfItsOwn()
+{
+    QVERIFY(saysOf("one_place", u"turns by the golden angle"_qs));
+    const double golden = std::numbers::pi * (3.0 - std::sqrt(5.0));
+    const sim::State first = stateAfter(run("one_place", "semi_implicit_euler"), 1);
+    for (int i = 0; i < 4; ++i) {
+        const sim::Vec2 a = first.speed(i), b = first.speed(i + 1);
+        const double turned = std::atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y);
+        QVERIFY(std::abs(turned - golden) < 1e-9);
+    }
+    for (int i = 0; i < 5; ++i)
+        QVERIFY(sim::length(sim::partingDirection(i, 5) + sim::partingDirection(5, i)) < 1e-15);
+    const sim::State end = stateAfter(run("one_place", "semi_implicit_euler"), 300);
+    for (int i = 0; i < 5; ++i) {
+        for (int j = 0; j < i; ++j)
+            QVERIFY(apart(end, i, j) > 10.0);
+    }
+    QVERIFY(worstLeg(end) < 1e-6);
+}
+
+void HardCasesLesson::stiffLegsAreGoneInOneStep()
+{
+    QVERIFY(saysOf("stiff", u"the feet 20 000 px away"_qs));
+    const double far = reach(stateAfter(step("stiff").script(), 1));
+    QVERIFY(std::abs(far - 20'000.0) < 500.0);
+    sim::Track track(step("stiff").script(), 0);
+    track.seek({1000, 0});
+    QVERIFY(track.stop());
+    QVERIFY(track.now().position.isFinite().all());
+    QVERIFY(!track.stop()->body.empty());
+}
+
+void HardCasesLesson::stiffLegsNeedTheStepsThatTheTextSays()
+{
+    QVERIFY(saysOf("stiff", u"1/32 of a frame is too long still, 1/64 holds"_qs));
+    const sim::State coarse = stateAfter(run("stiff", "semi_implicit_euler", 1.0 / 32), 300);
+    QVERIFY(!(worstLeg(coarse) < 100.0));
+    const sim::State fine = stateAfter(run("stiff", "semi_implicit_euler", 1.0 / 64), 300);
+    QVERIFY(worstLeg(fine) < 0.01 && fastest(fine) < 0.01);
+}
+
+void HardCasesLesson::backwardEulerIsCalmAtAnyStiffness()
+{
+    for (double k : {1e3, 1e6, 1e9}) {
+        const sim::Script script = run("stiff", "backward_euler", 1.0, {{"k", k}});
+        QVERIFY2(largest(script, 10, 600, worstLeg) < 0.01, qPrintable(QString::number(k)));
+    }
+}
+
+/// Each step divides x^2 + v^2 / k by 1 + k h^2.
+void HardCasesLesson::backwardEulerLosesWhatItsRuleSays()
+{
+    const sim::State end = stateAfter(run("limit", "backward_euler", 1.0, {{"k", 0.2}}), 50);
+    const double swing = std::hypot(end.at(0).x - centre, end.speed(0).x / std::sqrt(0.2));
+    QVERIFY(std::abs(swing / (40.0 * std::pow(1.2, -25.0)) - 1.0) < 1e-6);
+}
+
+void HardCasesLesson::contradictorySpringsHaveTheLimitThatTheTextSays()
+{
+    QVERIFY(saysOf("contradiction", u"like one of 3 k, and the limit is 4.22"_qs));
+    QVERIFY(std::abs(2.0 * 1.9 / 0.9 - 4.22) < 0.005 && 3.0 * 1.5 > 4.22);
+    const auto at = [&](double k) { return run("contradiction", "semi_implicit_euler", 1.0, {{"k", k}}); };
+    QVERIFY(reach(stateAfter(at(1.5), 200)) > 1e6);
+    // At k = 1 they share the error: the stretch of the short ones is the squeeze of the long one, 160 / 3 px.
+    const sim::State end = stateAfter(at(1.0), 1500);
+    QVERIFY(std::abs(apart(end, 0, 1) - (20.0 + 160.0 / 3.0)) < 0.01);
+    QVERIFY(std::abs(apart(end, 1, 2) - (20.0 + 160.0 / 3.0)) < 0.01);
+    QVERIFY(std::abs(apart(end, 0, 2) - (200.0 - 160.0 / 3.0)) < 0.01);
+}
+
+void HardCasesLesson::contradictorySticksStayAndTheLastIsRight()
+{
+    for (const char *method : {"published", "semi_implicit_euler", "velocity_verlet"}) {
+        const sim::Script script = run("contradiction", method, 1.0, {{"made_of", 1.0}});
+        QVERIFY(largest(script, 0, 3000, reach) < 200.0);
+        const sim::State end = stateAfter(script, 3000);
+        QVERIFY(fastest(end) < 1e-6);
+        QVERIFY(std::abs(apart(end, 0, 2) - 200.0) < 1e-9);
+        QVERIFY(apart(end, 0, 1) > 40.0 && apart(end, 1, 2) > 40.0);
+    }
+    const sim::Script fits =
+        run("contradiction", "semi_implicit_euler", 1.0, {{"made_of", 1.0}, {"longest", 30.0}});
+    const sim::State end = stateAfter(fits, 300);
+    QVERIFY(std::abs(apart(end, 0, 1) - 20.0) < 1e-6 && std::abs(apart(end, 0, 2) - 30.0) < 1e-6);
+}
+
+/// Of x + i v / w each step makes R(i w) times as much, R(z) = 1 + z + z^2 / 2 + z^3 / 6 + z^4 / 24.
+void HardCasesLesson::rungeKuttaLosesWhatItsRuleSays()
+{
+    QVERIFY(saysOf("long_run", u"takes 0.08 % of the swing"_qs) &&
+            saysOf("long_run", u"After **851 frames** half is left"_qs));
+    const std::complex<double> z(0.0, std::sqrt(0.5));
+    const double factor = std::abs(1.0 + z + z * z / 2.0 + z * z * z / 6.0 + z * z * z * z / 24.0);
+    QVERIFY(std::abs(100.0 * (1.0 - factor) - 0.08) < 0.005);
+    for (int frames : {10, 851, 5000}) {
+        const sim::State end = stateAfter(step("long_run").script(), frames);
+        const double swing = std::hypot(end.at(0).x - centre, end.speed(0).x / std::sqrt(0.5));
+        QVERIFY(std::abs(swing / (120.0 * std::pow(factor, frames)) - 1.0) < 1e-9);
+        if (frames == 851)
+            QVERIFY(std::abs(swing - 60.0) < 0.05);
+    }
+}
+
+/// Where it starts at rest, x(n) = 120 cos(n a) with cos a = 1 - k / 2.
+void HardCasesLesson::verletLosesNothing()
+{
+    const sim::Script script = run("long_run", "velocity_verlet");
+    const double angle = std::acos(0.75);
+    QVERIFY(saysOf("long_run", u"never more than 1.3 px off, Velocity Verlet up to 14 px"_qs));
+    double runge = 0.0, verlet = 0.0;
+    for (int frame = 1; frame <= 10; ++frame) {
+        const double exact = centre + 120.0 * std::cos(std::sqrt(0.5) * frame);
+        runge = std::max(runge, std::abs(stateAfter(step("long_run").script(), frame).at(0).x - exact));
+        verlet = std::max(verlet, std::abs(stateAfter(script, frame).at(0).x - exact));
+    }
+    QVERIFY(std::abs(runge - 1.3) < 0.05 && std::abs(verlet - 14.0) < 0.5);
+    for (int frames : {1, 1000, 20'000})
+        QVERIFY(std::abs(stateAfter(script, frames).at(0).x - centre - 120.0 * std::cos(frames * angle)) <
+                1e-6);
+}
+
+void HardCasesLesson::everyCompanionHolds_data()
+{
+    QTest::addColumn<QString>("id");
+    for (const lessons::Step &one : m_lesson.steps) {
+        if (one.companion)
+            QTest::newRow(qPrintable(one.id)) << one.id;
+    }
+}
+
+void HardCasesLesson::everyCompanionHolds()
+{
+    QFETCH(QString, id);
+    const lessons::Step &one = m_lesson.step(id);
+    sim::Script script = scriptOf(one, one.companion->method.toStdString(), one.companion->h);
+    for (const auto &[name, value] : one.companion->values)
+        script.values.set(name.toStdString(), value);
+    QVERIFY(largest(script, 0, 3000, reach) < 150.0);
+    QVERIFY(!one.companion->caption.isEmpty());
+    QVERIFY(one.companion->offset != sim::Vec2{});
+}
+
+void HardCasesLesson::everyCaseOpensAsTheCatalogueHasIt()
+{
+    QFETCH(int, number);
+    const lessons::Step &torture = step("torture");
+    const lessons::Parameter &parameter = *torture.parameter(QStringLiteral("case"));
+    QVERIFY(parameter.opens);
+    const std::string id = parameter.choices[number].toStdString();
+    const std::optional<sim::HardCase> hard = sim::findHardCase(id);
+    QVERIFY(hard);
+    QVERIFY(!parameter.choiceTitles[number].isEmpty() && !parameter.choiceHelps[number].isEmpty());
+    if (id == "branches_16_deep") // smaller here
+        return;
+    const sim::Script script = caseScript(parameter.choices[number], "published");
+    const sim::Script told = sim::scriptOf(*hard, script.method, hard->brief);
+    QVERIFY(script.input == told.input);
+    QVERIFY(script.step == told.step);
+    const std::int64_t frames = std::min<std::int64_t>(hard->brief.frames, 5 * told.step.rowFrames);
+    QVERIFY(sim::sameBits(stateAfter(script, frames), stateAfter(told, frames)));
+}
+
+void HardCasesLesson::everyCaseIsDrawnWhole()
+{
+    QFETCH(int, number);
+    const lessons::Step &torture = step("torture");
+    const sim::Script script =
+        caseScript(torture.parameter(QStringLiteral("case"))->choices[number], "published");
+    const sim::Scene scene = script.build(script.values);
+    const lessons::Look look = torture.look(scene, script.values);
+    QCOMPARE(static_cast<int>(look.bodies.size()), scene.start.points());
+    for (const lessons::LegLook &leg : look.legs)
+        QVERIFY(std::max(leg.from, leg.to) < scene.start.points());
+    for (const lessons::StickLook &stick : look.sticks)
+        QVERIFY(std::max(stick.a, stick.b) < scene.start.points());
+    if (scene.start.angle.rows() > 0)
+        QVERIFY(look.tree && static_cast<int>(look.tree->length.size()) == scene.start.points());
+    else if (scene.start.points() > 1)
+        QVERIFY(!look.legs.empty() || !look.sticks.empty());
+}
+
+void HardCasesLesson::theNoteTellsWhatAMethodClaims()
+{
+    const QString stiff = QStringLiteral("stiffness_1e6");
+    const QString claimed = noteAt(caseScript(stiff, "backward_euler"), 100);
+    QVERIFY2(claimed.contains(u"Backward Euler claims this case."_qs), qPrintable(claimed));
+    QVERIFY2(claimed.contains(u"at rest, as it should be"_qs), qPrintable(claimed));
+    QVERIFY(claimed.startsWith(u"A spring of stiffness a million"_qs));
+    const QString midpoint = noteAt(caseScript(stiff, "implicit_midpoint"), 100);
+    QVERIFY2(midpoint.contains(u"within its bounds"_qs), qPrintable(midpoint));
+}
+
+void HardCasesLesson::theNoteTellsWhenACaseIsLost()
+{
+    const sim::Script script = caseScript(QStringLiteral("stiffness_1e6"), "semi_implicit_euler");
+    const QString note = noteAt(script, 5);
+    QVERIFY2(note.contains(u"Semi-implicit Euler does not claim it: its steps are too long"_qs),
+             qPrintable(note));
+    QVERIFY2(note.contains(u"out of its bounds"_qs), qPrintable(note));
+    const QString pair = noteAt(caseScript(QStringLiteral("runaway_pair"), "published"), 300);
+    QVERIFY2(pair.contains(u"it moves one body after the other"_qs), qPrintable(pair));
+    QVERIFY2(pair.contains(u"out of its bounds"_qs), qPrintable(pair));
+}
+
+void HardCasesLesson::aChangedCaseIsNobodysClaim()
+{
+    sim::Script script = caseScript(QStringLiteral("feet_60"), "backward_euler");
+    QVERIFY(noteAt(script, 10).contains(u"claims this case"_qs));
+    script.input.push_back({5, sim::Grab{"body"}});
+    QVERIFY(noteAt(script, 10).contains(u"nobody claims this"_qs));
+    sim::Script stiffer = caseScript(QStringLiteral("feet_60"), "backward_euler");
+    stiffer.values.set("k", 3.0);
+    QVERIFY(noteAt(stiffer, 10).contains(u"nobody claims this"_qs));
+}
+
+QTEST_GUILESS_MAIN(HardCasesLesson)
+#include "tst_hard_cases.moc"
