@@ -60,8 +60,8 @@ Words wordsOf(Account account)
         return {Text::tr("Lost by damping"), Text::tr("What damping takes from everything that moves"),
                 Kind::damping};
     case Account::impact:
-        return {Text::tr("Lost by impact"),
-                Text::tr("What walls and ground take, and what they lift bodies by"), Kind::contact};
+        return {Text::tr("At impacts"), Text::tr("What walls and ground take, and what they lift bodies by"),
+                Kind::contact};
     case Account::sticks:
         return {Text::tr("Changed by sticks"),
                 Text::tr("What sticks and joints change when they put things right"), Kind::stick};
@@ -69,9 +69,10 @@ Words wordsOf(Account account)
         break;
     }
     return {
-        Text::tr("Made or lost by the method"),
-        Text::tr("Nothing in the scene explains it: it is the error of the method. A smaller step or another "
-                 "method makes it smaller."),
+        Text::tr("Drift of the method"),
+        Text::tr(
+            "Made or lost by the method's error: nothing in the scene explains it. A smaller step or another "
+            "method makes it smaller."),
         Kind::motion};
 }
 

@@ -15,9 +15,9 @@ const std::array<AccountName, accountCount> &accountNames()
         {Account::gravity, "gravity", SIM_TEXT("Given by gravity")},
         {Account::anchors, "anchors", SIM_TEXT("Given by what stands fast")},
         {Account::damping, "damping", SIM_TEXT("Lost by damping")},
-        {Account::impact, "impact", SIM_TEXT("Lost by impact")},
+        {Account::impact, "impact", SIM_TEXT("At impacts")},
         {Account::sticks, "sticks", SIM_TEXT("Changed by sticks")},
-        {Account::drift, "drift", SIM_TEXT("Made or lost by the method's error")},
+        {Account::drift, "drift", SIM_TEXT("Drift of the method")},
     }};
     return names;
 }

@@ -95,12 +95,12 @@ void EnergyDelegate::paint(QPainter *painter, const QStyleOptionViewItem &option
         painter->setBrush(chosen ? t.sunk : t.hover);
         painter->drawRoundedRect(row.adjusted(4, 1, -4, -1), 6, 6);
     }
-    const QRectF mark(row.x() + margin, row.y() + 7, markSize, markSize);
+    const QRectF mark(row.x() + margin, row.y() + 5, markSize, markSize);
     painter->setPen(QPen(ink, 1.2));
     painter->setBrush(isDrift ? driftBrush(m_theme)
                               : QBrush(line.role == EnergyRole::held ? ink : Qt::transparent));
     painter->drawRoundedRect(mark, 2, 2);
-    const QRectF text = row.adjusted(textLeft, 2, -margin, -(barHeight + 5));
+    const QRectF text = row.adjusted(textLeft, 1, -margin, -(barHeight + 4));
     painter->setPen(line.amount == 0.0 && line.across == 0.0 ? t.ink3 : t.ink);
     painter->setFont(m_theme.mono(12));
     const double numberWidth = painter->fontMetrics().horizontalAdvance(line.number);

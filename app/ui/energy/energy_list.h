@@ -38,7 +38,7 @@ class EnergyDelegate : public QStyledItemDelegate
     Q_OBJECT
 
 public:
-    static constexpr int rowHeight = 30;
+    static constexpr int rowHeight = 27;
 
     EnergyDelegate(const Theme &theme, QObject *parent) : QStyledItemDelegate(parent), m_theme(theme) {}
 

@@ -124,7 +124,9 @@ void EnergyPanel::refresh()
 {
     if (!isVisible())
         return;
-    if (!m_session.isPlaying() || !m_sinceRefresh.isValid() || m_sinceRefresh.hasExpired(refreshMilliseconds))
+    const bool isCounting = !m_course.whyNot() && m_course.last() < m_session.timeline().computed();
+    if (!(m_session.isPlaying() || isCounting) || !m_sinceRefresh.isValid() ||
+        m_sinceRefresh.hasExpired(refreshMilliseconds))
         refreshNow();
     else if (!m_later.isActive())
         m_later.start(refreshMilliseconds - static_cast<int>(m_sinceRefresh.elapsed()));

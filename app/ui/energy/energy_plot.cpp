@@ -221,7 +221,7 @@ void EnergyPlot::refresh(const EnergyLines &lines)
     const auto now = static_cast<double>(at);
     m_cursor->point1->setCoords(now, 0.0);
     m_cursor->point2->setCoords(now, 1.0);
-    replot(QCustomPlot::rpQueuedReplot);
+    replot();
 }
 
 std::int64_t EnergyPlot::frameAt(double x) const
