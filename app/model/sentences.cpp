@@ -88,19 +88,26 @@ QString sentenceFor(const sim::Error &error)
 QString sentenceFor(const sim::Stop &stop)
 {
     const QString name = QString::fromStdString(stop.body);
-    if (stop.reason == sim::StopReason::tooManySteps)
+    const QString effect = stop.effect ? phrase(stop.effect->title()) : QString();
+    if (stop.reason == sim::StopReason::tooManySteps) {
+        const QString pulled = effect.isEmpty()
+                                   ? Text::tr("What is pulled hardest is %1.").arg(name)
+                                   : Text::tr("What is pulled hardest is %1, by %2.").arg(name, effect);
         return Text::tr(
-                   "Stopped at frame %1: the method needs too many steps for the next one. What is pulled "
-                   "hardest is %2. Try a larger tolerance, or a method whose steps all have one length.")
+                   "Stopped at frame %1: the method needs too many steps for the next one. %2 Try a larger "
+                   "tolerance, or a method whose steps all have one length.")
             .arg(stop.frame)
-            .arg(name);
+            .arg(pulled);
+    }
+    const QString start = Text::tr("Stopped at frame %1: the next one is not finite.").arg(stop.frame) + ' ';
+    const QString phase = phrase(stop.phase);
+    if (stop.body.empty())
+        return stop.phase.empty() ? start.trimmed() : start + Text::tr("It began in %1.").arg(phase);
     if (stop.phase.empty())
-        return Text::tr("Stopped at frame %1: the next one is not finite. It began at %2.")
-            .arg(stop.frame)
-            .arg(name);
-    return Text::tr("Stopped at frame %1: the next one is not finite. It began at %2, in %3.")
-        .arg(stop.frame)
-        .arg(name, phrase(stop.phase));
+        return start + Text::tr("It began at %1.").arg(name);
+    if (effect.isEmpty() || effect == phase)
+        return start + Text::tr("It began at %1, in %2.").arg(name, phase);
+    return start + Text::tr("It began at %1, in %2; %3 pulls it hardest.").arg(name, phase, effect);
 }
 
 }

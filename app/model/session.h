@@ -4,6 +4,7 @@
 #include "app/model/player.h"
 #include "app/model/progress.h"
 #include "sim/gathered.h"
+#include "sim/remedies.h"
 #include "sim/timeline.h"
 
 #include <QElapsedTimer>
@@ -92,6 +93,10 @@ public:
     void setTolerance(double tolerance);
     /// Method and step in one change.
     void use(const sim::MethodPtr &method, sim::StepSize step);
+    /// Takes up a run that was mended, and goes to the frame at the cursor again. The run as it was becomes the ghost.
+    void use(const sim::Remedy &remedy);
+    /// The parameter of the step that damps, if it has one.
+    sim::KeptShare damping() const;
     void grab(const QString &body);
     void moveHand(sim::Vec2 to);
     void letGo();

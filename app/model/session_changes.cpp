@@ -86,6 +86,36 @@ void Session::use(const sim::MethodPtr &method, sim::StepSize step)
     });
 }
 
+sim::KeptShare Session::damping() const
+{
+    for (const lessons::Parameter &one : step().parameters) {
+        if (one.role == lessons::Role::keptSpeed)
+            return {one.id.toStdString(), one.min};
+    }
+    return {};
+}
+
+void Session::use(const sim::Remedy &remedy)
+{
+    pause();
+    const sim::Script was = m_timeline->script();
+    const std::int64_t frame = m_timeline->at().frame;
+    QString before = stepTitle(was.step);
+    if (remedy.kind == sim::RemedyKind::otherMethod)
+        before = phrase(was.method->title());
+    else if (remedy.kind == sim::RemedyKind::moreDamping)
+        before = QStringLiteral("%1 %2").arg(QString::fromStdString(damping().id),
+                                             QLocale::c().toString(was.values[damping().id], 'g', 4));
+    m_timeline->seek({}); // the way to that frame may be long: goTo() takes it in slices
+    edit(tr("before: %1").arg(before), [&](sim::Timeline &timeline) {
+        const bool forked = timeline.replace(remedy.script);
+        if (was.step.adaptive() != remedy.script.step.adaptive())
+            m_otherStep = was.step;
+        return forked;
+    });
+    goTo({frame, 0});
+}
+
 void Session::setStep(sim::StepSize step)
 {
     use(m_timeline->script().method, step);

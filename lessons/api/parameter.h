@@ -5,6 +5,12 @@
 
 namespace lessons {
 
+/// What a parameter is for the run as a whole.
+enum class Role {
+    none,
+    keptSpeed, ///< the share of its speed that everything keeps each frame: less of it is more damping
+};
+
 /// A number (or a choice) that a learner sets. Declared once: panel, range, tooltip, file and command line all
 /// read this.
 struct Parameter
@@ -22,6 +28,7 @@ struct Parameter
     int decimals = 2;    ///< shown after the point
     QStringList choices; ///< ids; when not empty the value is a position in this list
     bool whole = false;  ///< a count: nothing between two whole numbers
+    Role role = Role::none;
 
     bool isWhole() const { return whole; }
 };

@@ -124,7 +124,7 @@ private slots:
         QVERIFY2(isOneLine(answer.err), qPrintable(answer.err));
         const auto match =
             QRegularExpression("\\AStopped at frame (\\d+): the method needs too many steps for the "
-                               "next one. What is pulled hardest is (foot\\d+|body). Try a larger "
+                               "next one. What is pulled hardest is (foot\\d+|body), by spring. Try a larger "
                                "tolerance, or a method whose steps all have one length.\n\\z")
                 .match(answer.err);
         QVERIFY2(match.hasMatch(), qPrintable(answer.err));

@@ -16,6 +16,7 @@
 #include "app/ui/time/timeline_strip.h"
 #include "app/ui/time/transport_bar.h"
 #include "app/ui/window/notice.h"
+#include "app/ui/window/stop_notice.h"
 
 #include <QApplication>
 #include <QCloseEvent>
@@ -81,6 +82,7 @@ QWidget *MainWindow::centre()
     m_sceneBar = new SceneBar(m_session, m_theme, centre);
     m_scene = new SceneView(m_session, m_theme, centre);
     m_scene->setMinimumSize(480, 320);
+    new StopNotice(m_session, m_theme, m_scene); // the scene owns it
     m_transport = new TransportBar(m_session, m_theme, centre);
     m_timeline = new TimelineStrip(m_session, m_theme, centre);
     m_footfall = new FootfallStrip(m_session, *m_course, *m_timeline, m_theme, centre);
