@@ -46,7 +46,7 @@ Heading direction(
     double length = std::sqrt(square);
     if (length < 1e-150) // in one place
         return {length, partingDirection(from, to)};
-    Vec2 out = {d.x / length, d.y / length};
+    Vec2 out = d / length;
     return {length, out};
 }
 //! [direction]

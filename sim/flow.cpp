@@ -1,6 +1,7 @@
 #include "sim/flow.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 namespace sim {
@@ -17,6 +18,20 @@ std::vector<double> ratesOf(const Scene &scene)
             rates[i] += drag->rate(static_cast<int>(i)).value_or(0.0);
     }
     return rates;
+}
+
+/// The one finite rate among the points that go on by themselves; 0 if there is none.
+std::optional<double> oneOf(const std::vector<double> &rates, const std::vector<char> &inert)
+{
+    std::optional<double> found;
+    for (std::size_t i = 0; i < rates.size(); ++i) {
+        if (!inert[i] || std::isinf(rates[i]))
+            continue;
+        if (found && *found != rates[i])
+            return {};
+        found = rates[i];
+    }
+    return found.value_or(0.0);
 }
 
 template <class Type>
@@ -65,6 +80,7 @@ Flow::Flow(const Scene &scene, Directions directions)
             m_stretches.push_back({row, 0, rate});
         ++m_stretches.back().count;
     }
+    m_oneRate = oneOf(rates, m_inert);
     for (const auto &driver : all<Driver>(scene)) {
         if (driver->pace() == Pace::flows)
             m_flowing.push_back(driver);

@@ -30,6 +30,10 @@ public:
     /// Together they are all rows, in order.
     const std::vector<Stretch> &stretches() const { return m_stretches; }
 
+    /// The rate at which everything that goes on by itself is slowed, but for what is stopped at once: 1/frame. Empty
+    /// where there are several.
+    std::optional<double> oneRate() const { return m_oneRate; }
+
     /// Reads places and velocities. What does not go on by itself (a handle, what a hand holds) has velocity 0 here.
     void read(const State &state, double *q, double *v) const;
     /// Puts places back.
@@ -68,6 +72,7 @@ private:
     std::vector<char> m_inert; ///< a point each
     std::vector<int> m_idle;   ///< the others' numbers
     std::vector<Stretch> m_stretches;
+    std::optional<double> m_oneRate;
     std::vector<EffectPtr> m_effects;
     std::vector<std::shared_ptr<const Force>> m_forces;
     std::vector<std::shared_ptr<const Torque>> m_torques;

@@ -67,7 +67,8 @@ public:
     /// How often a step computes all forces; 0: as often as it takes, counted in State::evaluations.
     virtual int evaluations() const { return 1; }
     /// What a scene must offer, as ids: "groups" (an update order), "smooth" (a continuous limit: no constraints, no
-    /// jumps), "slopes" (forces that know their derivatives). Empty: nothing beyond forces.
+    /// jumps), "one_damping" (the same for all that moves), "slopes" (forces that know their derivatives). Empty:
+    /// nothing beyond forces.
     virtual std::vector<std::string> needs() const = 0;
     /// How this method's effects find directions.
     virtual Directions directions() const = 0;

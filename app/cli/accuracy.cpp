@@ -12,6 +12,7 @@
 #include <QSaveFile>
 
 #include <algorithm>
+#include <limits>
 
 namespace app {
 
@@ -41,6 +42,7 @@ sim::StudyPlan planFor(const AccuracyRequest &request, const Experiment &experim
         plan.frames = *request.frames;
     else if (QFileInfo::exists(request.what))
         plan.frames = std::clamp<std::int64_t>(experiment.frames, 1, mostOwnFrames);
+    plan.secondsToPreview = std::numeric_limits<double>::infinity(); // nobody watches
     plan.inUse = sim::Way{experiment.script.method, experiment.script.step};
     return plan;
 }

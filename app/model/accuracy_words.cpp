@@ -162,7 +162,8 @@ QString rowWords(const sim::AccuracyRow &row)
     QStringList lines{wayWords(row.way)};
     switch (row.outcome) {
     case Outcome::measured:
-        lines << Text::tr("At most %1 off").arg(pixels(row.error));
+        lines << (row.error == 0.0 ? Text::tr("Not off at all, to the last digit")
+                                   : Text::tr("At most %1 off").arg(pixels(row.error)));
         break;
     case Outcome::unstable:
         lines << Text::tr("Unstable: its numbers grow without bound");
@@ -192,6 +193,13 @@ QString verdictOn(const sim::Accuracy &accuracy, double target, const sim::Accur
         return Text::tr(
             "Nothing moves here unless you do something, so nothing can be off: drag a body or change a "
             "number, then measure again.");
+    if (accuracy.previewed > 0)
+        return (Text::tr(
+                    "A first look, at frames 0 to %1: further, the exact motion is still being computed.")
+                    .arg(accuracy.previewed) +
+                ' ' + inUseWords(inUse).toHtmlEscaped())
+            .trimmed()
+            .replace(QChar(0x2009), QChar(QChar::Nbsp));
     const QString goal = bold(pixels(target));
     const sim::AccuracyRow *best = accuracy.cheapest(target);
     QString text;

@@ -125,12 +125,21 @@ std::vector<Guide> exactMarks(ExactRun &exact, const Look &look, const Script &s
             farthest = i;
             distance = away;
         }
-        marks.push_back(
-            {Guide::Shape::ring, right->at(i), {}, look.bodies[static_cast<std::size_t>(i)].radius, {}});
+        marks.push_back({Guide::Shape::ring,
+                         right->at(i),
+                         {},
+                         look.bodies[static_cast<std::size_t>(i)].radius,
+                         {},
+                         Guide::About::exactMotion});
     }
     if (farthest >= 0) {
         marks[worst].label = Text::tr("%1 px off").arg(QLocale::c().toString(distance, 'f', 1));
-        marks.push_back({Guide::Shape::line, state.at(farthest), right->at(farthest), 0.0, {}});
+        marks.push_back({Guide::Shape::line,
+                         state.at(farthest),
+                         right->at(farthest),
+                         0.0,
+                         {},
+                         Guide::About::exactMotion});
     }
     return marks;
 }

@@ -114,6 +114,9 @@ struct Guide
     sim::Vec2 b;
     double size = 0.0;
     QString label; ///< may be empty
+    /// What the guide is about. A picture that shows the exact motion by itself leaves out guides that do, too.
+    enum class About { step, exactMotion };
+    About about = About::step;
 };
 
 }

@@ -61,7 +61,7 @@ std::vector<Way> fittingPair(const Script &script)
 
 /// Runs a reference and its check side by side, and keeps the places as long as they agree within `agreement` px.
 void runPair(const Script &script, const std::vector<Way> &pair, double agreement, double seconds,
-             Accuracy &found, Watch &watch)
+             Accuracy &found, Watch &watch, Preview &preview)
 {
     ReferenceRun &reference = found.reference;
     reference.step = pair[0].step;
@@ -91,7 +91,9 @@ void runPair(const Script &script, const std::vector<Way> &pair, double agreemen
         reference.disagreement = std::max(reference.disagreement, apart);
         reference.places.push_back(std::move(places));
         found.horizon = frame;
-        return watch.goesOn(static_cast<double>(frame) / static_cast<double>(found.span));
+        const double share = static_cast<double>(frame) / static_cast<double>(found.span);
+        preview.look(share);
+        return watch.goesOn(share);
     };
     const RunResult run = runFrames(scriptFor(script, pair[0]), found.span, seconds, watch, visit);
     end(run.end);
@@ -111,7 +113,8 @@ StepSize finestOwn(const Script &script, std::int64_t frames, double seconds, Wa
     return StepSize::of(1.0 / steps);
 }
 
-void findReference(const Script &script, const StudyPlan &plan, Accuracy &found, Watch &watch)
+void findReference(const Script &script, const StudyPlan &plan, Accuracy &found, Watch &watch,
+                   Preview &preview)
 {
     ReferenceRun &reference = found.reference;
     reference.jump = firstJump(script, plan.frames);
@@ -123,7 +126,7 @@ void findReference(const Script &script, const StudyPlan &plan, Accuracy &found,
         reference.end = ReferenceRun::End::span;
         reference.method = pair[0].method->id();
         reference.check = pair[1].method->id();
-        runPair(script, pair, referenceAgreement, 10.0 * plan.secondsPerRun, found, watch);
+        runPair(script, pair, referenceAgreement, 10.0 * plan.secondsPerRun, found, watch, preview);
         return;
     }
     reference.kind = ReferenceRun::Kind::ownRefinement;
@@ -132,7 +135,7 @@ void findReference(const Script &script, const StudyPlan &plan, Accuracy &found,
         return; // cannot be: these compute no jumps
     const StepSize finest = finestOwn(script, plan.frames, 2.0 * plan.secondsPerRun, watch);
     const std::vector<Way> pair = {{script.method, finest}, {script.method, StepSize::of(2.0 * finest.h)}};
-    runPair(script, pair, ownAgreement, 10.0 * plan.secondsPerRun, found, watch);
+    runPair(script, pair, ownAgreement, 10.0 * plan.secondsPerRun, found, watch, preview);
     reference.places.clear(); // each method has its own
 }
 

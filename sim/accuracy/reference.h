@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/accuracy/run.h"
+#include "sim/accuracy/preview.h"
 
 namespace sim {
 
@@ -13,8 +13,9 @@ constexpr double referenceAgreement = 1e-6;
 constexpr double ownAgreement = 1.0;
 
 /// Finds what errors on the scene of `script` can be measured against, and up to which frame; writes both into
-/// `found`.
-void findReference(const Script &script, const StudyPlan &plan, Accuracy &found, Watch &watch);
+/// `found`. After each frame `preview` may have a look.
+void findReference(const Script &script, const StudyPlan &plan, Accuracy &found, Watch &watch,
+                   Preview &preview);
 
 /// The finest step at which the script's method runs over `frames` frames within `seconds`: 1/256, or 1/128... down
 /// to 1/8. Each rung is compared with that, if it is at least four times coarser.

@@ -48,7 +48,10 @@ class Patience
 {
 public:
     /// `watch` must outlive this.
-    Patience(double seconds, Watch &watch) : m_seconds(seconds), m_watch(watch) {}
+    Patience(double seconds, Watch &watch)
+        : m_seconds(seconds), m_watch(watch), m_awayBefore(watch.secondsAway())
+    {
+    }
 
     bool goesOn()
     {
@@ -63,8 +66,12 @@ public:
     {
         return [this] { return goesOn(); };
     }
-    /// Seconds since this was made.
-    double spent() const { return std::chrono::duration<double>(Clock::now() - m_start).count(); }
+    /// Seconds since this was made, without those that went to something else.
+    double spent() const
+    {
+        return std::chrono::duration<double>(Clock::now() - m_start).count() -
+               (m_watch.secondsAway() - m_awayBefore);
+    }
     /// Why it said no, or RunEnd::done.
     RunEnd end() const { return m_end; }
 
@@ -73,6 +80,7 @@ private:
 
     double m_seconds;
     Watch &m_watch;
+    double m_awayBefore;
     Clock::time_point m_start = Clock::now();
     RunEnd m_end = RunEnd::done;
 };

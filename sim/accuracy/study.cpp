@@ -14,7 +14,7 @@ bool Accuracy::isExact() const
     const auto isOff = [](const AccuracyRow &row) {
         return row.outcome == Outcome::waiting || row.outcome == Outcome::unstable || row.error > 0.0;
     };
-    return horizon > 0 && !rows.empty() && std::none_of(rows.begin(), rows.end(), isOff);
+    return horizon > 0 && previewed == 0 && !rows.empty() && std::none_of(rows.begin(), rows.end(), isOff);
 }
 
 const AccuracyRow *Accuracy::cheapest(double error) const
@@ -54,7 +54,9 @@ Accuracy studyAccuracy(const Script &script, const StudyPlan &plan, const StudyP
     found.rows = waitingRows(plan);
     Watch watch(progress, found);
     watch.beginPart(0.0, 0.1);
-    findReference(script, plan, found, watch);
+    Preview preview(script, plan, found, watch);
+    findReference(script, plan, found, watch, preview);
+    preview.forget();
     watch.beginPart(0.1, 0.5);
     if (watch.tell(0.0))
         measureErrors(script, plan, found, watch);

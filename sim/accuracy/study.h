@@ -72,12 +72,16 @@ struct Accuracy
 {
     std::int64_t span = 0;    ///< frames that were asked for
     std::int64_t horizon = 0; ///< frames up to which the reference holds; errors are given up to it
+    /// Above 0: the reference is still under way, and the errors of rows are a first look over so many frames.
+    std::int64_t previewed = 0;
     ReferenceRun reference;
     std::vector<AccuracyRow> rows; ///< by method, in the order of allMethods(), each from coarse to fine
     /// The share of its median by which a typical row's runs differ: above 0.1 the machine is busy with other things.
     double noise = 0.0;
 
     bool noisy() const { return noise > 0.1; }
+    /// Frames over which the errors of rows are given.
+    std::int64_t framesCompared() const { return previewed > 0 ? previewed : horizon; }
     /// Whether no method is off at all, as where nothing moves until somebody does something.
     bool isExact() const;
     /// The cheapest measured row with an error of at most `error` px, or null.
@@ -90,17 +94,19 @@ struct StudyPlan
     std::int64_t frames = 200;
     /// Besides the ladder of every method: the way in use, if it is not a rung already.
     std::optional<Way> inUse;
-    double secondsPerRun = 0.5;   ///< rungs that would take longer are left out
-    double secondsOfTiming = 4.0; ///< of all repeated runs together
-    int leastRuns = 5;            ///< of each rung, interleaved
+    double secondsPerRun = 0.5;     ///< rungs that would take longer are left out
+    double secondsOfTiming = 4.0;   ///< of all repeated runs together
+    int leastRuns = 5;              ///< of each rung, interleaved
+    double secondsToPreview = 0.25; ///< a reference that takes longer is looked at before it is done
 };
 
 /// Tells how far a study is: `done` from 0 to 1. Returns false to stop it.
 using StudyProgress = std::function<bool(const Accuracy &soFar, double done)>;
 
 /// Measures every method on the scene of `script`, with its input, from frame 0 on: first the reference and its
-/// horizon, then each rung's error from coarse to fine, then times by interleaved runs. May run on any thread; a
-/// study that is stopped returns what it has.
+/// horizon (where that takes long, with a first look at errors up to where it has come), then each rung's error
+/// from coarse to fine, then times by interleaved runs. May run on any thread; a study that is stopped returns what
+/// it has.
 /// @throws Error when the scene cannot be computed by the script's own method
 Accuracy studyAccuracy(const Script &script, const StudyPlan &plan, const StudyProgress &progress);
 

@@ -37,6 +37,9 @@ public:
         return !m_stopped;
     }
     bool isStopped() const { return m_stopped; }
+    /// Seconds that went to something else than what is under way: runs do not count them as theirs.
+    double secondsAway() const { return m_away; }
+    void wasAway(double seconds) { m_away += seconds; }
 
 private:
     using Clock = std::chrono::steady_clock;
@@ -45,6 +48,7 @@ private:
     const Accuracy &m_soFar;
     double m_from = 0.0;
     double m_to = 1.0;
+    double m_away = 0.0;
     double m_share = 0.0;
     bool m_stopped = false;
     Clock::time_point m_next = Clock::now();

@@ -5,16 +5,36 @@
 
 namespace sim {
 
+namespace {
+
+std::string firstDrag(const Scene &scene)
+{
+    for (const EffectPtr &effect : scene.effects) {
+        if (dynamic_cast<const Drag *>(effect.get()))
+            return effect->id();
+    }
+    return {};
+}
+
+}
+
 int Adaptive::order() const
 {
-    return m_pair.order();
+    return m_rule.order();
+}
+
+std::vector<std::string> Adaptive::needs() const
+{
+    std::vector<std::string> all = m_rule.needs();
+    all.insert(all.begin(), "smooth");
+    return all;
 }
 
 void Adaptive::prepare(State &state) const
 {
     state.acceleration.setZero(state.points(), 2);
     state.turning.setZero(state.spin.rows());
-    state.stages.setZero(2 * state.points() + state.spin.rows(), Course::columns(m_pair));
+    state.stages.setZero(2 * state.points() + state.spin.rows(), Course::columns(m_rule));
     state.resting.setZero(state.points());
     state.ahead = {};
 }
@@ -27,7 +47,9 @@ std::vector<Phase> Adaptive::phases(const Scene &scene, StepSize size) const
         if (group.inertia == Inertia::none)
             throw Error("needs-inertia", {{"method", id()}, {"group", group.title}});
     }
-    const auto course = std::make_shared<const Course>(scene, m_pair, directions(), size.tolerance);
+    const auto course = std::make_shared<const Course>(scene, m_rule, directions(), size.tolerance);
+    if (!m_rule.fits(course->flow))
+        throw Error("method-does-not-fit", {{"method", id()}, {"effect", firstDrag(scene)}});
     Phase phase;
     phase.id = "integrate";
     phase.title = SIM_TEXT("steps of its own");
@@ -36,8 +58,8 @@ std::vector<Phase> Adaptive::phases(const Scene &scene, StepSize size) const
     phase.within = course->effects();
     phase.regions = {{"sim/methods/advance.cpp", "try_step"},
                      {"sim/methods/advance.cpp", "next_step"},
-                     {"sim/methods/advance.cpp", "read_off"},
-                     m_shown};
+                     {"sim/methods/advance.cpp", "read_off"}};
+    phase.regions.insert(phase.regions.end(), m_shown.begin(), m_shown.end());
     for (const EffectPtr &effect : phase.within) {
         for (const Region &region : effect->regions(directions()))
             phase.regions.push_back(region);

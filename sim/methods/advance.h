@@ -1,9 +1,7 @@
 #pragma once
 
-#include "sim/flow.h"
 #include "sim/method.h"
-#include "sim/methods/pair.h"
-#include "sim/methods/touching.h"
+#include "sim/methods/step_rule.h"
 
 namespace sim {
 
@@ -12,14 +10,14 @@ class Course
 {
 public:
     /// `tolerance`: px (or degrees) that a step may be off, in a place or in the way of a frame.
-    Course(const Scene &scene, const Pair &how, Directions directions, double tolerance);
+    Course(const Scene &scene, const StepRule &how, Directions directions, double tolerance);
 
     /// How many columns of State::stages it uses.
-    static int columns(const Pair &pair) { return 3 + pair.denseColumns(); }
+    static int columns(const StepRule &rule) { return 3 + rule.denseColumns(); }
     std::vector<EffectPtr> effects() const;
 
     Flow flow;
-    const Pair &pair;
+    const StepRule &rule;
     double tolerance;
     double longest; ///< frames, the longest step
     Touching touching;
@@ -40,14 +38,10 @@ private:
     /// Tries a step from where the last one ended. Rejected, it leaves only a shorter length for the next.
     void tryStep();
     void shorten(double h);
-    void setWeights(double h);
-    void stage(int number, double start, double h);
-    /// The largest error of the step just tried, as a share of the tolerance.
-    double error(double h) const;
-    /// The largest number that the stages' slopes come to with these weights, px/frame; infinite if one is not finite.
-    double estimate(const Tableau::Row &weights) const;
-    void accept(double start, double h);
-    void makeDense(double h);
+    Attempt attemptOf(double start, double h);
+    /// How far a step may be off, px.
+    double exactness() const;
+    void accept(const Attempt &step);
     /// The step's end, early where a point touches a surface.
     void end(double start, double h);
     /// Whether anything can touch a surface in the step, or leave one.
@@ -61,14 +55,12 @@ private:
     void bounce();
     /// Accelerations at the end of the step, of what rests without what its surface takes up.
     void settle();
-    void hold(double *numbers) const;
     void readOff();
     /// Whether nobody waits for the frame any more, after `tries` tries.
     static bool isLeftOff(int tries, const GoesOn &goesOn);
     /// Notes in the state that its steps lead no further.
     void giveUp();
 
-    void clockTo(double time);
     Vec2 at(const double *numbers, int point) const { return {numbers[point], numbers[m_points + point]}; }
     void put(double *numbers, int point, Vec2 value) const
     {
@@ -83,7 +75,7 @@ private:
     };
     Moving dense(int point, double h, double theta) const;
     void denseAll(double h, double theta, double *x, double *v) const;
-    bool rests(const Touching::Place &place) const { return (m_state.resting[place.point] & place.bit) != 0; }
+    bool rests(const Touching::Place &place) const { return m_pulls.rests(place); }
     bool free(const Touching::Place &place) const { return m_state.feels(place.point) && !rests(place); }
 
     double *column(int number) const { return m_state.stages.data() + number * m_size; }
@@ -91,23 +83,19 @@ private:
     double *endSpeed() const { return column(1); }
     double *endSlope() const { return column(2); }
     double *denseColumns() const { return column(3); }
-    double *speedOf(int number) const;
-    double *slopeOf(int number) const;
 
     const Course &m_course;
     State &m_state;
     int m_size;
     int m_points;
-    int m_stages;
-    double m_clock = 0.0; ///< frames since the last whole one, to which the drivers have been taken
-    double *m_place;      ///< where the step began; scratch, like the rest
+    Pulls m_pulls;
+    double *m_place; ///< where the step began; scratch, like the rest
     double *m_speed;
-    double *m_trial;
-    double *m_speeds;
-    double *m_slopes;
-    double *m_lift;
+    double *m_slope;
+    double *m_trial;   ///< where it ends, and then what the rule needs
     int m_lifted = -1; ///< the point that has just been pulled off: rounding may not put it back
-    std::vector<StageWeights> &m_weights; ///< one a stretch
+    std::vector<StageWeights> *m_weights; ///< one a stretch
+    NystromWeights *m_nystrom;
 };
 
 }

@@ -87,12 +87,10 @@ double Advance::firstLift(double start, double h)
         return none;
     // The pull of a place's surface less what it takes up, at a share of the step: below 0 it lifts.
     const auto press = [&](const Touching::Place &place, double theta) {
-        denseAll(h, theta, m_trial, m_lift);
-        clockTo(start + theta * h);
-        m_course.flow.place(m_trial, m_state);
-        m_course.flow.accelerations(m_state, m_lift);
-        ++m_state.evaluations;
-        return -away(place.surface, at(m_lift, place.point));
+        double *x = m_trial, *a = m_trial + m_size;
+        denseAll(h, theta, x, a);
+        m_pulls.whole(x, start + theta * h, a);
+        return -away(place.surface, at(a, place.point));
     };
     double first = none;
     for (const Touching::Place &place : m_course.touching.places()) {
@@ -124,10 +122,7 @@ void Advance::bounce()
 
 void Advance::settle()
 {
-    clockTo(m_state.ahead.to);
-    m_course.flow.place(endPlace(), m_state);
-    m_course.flow.accelerations(m_state, endSlope());
-    ++m_state.evaluations;
+    m_pulls.whole(endPlace(), m_state.ahead.to, endSlope());
     for (const Touching::Place &place : m_course.touching.places()) {
         if (!m_state.feels(place.point))
             continue;
@@ -144,21 +139,7 @@ void Advance::settle()
         if (rests(place))
             put(endSpeed(), place.point, held(surface, v));
     }
-    hold(endSlope());
-}
-
-void Advance::hold(double *numbers) const
-{
-    for (const Flow::Stretch &rows : m_course.flow.stretches()) {
-        if (std::isinf(rows.rate))
-            std::fill(numbers + rows.first, numbers + rows.end(), 0.0);
-    }
-    if (!m_course.touching.any())
-        return;
-    for (const Touching::Place &place : m_course.touching.places()) {
-        if (rests(place))
-            put(numbers, place.point, held(place.surface, at(numbers, place.point)));
-    }
+    m_pulls.hold(endSlope());
 }
 
 }

@@ -1,6 +1,6 @@
 #include "sim/methods/dop853.h"
 
-#include "sim/methods/pair.h"
+#include "sim/methods/embedded.h"
 
 #include <cmath>
 
@@ -248,6 +248,22 @@ const Pair &dop853Pair()
 {
     static const Dop853Pair pair;
     return pair;
+}
+
+namespace {
+
+const StepRule &rule()
+{
+    static const Embedded one(dop853Pair());
+    return one;
+}
+
+}
+
+Dop853::Dop853()
+    : Adaptive(rule(),
+               {{"sim/methods/embedded.cpp", "embedded_step"}, {"sim/methods/dop853.cpp", "dop853_tableau"}})
+{
 }
 
 }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "sim/methods/adaptive.h"
-#include "sim/methods/pair.h"
 
 namespace sim {
 
@@ -11,7 +10,7 @@ namespace sim {
 class Dop853 : public Adaptive
 {
 public:
-    Dop853() : Adaptive(dop853Pair(), {"sim/methods/dop853.cpp", "dop853_tableau"}) {}
+    Dop853();
     std::string id() const override { return "dop853"; }
     std::string title() const override { return SIM_TEXT("Dormand–Prince 8(5,3)"); }
 };

@@ -1,6 +1,7 @@
 #include "sim/methods/dormand_prince.h"
 
-#include "sim/methods/pair.h"
+#include "sim/methods/embedded.h"
+#include "sim/methods/hermite.h"
 
 #include <cmath>
 
@@ -30,8 +31,7 @@ constexpr Tableau::Row fifthLessFourth = {71. / 57600,      0,         -71. / 16
                                           -17253. / 339200, 22. / 525, -1. / 40};
 constexpr Tableau::Row none{};
 
-/// The polynomial of degree 5 through places, velocities and accelerations at 0 and 1, in Newton's form: 0, 0, 0, 1,
-/// 1, 1 are its nodes.
+/// The polynomial of degree 5 through places, velocities and accelerations at both ends.
 class DormandPrincePair : public Pair
 {
 public:
@@ -53,28 +53,16 @@ public:
             const double v0 = h * step.speed[i], v1 = h * endSpeed[i];
             const double a0 = h * h * (step.slopes[i] - step.rate * step.speed[i]);
             const double a1 = h * h * (slopeAtEnd[i] - step.rate * endSpeed[i]);
-            const double rise = x1 - x0;
-            const double third = rise - v0 - a0 / 2; // [0, 0, 0, 1]
-            const double fourth = v1 - rise - (rise - v0) - third;
-            const double fifth = (a1 / 2 - (v1 - rise)) - (v1 - rise - (rise - v0)) - fourth;
-            const double all[] = {x0, v0, a0 / 2, third, fourth, fifth};
+            const Quintic all = Quintic::through(x0, v0, a0, x1, v1, a1);
             for (int j = 0; j < 6; ++j)
-                columns[j * step.size + i] = all[j];
+                columns[j * step.size + i] = all.c[j];
         }
     }
 
     At dense(const double *columns, int size, int row, double, double h, double theta) const override
     {
-        const double *k = columns + row;
-        const double back = theta - 1;
-        const double nodes[] = {theta, theta, theta, back, back};
-        double place = k[5 * size];
-        double slope = 0.0;
-        for (int j = 4; j >= 0; --j) {
-            slope = slope * nodes[j] + place;
-            place = place * nodes[j] + k[j * size];
-        }
-        return {place, slope / h};
+        const Newton at = Newton::at<6>(columns + row, size, theta);
+        return {at.value, at.slope / h};
     }
 
 private:
@@ -87,6 +75,22 @@ const Pair &dormandPrincePair()
 {
     static const DormandPrincePair pair;
     return pair;
+}
+
+namespace {
+
+const StepRule &rule()
+{
+    static const Embedded one(dormandPrincePair());
+    return one;
+}
+
+}
+
+DormandPrince::DormandPrince()
+    : Adaptive(rule(), {{"sim/methods/embedded.cpp", "embedded_step"},
+                        {"sim/methods/dormand_prince.cpp", "dormand_prince_tableau"}})
+{
 }
 
 }

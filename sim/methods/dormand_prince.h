@@ -1,7 +1,6 @@
 #pragma once
 
 #include "sim/methods/adaptive.h"
-#include "sim/methods/pair.h"
 
 namespace sim {
 
@@ -10,10 +9,7 @@ namespace sim {
 class DormandPrince : public Adaptive
 {
 public:
-    DormandPrince()
-        : Adaptive(dormandPrincePair(), {"sim/methods/dormand_prince.cpp", "dormand_prince_tableau"})
-    {
-    }
+    DormandPrince();
     std::string id() const override { return "dormand_prince"; }
     std::string title() const override { return SIM_TEXT("Dormand–Prince 5(4)"); }
 };

@@ -5,6 +5,7 @@
 #include "sim/methods/dormand_prince.h"
 #include "sim/methods/explicit_euler.h"
 #include "sim/methods/implicit_midpoint.h"
+#include "sim/methods/nystrom.h"
 #include "sim/methods/position_verlet.h"
 #include "sim/methods/published.h"
 #include "sim/methods/runge_kutta.h"
@@ -17,12 +18,13 @@ namespace sim {
 std::vector<MethodPtr> allMethods()
 {
     return {
-        std::make_shared<Published>(),        std::make_shared<SemiImplicitEuler>(),
-        std::make_shared<ExplicitEuler>(),    std::make_shared<PositionVerlet>(),
-        std::make_shared<VelocityVerlet>(),   std::make_shared<Midpoint>(),
-        std::make_shared<RungeKutta4>(),      std::make_shared<DormandPrince>(),
-        std::make_shared<Dop853>(),           std::make_shared<BackwardEuler>(),
-        std::make_shared<ImplicitMidpoint>(), std::make_shared<TrBdf2>(),
+        std::make_shared<Published>(),      std::make_shared<SemiImplicitEuler>(),
+        std::make_shared<ExplicitEuler>(),  std::make_shared<PositionVerlet>(),
+        std::make_shared<VelocityVerlet>(), std::make_shared<Midpoint>(),
+        std::make_shared<RungeKutta4>(),    std::make_shared<DormandPrince>(),
+        std::make_shared<Nystrom>(),        std::make_shared<Dop853>(),
+        std::make_shared<BackwardEuler>(),  std::make_shared<ImplicitMidpoint>(),
+        std::make_shared<TrBdf2>(),
     };
 }
 

@@ -89,7 +89,7 @@ bool Bench::measured()
 QPoint Bench::spotOf(const std::string &id, sim::StepSize step)
 {
     const auto &rows = study.accuracy()->rows;
-    for (const SpotPlot::Spot &spot : plot().spots()) {
+    for (const Spot &spot : plot().spots()) {
         if (rows[spot.row].way.method->id() == id && rows[spot.row].way.step == step)
             return plot().onScreen(spot).toPoint();
     }

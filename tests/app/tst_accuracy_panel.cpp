@@ -3,6 +3,7 @@
 #include "app/model/accuracy_words.h"
 #include "app/ui/measure/method_ink.h"
 #include "app/ui/measure/order_plot.h"
+#include "app/ui/measure/plot_marks.h"
 #include "app/ui/measure/run_plot.h"
 #include "measure_bench.h"
 #include "sim/methods/methods.h"
@@ -32,6 +33,8 @@ private slots:
     void theTargetFollowsPlusAndMinus();
     void aTargetThatNothingReachesIsSaid();
     void theUnstableAreMarkedAndNamed();
+    void anErrorOfNothingStandsOnAFloorBelowTheNumbers();
+    void namesAtLinesCoverNeitherEachOtherNorMarks();
     void theTabsShowTheThreeViews();
     void theOrderViewMeasuresTheSlope();
     void theRunViewDrawsOneRowAMethodWithTheOneInUse();
@@ -179,6 +182,46 @@ void AccuracyPanelTest::theUnstableAreMarkedAndNamed()
     auto *named = bench.panel.findChild<QLabel *>("failure");
     QVERIFY(named->isVisible());
     QVERIFY(named->text().contains(QString::fromStdString(unstable.way.method->title())));
+}
+
+void AccuracyPanelTest::anErrorOfNothingStandsOnAFloorBelowTheNumbers()
+{
+    constexpr double height = 400.0; // px of the screen
+    const ErrorScale plain = errorScale({1e-3, 1e-6, 10.0}, 30.0, height);
+    QCOMPARE(plain.floor, 0.0);
+    QCOMPARE(plain.lower, 1e-6 / 4.0);
+    const ErrorScale scale = errorScale({1e-3, 0.0, 1e-6, 10.0, 0.0}, 30.0, height);
+    QCOMPARE(scale.upper, plain.upper);
+    QCOMPARE(scale.lowest, plain.lower); // the numbers of the axis end where they did
+    QCOMPARE(scale.place(1e-6), 1e-6);
+    QVERIFY(scale.place(0.0) < scale.lowest && scale.place(0.0) > scale.lower);
+    // It takes some px, not decades: those who have errors keep most of the axis.
+    const double axis = std::log10(scale.upper / scale.lower);
+    QVERIFY(std::log10(scale.upper / scale.lowest) > 0.9 * axis);
+    QVERIFY(std::log10(scale.lowest / scale.floor) / axis * height > 15.0);
+}
+
+void AccuracyPanelTest::namesAtLinesCoverNeitherEachOtherNorMarks()
+{
+    const QRectF area(0.0, 0.0, 480.0, 220.0);
+    const QFont font = Theme(Scheme::light).ui(12);
+    std::vector<EndLabel> labels;
+    std::vector<QRectF> marks;
+    for (int i = 0; i < 12; ++i) { // all end within a few px
+        const QPointF end(200.0 + 3.0 * i, 100.0 + 4.0 * i);
+        labels.push_back({end, QString("a method called %1").arg(i), Qt::black});
+        marks.emplace_back(end.x() - 6.0, end.y() - 6.0, 12.0, 12.0);
+    }
+    LabelPlaces places(marks);
+    const std::vector<PlacedLabel> placed = placeEndLabels(labels, font, area, places);
+    QCOMPARE(placed.size(), labels.size());
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+        QVERIFY(area.contains(placed[i].box));
+        for (const QRectF &mark : marks)
+            QVERIFY(!placed[i].box.intersects(mark));
+        for (std::size_t j = 0; j < i; ++j)
+            QVERIFY(!placed[i].box.intersects(placed[j].box));
+    }
 }
 
 void AccuracyPanelTest::theTabsShowTheThreeViews()

@@ -12,7 +12,9 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include <cmath>
 #include <ctime>
+#include <numbers>
 
 using namespace app;
 
@@ -35,6 +37,10 @@ private slots:
     void signsAtTheEdgeKeepApart();
     void namesKeepApart_data();
     void namesKeepApart();
+    void aNameCoversNoArrow_data();
+    void aNameCoversNoArrow();
+    void whatABoxCoversOfALine_data();
+    void whatABoxCoversOfALine();
     void aThemeChangeRepaints();
     void namesAndNumbersAreReadable_data();
     void namesAndNumbersAreReadable();
@@ -246,11 +252,58 @@ void SceneDrawingTest::namesKeepApart()
     const QRectF view(bench.view.viewport()->rect());
     const QRectF name = nameBox(shown, camera, view);
     QCOMPARE(name.isEmpty(), phase > 0); // a card stands in its place
-    const std::vector<GuideLabel> labels = guideLabels(shown, camera, view);
+    const std::vector<GuideLabel> labels = guideLabels(shown, camera, bench.theme, view);
     QCOMPARE(labels.size(), 1U);
     QVERIFY(!labels[0].box.intersects(name));
     for (const QRectF &body : bodyBoxes(shown, camera))
         QVERIFY(!labels[0].box.intersects(body));
+}
+
+void SceneDrawingTest::aNameCoversNoArrow_data()
+{
+    QTest::addColumn<double>("degrees");
+    for (int degrees = 0; degrees < 360; degrees += 30)
+        QTest::addRow("%d degrees", degrees) << double(degrees);
+}
+
+void SceneDrawingTest::aNameCoversNoArrow()
+{
+    QFETCH(double, degrees);
+    SceneBench bench("lone");
+    Shown shown;
+    shown.picture = bench.session.picture();
+    shown.text = bench.theme.ui(12);
+    const double angle = degrees * std::numbers::pi / 180.0;
+    const sim::Vec2 pull = {3.0 * std::cos(angle), 3.0 * std::sin(angle)};
+    shown.picture.guides = {
+        {lessons::Guide::Shape::arrow, shown.state().at(0), pull, 0.0, "a pull with a long name"}};
+    const Camera camera(bench.view.viewportTransform());
+    const QRectF view(bench.view.viewport()->rect());
+    const std::vector<GuideLabel> labels = guideLabels(shown, camera, bench.theme, view);
+    QCOMPARE(labels.size(), 1U);
+    const std::vector<QLineF> strokes = explainingStrokes(shown, camera, bench.theme);
+    QCOMPARE(strokes.size(), 1U);
+    QVERIFY(strokes[0].length() > 100.0);
+    QCOMPARE(lengthWithin(strokes[0], labels[0].box), 0.0);
+}
+
+void SceneDrawingTest::whatABoxCoversOfALine_data()
+{
+    QTest::addColumn<QLineF>("line");
+    QTest::addColumn<double>("covered");
+    QTest::newRow("through the middle") << QLineF(-5, 2, 20, 2) << 10.0;
+    QTest::newRow("beside") << QLineF(-5, 5, 20, 5) << 0.0;
+    QTest::newRow("within") << QLineF(8, 1, 5, 1) << 3.0;
+    QTest::newRow("ends inside") << QLineF(5, -3, 5, 1) << 1.0;
+    QTest::newRow("corner to corner") << QLineF(0, 0, 10, 4) << std::sqrt(116.0);
+    QTest::newRow("past a corner") << QLineF(-2, 1, 1, -2) << 0.0;
+}
+
+void SceneDrawingTest::whatABoxCoversOfALine()
+{
+    QFETCH(QLineF, line);
+    QFETCH(double, covered);
+    QVERIFY(std::abs(lengthWithin(line, QRectF(0, 0, 10, 4)) - covered) < 1e-12);
 }
 
 void SceneDrawingTest::aThemeChangeRepaints()

@@ -6,6 +6,7 @@
 #include "app/ui/time/timeline_strip.h"
 #include "app/ui/window/main_window.h"
 #include "app/ui/window/notice.h"
+#include "app/ui/window/status_figures.h"
 
 #include <QAbstractButton>
 #include <QAbstractSlider>
@@ -20,7 +21,7 @@ using namespace app;
 
 namespace {
 
-/// In place of a study that takes seconds: no rows, and a reference 5 px from where the scene starts.
+/// In place of a study that takes seconds: one row, and a reference 5 px from where the scene starts.
 sim::Accuracy quickStudy(const sim::Script &script, const sim::StudyPlan &plan, const sim::StudyProgress &)
 {
     sim::Accuracy found;
@@ -31,6 +32,12 @@ sim::Accuracy quickStudy(const sim::Script &script, const sim::StudyPlan &plan, 
     for (int i = 0; i < start.points(); ++i)
         places.push_back(start.at(i) + sim::Vec2{3.0, 4.0});
     found.reference.places.assign(static_cast<std::size_t>(plan.frames + 1), places);
+    sim::AccuracyRow row;
+    row.way = *plan.inUse;
+    row.outcome = sim::Outcome::measured;
+    row.error = 3.7;
+    row.nsPerFrame = 250.0;
+    found.rows = {row};
     return found;
 }
 
@@ -105,6 +112,10 @@ private slots:
     void theModesArrangeTheWindowAndBack_data();
     void theModesArrangeTheWindowAndBack();
     void theReferenceRunsAlongUntilTheSceneChanges();
+    void guidesOfTheExactMotionGiveWayToTheReference();
+    void theStatusBarTellsTheWorkOfAFrame_data();
+    void theStatusBarTellsTheWorkOfAFrame();
+    void theStatusBarTellsWhatWasMeasuredAndNothingElse();
 
 private:
     QTemporaryDir m_folder;
@@ -313,7 +324,10 @@ void WindowTest::nothingRunsWhilePaused()
         QTest::qWait(1000);
         return counter.timers + counter.paints == 0;
     };
-    QTRY_VERIFY_WITH_TIMEOUT(nothingForASecond(), 30'000);
+    bool isQuiet = false;
+    for (int i = 0; i < 30 && !isQuiet; ++i)
+        isQuiet = nothingForASecond();
+    QVERIFY(isQuiet);
     qApp->removeEventFilter(&counter);
 }
 
@@ -378,6 +392,71 @@ void WindowTest::theReferenceRunsAlongUntilTheSceneChanges()
     bench.session.goTo({1, 0});
     bench.window.setMode(MainWindow::Mode::learn);
     QVERIFY(!bench.view.shown().reference);
+}
+
+void WindowTest::guidesOfTheExactMotionGiveWayToTheReference()
+{
+    Bench bench("accuracy", "halve");
+    bench.session.goTo({12, 0});
+    const auto marks = [&] {
+        const std::vector<lessons::Guide> &guides = bench.view.shown().picture.guides;
+        return std::count_if(guides.begin(), guides.end(), [](const lessons::Guide &guide) {
+            return guide.about == lessons::Guide::About::exactMotion;
+        });
+    };
+    const auto all = marks();
+    QVERIFY(all > 1);
+    bench.window.setMode(MainWindow::Mode::measure);
+    QTRY_VERIFY(bench.view.shown().reference);
+    QCOMPARE(marks(), 0);
+    Extras extras = bench.view.extras();
+    extras.reference = false;
+    bench.view.setExtras(extras);
+    QCOMPARE(marks(), all);
+    extras.reference = true;
+    bench.view.setExtras(extras);
+    bench.window.setMode(MainWindow::Mode::learn);
+    QCOMPARE(marks(), all);
+}
+
+void WindowTest::theStatusBarTellsTheWorkOfAFrame_data()
+{
+    QTest::addColumn<QString>("method");
+    QTest::addColumn<double>("h");
+    QTest::addColumn<QString>("work");
+    QTest::newRow("once a step") << "semi_implicit_euler" << 1.0 << "forces once a frame";
+    QTest::newRow("four times a step, two steps") << "rk4" << 0.5 << "forces 8 times a frame";
+    QTest::newRow("four times a step, a step of two frames") << "rk4" << 2.0 << "forces 2 times a frame";
+}
+
+void WindowTest::theStatusBarTellsTheWorkOfAFrame()
+{
+    QFETCH(QString, method);
+    QFETCH(double, h);
+    QFETCH(QString, work);
+    Bench bench("accuracy", "halve");
+    bench.session.setMethod(method);
+    bench.session.setStepSize(h);
+    const auto &figures = *bench.window.findChild<StatusFigures *>();
+    QCOMPARE(figures.figures(), QStringList({"6 points", work}));
+}
+
+void WindowTest::theStatusBarTellsWhatWasMeasuredAndNothingElse()
+{
+    Bench bench;
+    const auto &figures = *bench.window.findChild<StatusFigures *>();
+    QCOMPARE(figures.figures().size(), 2);
+    bench.window.setMode(MainWindow::Mode::measure);
+    QTRY_COMPARE(bench.window.study().stage(), AccuracyStudy::Stage::done);
+    QCOMPARE(figures.figures().mid(2),
+             QStringList({"0.25\u2009µs a frame", "3.7\u2009px off over 200 frames"}));
+    bench.session.setParameter("k", 0.31); // another scene
+    QCOMPARE(figures.figures().size(), 2);
+    // What chooses its own work is counted as it goes.
+    bench.session.setMethod("dormand_prince");
+    QCOMPARE(figures.figures().size(), 1);
+    bench.session.goTo({10, 0});
+    QVERIFY(figures.figures().at(1).endsWith("times a frame until now"));
 }
 
 QTEST_MAIN(WindowTest)

@@ -11,6 +11,8 @@
 #include "sim/effects/point_spring.h"
 #include "sim/effects/radial_spring.h"
 #include "sim/effects/walls.h"
+#include "sim/error.h"
+
 #include "sim/methods/methods.h"
 
 #include <QTest>
@@ -44,7 +46,7 @@ double closedForm(double x0, double v0, double k, double damp, double t)
     return (a * std::exp(r1 * t) + (x0 - a) * std::exp(r2 * t)).real();
 }
 
-const QStringList ids = {"dormand_prince", "dop853"};
+const QStringList ids = {"dormand_prince", "rkn86", "dop853"};
 
 /// Every frame of a run by `method` within `tolerance`, the start included.
 std::vector<State> run(const Scene &scene, const std::string &method, double tolerance, int frames)
@@ -139,6 +141,7 @@ private slots:
         QTest::addColumn<double>("fine");
         QTest::newRow("Dormand-Prince") << "dormand_prince" << 1e-6 << 1e-10;
         QTest::newRow("DOP853") << "dop853" << 1e-5 << 1e-9;
+        QTest::newRow("Nystrom") << "rkn86" << 1e-5 << 1e-9;
     }
     void theErrorFallsWithTheOrderOfTheMethod()
     {
@@ -184,6 +187,32 @@ private slots:
         }
     }
 
+    void nystromTakesOneDampingForAllThatMoves()
+    {
+        Scene scene;
+        scene.start = State::ofPoints(3);
+        scene.start.push(0, {3, 8});
+        scene.start.push(1, {-2, 5});
+        scene.names = {"a", "b", "handle"};
+        scene.groups = {{"both", {0, 2}}};
+        const EffectPtr first = std::make_shared<Damping>(0.9, Points{0, 1});
+        scene.effects = {first, std::make_shared<Damping>(0.5, Points{1, 1})};
+        const MethodPtr rule = findMethod("rkn86");
+        rule->prepare(scene.start);
+        try {
+            compose(scene, *rule, StepSize::within(1e-3));
+            QFAIL("two dampings were taken for one");
+        } catch (const Error &error) {
+            QCOMPARE(error.id(), std::string("method-does-not-fit"));
+            QCOMPARE(error.values().at("effect"), std::string("damping"));
+        }
+        // A handle is not slowed, and does not count.
+        scene.effects = {std::make_shared<Damping>(0.9, Points{0, 2})};
+        const std::vector<State> all = run(scene, "rkn86", 1e-9, 7);
+        const double way = (1 - std::pow(0.9, 7)) / -std::log(0.9);
+        QVERIFY(std::abs(all.back().at(1).x - -2 * way) < 1e-12);
+    }
+
     void bouncesAreLocatedInTime_data()
     {
         QTest::addColumn<QString>("method");
@@ -218,8 +247,10 @@ private slots:
             QCOMPARE(all.back().speed(0).y, 0.0); // it lies, and no longer trembles
     }
 
+    void aFootSticksWhereItLandsAndLiftsWhenItIsPulledUp_data() { addAdaptiveRows(); }
     void aFootSticksWhereItLandsAndLiftsWhenItIsPulledUp()
     {
+        QFETCH(QString, method);
         // A foot on a spring whose other end goes round: it lands, stands dead still, and is pulled off again.
         Scene scene;
         scene.start = State::ofPoints(2);
@@ -234,7 +265,7 @@ private slots:
                          std::make_shared<Damping>(0.9),
                          std::make_shared<Ground>(std::vector<int>{0}, Soil{20.0, 0.0, Traction::full}),
                          std::make_shared<GaitClock>()};
-        const std::vector<State> all = run(scene, "dop853", 1e-9, 300);
+        const std::vector<State> all = run(scene, method.toStdString(), 1e-9, 300);
         // Standing, it lifts when its place comes above the ground: -50 sin(gait) = 20.
         int stands = 0, landings = 0;
         for (std::size_t frame = 1; frame < all.size(); ++frame) {
@@ -251,8 +282,9 @@ private slots:
                 QVERIFY(-50 * std::sin(0.05 * double(frame)) < 20.0);
         }
         QVERIFY(stands > 40 && landings == 2);
-        // Two other methods agree on all of it.
-        const std::vector<State> other = run(scene, "dormand_prince", 1e-10, 300);
+        // Another method agrees on all of it.
+        const std::vector<State> other =
+            run(scene, method == "dormand_prince" ? "dop853" : "dormand_prince", 1e-10, 300);
         for (std::size_t frame = 0; frame < all.size(); ++frame)
             QVERIFY(length(all[frame].at(0) - other[frame].at(0)) < 1e-6);
     }

@@ -13,6 +13,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <limits>
 #include <set>
 
 using namespace sim;
@@ -244,6 +245,54 @@ private slots:
         for (const AccuracyRow &row : found.rows) {
             if (row.way.method->id() == "published")
                 QCOMPARE(row.outcome == Outcome::unstable, row.way.step.h == 1.0);
+        }
+    }
+
+    void aFirstLookTellsTheErrorsOfTheFramesThatItNames()
+    {
+        StudyPlan plan = quickPlan(60);
+        plan.secondsToPreview = 0.0;
+        int compared = 0;
+        bool isRight = true;
+        std::int64_t lastLook = 0;
+        const auto compare = [&](const Accuracy &soFar, double) {
+            if (soFar.previewed == 0 || soFar.previewed == lastLook)
+                return true;
+            isRight &= soFar.previewed <= soFar.horizon;
+            for (const AccuracyRow &row : soFar.rows) {
+                if (row.outcome != Outcome::measured || row.error < 1e-8)
+                    continue;
+                const double exact =
+                    errorAgainst(scriptOf(dampedSpring(), row.way), onDampedSpring, soFar.previewed);
+                isRight &= std::abs(row.error - exact) <= 1e-3 * exact + 1e-9;
+                lastLook = soFar.previewed;
+                ++compared;
+            }
+            return true;
+        };
+        const Accuracy found = studyAccuracy(scriptOf(dampedSpring()), plan, compare);
+        QVERIFY(isRight);
+        QVERIFY(compared > 10);
+        QCOMPARE(found.previewed, 0);
+    }
+
+    void aFirstLookLeavesNothingInTheResult()
+    {
+        StudyPlan looking = quickPlan(60);
+        looking.secondsToPreview = 0.0;
+        StudyPlan plain = quickPlan(60);
+        plain.secondsToPreview = std::numeric_limits<double>::infinity();
+        const Accuracy a = studyAccuracy(scriptOf(bouncingBall()), looking, goOn);
+        const Accuracy b = studyAccuracy(scriptOf(bouncingBall()), plain, goOn);
+        QCOMPARE(a.horizon, b.horizon);
+        QCOMPARE(a.reference.disagreement, b.reference.disagreement);
+        QCOMPARE(a.rows.size(), b.rows.size());
+        for (std::size_t i = 0; i < a.rows.size(); ++i) {
+            if (a.rows[i].outcome == Outcome::tooLong || b.rows[i].outcome == Outcome::tooLong)
+                continue; // that depends on the machine
+            QVERIFY(a.rows[i].outcome == b.rows[i].outcome);
+            QCOMPARE(a.rows[i].errorAt, b.rows[i].errorAt);
+            QCOMPARE(a.rows[i].evaluations, b.rows[i].evaluations);
         }
     }
 };

@@ -178,9 +178,11 @@ void AccuracyPanel::refresh()
         std::set<std::string> methods;
         for (const sim::AccuracyRow &row : accuracy->rows)
             methods.insert(row.way.method->id());
-        caption = tr("%1 frames, %2 methods")
-                      .arg(accuracy->horizon > 0 ? accuracy->horizon : accuracy->span)
-                      .arg(methods.size());
+        caption = accuracy->previewed > 0
+                      ? tr("first %1 frames of %2").arg(accuracy->previewed).arg(accuracy->span)
+                      : tr("%1 frames, %2 methods")
+                            .arg(accuracy->horizon > 0 ? accuracy->horizon : accuracy->span)
+                            .arg(methods.size());
     }
     m_title->setCaption(caption);
     const QString unstable = accuracy ? unstableWords(*accuracy) : QString();

@@ -14,8 +14,6 @@ namespace {
 
 using sim::AccuracyRow;
 
-constexpr double least = 1e-15; ///< px
-constexpr double most = 1e4;    ///< px
 constexpr double nameRoom = 196.0;
 constexpr double markerSize = 9.0;
 constexpr double near = 0.15; ///< of an order
@@ -40,10 +38,8 @@ OrderPlot::OrderPlot(AccuracyStudy &study, const Theme &theme, QWidget *parent)
     setObjectName("order");
     setAccessibleName(tr("Error against step: the measured order"));
     makeLogarithmic(*xAxis, PowerTicker::Writing::plain);
-    makeLogarithmic(*yAxis, PowerTicker::Writing::powers);
     xAxis->setRangeReversed(true); // finer steps to the right, as in the other plots
     xAxis->setRange(0.001, 1.0);
-    yAxis->setRange(1e-9, 100.0);
 }
 
 QString OrderPlot::orderWords(const sim::Accuracy &accuracy, const sim::Method &method)
@@ -57,26 +53,28 @@ QString OrderPlot::orderWords(const sim::Accuracy &accuracy, const sim::Method &
     return tr("%1: %2 of %3").arg(methodTitle(method), measured).arg(method.order());
 }
 
-std::vector<SpotPlot::Spot> OrderPlot::layOut()
+std::vector<Spot> OrderPlot::layOut()
 {
     const std::vector<AccuracyRow> &rows = m_study.accuracy()->rows;
     std::vector<Spot> spots;
     int line = -1;
-    double low = 1e300, high = 0.0, finest = 1e300, coarsest = 0.0;
+    std::vector<double> all;
+    double finest = 1e300, coarsest = 0.0;
     for (std::size_t i = 0; i < rows.size(); ++i) {
         if (i == 0 || rows[i].way.method->id() != rows[i - 1].way.method->id())
             ++line;
         if (rows[i].outcome != sim::Outcome::measured || rows[i].way.step.adaptive())
             continue;
-        const QPointF place(rows[i].way.step.h, std::clamp(rows[i].error, least, most));
-        spots.push_back({i, place, line});
-        low = std::min(low, place.y());
-        high = std::max(high, place.y());
-        finest = std::min(finest, place.x());
-        coarsest = std::max(coarsest, place.x());
+        const double h = rows[i].way.step.h;
+        spots.push_back({i, {h, rows[i].error}, line});
+        all.push_back(rows[i].error);
+        finest = std::min(finest, h);
+        coarsest = std::max(coarsest, h);
     }
+    setErrors(errorScale(all, 8.0, axisRect()->height()));
+    for (Spot &spot : spots)
+        spot.place.setY(errors().place(spot.place.y()));
     if (!spots.empty()) {
-        yAxis->setRange(low / 4.0, high * 8.0);
         const double inner = std::max(80.0, axisRect()->width() - nameRoom - 24.0);
         const double decades = std::max(0.3, std::log10(coarsest / finest)) / inner; // a px
         xAxis->setRange(finest * std::pow(10.0, -nameRoom * decades),
@@ -88,37 +86,64 @@ std::vector<SpotPlot::Spot> OrderPlot::layOut()
 void OrderPlot::drawStated(QPainter &painter, const Spot &from, const Spot &to) const
 {
     const sim::Method &method = *rowOf(from).way.method;
-    QPen pen(inkOf(method, m_theme).color, 1.2, Qt::CustomDashLine, Qt::FlatCap);
-    pen.setDashPattern({1.5, 3.0});
-    painter.setPen(pen);
+    painter.setPen(dotted(inkOf(method, m_theme).color, 1.2));
     const double ratio = to.place.x() / from.place.x();
     painter.drawLine(onScreen(from),
                      onScreen(QPointF(to.place.x(), from.place.y() * std::pow(ratio, method.order()))));
 }
 
+std::map<int, std::vector<const Spot *>> OrderPlot::lines() const
+{
+    std::map<int, std::vector<const Spot *>> all;
+    for (const Spot &spot : spots())
+        all[spot.line].push_back(&spot);
+    return all;
+}
+
+QPolygonF OrderPlot::onScreenAll(const std::vector<const Spot *> &line) const
+{
+    QPolygonF places;
+    for (const Spot *spot : line)
+        places << onScreen(*spot);
+    return places;
+}
+
+void OrderPlot::placeWords()
+{
+    std::vector<EndLabel> labels;
+    std::vector<QLineF> strokes;
+    for (const auto &[number, line] : lines()) {
+        const sim::Method &method = *rowOf(*line.back()).way.method;
+        addStrokes(strokes, onScreenAll(line));
+        labels.push_back(
+            {onScreen(*line.back()), orderWords(*m_study.accuracy(), method), inkOf(method, m_theme).color});
+    }
+    LabelPlaces places({}, std::move(strokes));
+    m_names = placeEndLabels(std::move(labels), m_theme.ui(12, QFont::Medium), axisRect()->rect(), places);
+}
+
 void OrderPlot::draw(QPainter &painter)
 {
     const QRectF area = axisRect()->rect();
-    drawAxisNames(painter, area, tr("step, frames (finer →)"), tr("error, px"), m_theme);
+    drawAxisNames(painter, area, {tr("step, frames (finer →)"), tr("error, px"), {}, tr("← better")},
+                  m_theme);
     painter.save();
     painter.setClipRect(area.adjusted(-6.0, 0.0, 6.0, 0.0));
-    std::map<int, std::vector<const Spot *>> lines;
-    for (const Spot &spot : spots())
-        lines[spot.line].push_back(&spot);
-    std::vector<EndLabel> labels;
-    for (const auto &[number, line] : lines) {
+    for (const auto &[number, line] : lines()) {
         const sim::Method &method = *rowOf(*line.front()).way.method;
         const MethodInk ink = inkOf(method, m_theme);
-        drawStated(painter, *line.front(), *line.back());
+        if (rowOf(*line.front()).error > 0.0)
+            drawStated(painter, *line.front(), *line.back());
         painter.setPen(QPen(ink.color, 1.8));
-        for (std::size_t i = 1; i < line.size(); ++i)
-            painter.drawLine(onScreen(*line[i - 1]), onScreen(*line[i]));
-        for (const Spot *spot : line)
+        painter.drawPolyline(onScreenAll(line));
+        for (const Spot *spot : line) {
             drawMarker(painter, onScreen(*spot), ink, markerSize, m_theme.tokens().panel);
-        labels.push_back({onScreen(*line.back()), orderWords(*m_study.accuracy(), method), ink.color});
+            if (rowOf(*spot).error == 0.0)
+                drawZeroBar(painter, onScreen(*spot), ink, markerSize);
+        }
     }
     painter.restore();
-    drawEndLabels(painter, std::move(labels), m_theme.ui(12, QFont::Medium), area, m_theme.tokens().panel);
+    drawEndLabels(painter, m_names, m_theme.ui(12, QFont::Medium), m_theme.tokens().panel);
     const AccuracyRow *used = m_study.inUse();
     for (const Spot &spot : spots()) {
         if (&rowOf(spot) == used)

@@ -1,6 +1,9 @@
 #pragma once
 
+#include "app/ui/measure/plot_marks.h"
 #include "app/ui/measure/spot_plot.h"
+
+#include <map>
 
 namespace app {
 
@@ -18,11 +21,16 @@ public:
 
 protected:
     std::vector<Spot> layOut() override;
+    void placeWords() override;
     void draw(QPainter &painter) override;
     QString tipOf(const Spot &spot) const override;
 
 private:
+    std::map<int, std::vector<const Spot *>> lines() const;
+    QPolygonF onScreenAll(const std::vector<const Spot *> &line) const;
     void drawStated(QPainter &painter, const Spot &from, const Spot &to) const;
+
+    std::vector<PlacedLabel> m_names;
 };
 
 }

@@ -10,7 +10,32 @@ namespace app {
 namespace {
 
 constexpr int mostTicks = 9;
-constexpr double besideLine = 9.0; ///< px between a line's end and its name
+constexpr double besideLine = 9.0;    ///< px between a line's end and its name
+constexpr double farFromLine = 14.0;  ///< px: a name that is moved farther is joined to its line
+constexpr double shortestPiece = 6.0; ///< px
+constexpr double betweenNames = 24.0; ///< px between the names at the ends of one axis
+
+/// Places one label after the other. Returns how far they all were moved, in px.
+double placeInOrder(const std::vector<EndLabel> &labels, const QFontMetricsF &metrics, const QRectF &area,
+                    LabelPlaces &places, std::vector<PlacedLabel> &placed)
+{
+    double moved = 0.0;
+    for (const EndLabel &label : labels) {
+        const QSizeF size(metrics.horizontalAdvance(label.text), metrics.height());
+        const QPointF wanted = label.anchor + QPointF(besideLine, -size.height() / 2.0);
+        const QRectF box = places.within(area, wanted, size);
+        const QPointF off = box.topLeft() - wanted;
+        const double away = std::hypot(off.x(), off.y());
+        QLineF lead;
+        if (away > farFromLine) {
+            lead = {label.anchor, nearestPoint(box.adjusted(-2.0, 0.0, 2.0, 0.0), label.anchor)};
+            places.takeStroke(lead);
+        }
+        placed.push_back({label, box, lead});
+        moved += away;
+    }
+    return moved;
+}
 
 }
 
@@ -29,7 +54,8 @@ QString PowerTicker::getTickLabel(double tick, const QLocale &, QChar, int)
 
 QVector<double> PowerTicker::createTickVector(double, const QCPRange &range)
 {
-    const int first = static_cast<int>(std::ceil(std::log10(range.lower) - 1e-9));
+    const double lowest = std::max(range.lower, m_lowest);
+    const int first = static_cast<int>(std::ceil(std::log10(lowest) - 1e-9));
     const int last = static_cast<int>(std::floor(std::log10(range.upper) + 1e-9));
     int every = 1;
     while ((last - first) / every + 1 > mostTicks)
@@ -42,10 +68,24 @@ QVector<double> PowerTicker::createTickVector(double, const QCPRange &range)
     return ticks;
 }
 
-void makeLogarithmic(QCPAxis &axis, PowerTicker::Writing writing)
+QPointF nearestPoint(const QRectF &box, QPointF to)
 {
+    return {std::clamp(to.x(), box.left(), box.right()), std::clamp(to.y(), box.top(), box.bottom())};
+}
+
+QSharedPointer<PowerTicker> makeLogarithmic(QCPAxis &axis, PowerTicker::Writing writing)
+{
+    const auto ticker = QSharedPointer<PowerTicker>::create(writing);
     axis.setScaleType(QCPAxis::stLogarithmic);
-    axis.setTicker(QSharedPointer<PowerTicker>::create(writing));
+    axis.setTicker(ticker);
+    return ticker;
+}
+
+QPen dotted(const QColor &color, double width)
+{
+    QPen pen(color, width, Qt::CustomDashLine, Qt::FlatCap);
+    pen.setDashPattern({1.5, 3.0});
+    return pen;
 }
 
 void drawMarker(QPainter &painter, QPointF at, const MethodInk &ink, double size, const QColor &fill)
@@ -56,6 +96,13 @@ void drawMarker(QPainter &painter, QPointF at, const MethodInk &ink, double size
     painter.setBrush(Qt::NoBrush);
 }
 
+void drawZeroBar(QPainter &painter, QPointF at, const MethodInk &ink, double size)
+{
+    painter.setPen(QPen(ink.color, 2.0, Qt::SolidLine, Qt::FlatCap));
+    const QPointF left = at + QPointF(-0.7 * size, 0.7 * size);
+    painter.drawLine(left, left + QPointF(1.4 * size, 0.0));
+}
+
 void drawRing(QPainter &painter, QPointF at, const QPen &pen, double radius)
 {
     painter.setPen(pen);
@@ -63,55 +110,83 @@ void drawRing(QPainter &painter, QPointF at, const QPen &pen, double radius)
     painter.drawEllipse(at, radius, radius);
 }
 
-void drawEndLabels(QPainter &painter, std::vector<EndLabel> labels, const QFont &font, const QRectF &area,
-                   QColor ground)
+void addStrokes(std::vector<QLineF> &strokes, const QPolygonF &line)
 {
-    const QFontMetricsF metrics(font);
-    std::sort(labels.begin(), labels.end(),
-              [](const EndLabel &a, const EndLabel &b) { return a.anchor.y() < b.anchor.y(); });
-    std::vector<QRectF> boxes;
-    for (const EndLabel &label : labels) {
-        const double width = metrics.horizontalAdvance(label.text);
-        double x = label.anchor.x() + besideLine;
-        x = std::max(area.left(), std::min(x, area.right() - width));
-        QRectF box(x, label.anchor.y() - metrics.height() / 2.0, width, metrics.height());
-        for (const QRectF &other : boxes) {
-            if (box.intersects(other))
-                box.moveTop(other.bottom());
-        }
-        boxes.push_back(box);
-    }
-    // Those that were pushed out below come back up, and push the ones above them.
-    double floor = area.bottom();
-    for (std::size_t i = boxes.size(); i-- > 0;) {
-        if (boxes[i].bottom() <= floor)
+    // Pieces that are shorter than a letter tell no more than longer ones.
+    QPointF from = line.isEmpty() ? QPointF() : line.front();
+    for (qsizetype i = 1; i < line.size(); ++i) {
+        const QLineF piece(from, line[i]);
+        if (piece.length() < shortestPiece && i + 1 < line.size())
             continue;
-        boxes[i].moveBottom(floor);
-        floor = boxes[i].top();
-    }
-    painter.setFont(font);
-    ground.setAlphaF(0.75F);
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-        painter.fillRect(boxes[i].adjusted(-2.0, 1.0, 2.0, -1.0), ground);
-        painter.setPen(labels[i].color);
-        painter.drawText(boxes[i], Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip, labels[i].text);
+        strokes.push_back(piece);
+        from = line[i];
     }
 }
 
-void drawAxisNames(QPainter &painter, const QRectF &area, const QString &across, const QString &up,
-                   const Theme &theme)
+std::vector<PlacedLabel> placeEndLabels(std::vector<EndLabel> labels, const QFont &font, const QRectF &area,
+                                        LabelPlaces &places)
+{
+    // Who comes first gets the best place. The fairest of three orders is taken.
+    using Before = bool (*)(const EndLabel &, const EndLabel &);
+    const Before orders[] = {
+        [](const EndLabel &a, const EndLabel &b) { return a.anchor.y() > b.anchor.y(); },
+        [](const EndLabel &a, const EndLabel &b) { return a.anchor.y() < b.anchor.y(); },
+        [](const EndLabel &a, const EndLabel &b) { return a.anchor.x() > b.anchor.x(); },
+    };
+    std::optional<LabelPlaces> best;
+    std::vector<PlacedLabel> placed;
+    double least = 0.0;
+    for (const Before before : orders) {
+        std::stable_sort(labels.begin(), labels.end(), before);
+        LabelPlaces trial = places;
+        std::vector<PlacedLabel> found;
+        const double moved = placeInOrder(labels, QFontMetricsF(font), area, trial, found);
+        if (best && moved >= least)
+            continue;
+        least = moved;
+        best = std::move(trial);
+        placed = std::move(found);
+    }
+    places = std::move(*best);
+    return placed;
+}
+
+void drawEndLabels(QPainter &painter, const std::vector<PlacedLabel> &labels, const QFont &font,
+                   QColor ground)
+{
+    ground.setAlphaF(0.75F);
+    painter.setFont(font);
+    for (const PlacedLabel &placed : labels) {
+        painter.fillRect(placed.box.adjusted(-2.0, 1.0, 2.0, -1.0), ground);
+        if (!placed.lead.isNull()) {
+            painter.setPen(dotted(placed.label.color, 1.0));
+            painter.drawLine(placed.lead);
+        }
+        painter.setPen(placed.label.color);
+        painter.drawText(placed.box, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip, placed.label.text);
+    }
+}
+
+void drawAxisNames(QPainter &painter, const QRectF &area, const AxisNames &names, const Theme &theme)
 {
     const QFont font = theme.ui(12);
-    const double height = QFontMetricsF(font).height();
+    const QFontMetricsF metrics(font);
+    const auto fits = [&](const QString &a, const QString &b, double room) {
+        return metrics.horizontalAdvance(a) + metrics.horizontalAdvance(b) + betweenNames <= room;
+    };
     painter.setFont(font);
     painter.setPen(theme.tokens().ink2);
-    painter.drawText(QRectF(area.left(), area.bottom() + 22.0, area.width(), height),
-                     Qt::AlignRight | Qt::AlignVCenter, across);
+    const QRectF below(area.left(), area.bottom() + 22.0, area.width(), metrics.height());
+    painter.drawText(below, Qt::AlignRight | Qt::AlignVCenter, names.across);
+    if (fits(names.across, names.lessAcross, area.width()))
+        painter.drawText(below, Qt::AlignLeft | Qt::AlignVCenter, names.lessAcross);
     painter.save();
     painter.translate(4.0, area.top());
     painter.rotate(-90.0);
-    painter.drawText(QRectF(-area.height(), 0.0, area.height(), height), Qt::AlignRight | Qt::AlignVCenter,
-                     up);
+    const QRectF beside(-area.height(), 0.0, area.height(), metrics.height());
+    painter.drawText(beside, Qt::AlignRight | Qt::AlignVCenter, names.up);
+    if (fits(names.up, names.lessUp, area.height()))
+        painter.drawText(beside, Qt::AlignLeft | Qt::AlignVCenter, names.lessUp);
     painter.restore();
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/ui/measure/method_ink.h"
+#include "app/ui/scene/label_places.h"
 
 #include <qcustomplot.h>
 
@@ -14,6 +15,8 @@ class PowerTicker : public QCPAxisTickerLog
 public:
     enum class Writing { powers, plain };
     explicit PowerTicker(Writing writing);
+    /// Leaves out what is below `lowest`.
+    void setLowest(double lowest) { m_lowest = lowest; }
 
 protected:
     QString getTickLabel(double tick, const QLocale &locale, QChar formatChar, int precision) override;
@@ -21,15 +24,27 @@ protected:
 
 private:
     Writing m_writing;
+    double m_lowest = 0.0;
 };
 
-/// Makes `axis` logarithmic.
-void makeLogarithmic(QCPAxis &axis, PowerTicker::Writing writing);
+/// Makes `axis` logarithmic. Returns what chooses its numbers.
+QSharedPointer<PowerTicker> makeLogarithmic(QCPAxis &axis, PowerTicker::Writing writing);
+
+/// A pen that draws dots.
+QPen dotted(const QColor &color, double width);
 
 /// A marker on the screen: filled, or hollow on `ground`.
 void drawMarker(QPainter &painter, QPointF at, const MethodInk &ink, double size, const QColor &fill);
+/// The sign of an error of exactly 0: what has none stands on a bar.
+void drawZeroBar(QPainter &painter, QPointF at, const MethodInk &ink, double size);
 /// The ring of what is chosen.
 void drawRing(QPainter &painter, QPointF at, const QPen &pen, double radius);
+
+/// Adds the pieces of `line`, for LabelPlaces.
+void addStrokes(std::vector<QLineF> &strokes, const QPolygonF &line);
+
+/// The point of `box` that is nearest to `to`.
+QPointF nearestPoint(const QRectF &box, QPointF to);
 
 /// A name at the end of a line.
 struct EndLabel
@@ -38,13 +53,29 @@ struct EndLabel
     QString text;
     QColor color;
 };
-/// Writes names right of their anchors, and moves them down or up where they would cover each other.
-/// `ground` keeps lines behind them from running through the letters.
-void drawEndLabels(QPainter &painter, std::vector<EndLabel> labels, const QFont &font, const QRectF &area,
+/// A name where it has room.
+struct PlacedLabel
+{
+    EndLabel label;
+    QRectF box;
+    QLineF lead; ///< from the end of its line, where it had to go away from there; else null
+};
+/// Finds places near their anchors within `area` for names in `font`, where they cover nothing of what `places` knows,
+/// as far as there is room. They are taken then.
+std::vector<PlacedLabel> placeEndLabels(std::vector<EndLabel> labels, const QFont &font, const QRectF &area,
+                                        LabelPlaces &places);
+/// Writes names; `ground` keeps the grid from running through the letters.
+void drawEndLabels(QPainter &painter, const std::vector<PlacedLabel> &labels, const QFont &font,
                    QColor ground);
 
-/// The caption of an axis: below its right end, or beside its upper one.
-void drawAxisNames(QPainter &painter, const QRectF &area, const QString &across, const QString &up,
-                   const Theme &theme);
+/// What stands at the ends of the axes.
+struct AxisNames
+{
+    QString across;     ///< below the right end of the horizontal one
+    QString up;         ///< beside the upper end of the vertical one
+    QString lessAcross; ///< what its left end means; left out where there is no room
+    QString lessUp;     ///< what its lower end means; likewise
+};
+void drawAxisNames(QPainter &painter, const QRectF &area, const AxisNames &names, const Theme &theme);
 
 }

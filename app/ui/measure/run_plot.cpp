@@ -12,8 +12,6 @@ namespace {
 
 using sim::AccuracyRow;
 
-constexpr double least = 1e-15; ///< px: an error of 0 is at the lower edge
-constexpr double most = 1e4;    ///< px
 constexpr double nameRoom = 128.0;
 constexpr double markerSize = 8.0;
 
@@ -34,8 +32,6 @@ RunPlot::RunPlot(AccuracyStudy &study, const Theme &theme, QWidget *parent) : Sp
 {
     setObjectName("overTheRun");
     setAccessibleName(tr("Error over the run"));
-    makeLogarithmic(*yAxis, PowerTicker::Writing::powers);
-    yAxis->setRange(1e-9, 100.0);
     connect(&study.session(), &Session::moved, this, [this] {
         if (isVisible())
             update();
@@ -61,43 +57,63 @@ void RunPlot::chooseRows()
     }
 }
 
-std::vector<SpotPlot::Spot> RunPlot::layOut()
+std::vector<Spot> RunPlot::layOut()
 {
     chooseRows();
+    const std::vector<AccuracyRow> &rows = m_study.accuracy()->rows;
+    std::vector<double> all;
+    for (const std::size_t row : m_rows)
+        all.insert(all.end(), rows[row].errorAt.begin() + 1, rows[row].errorAt.end());
+    setErrors(errorScale(all, 5.0, axisRect()->height()));
     std::vector<Spot> spots;
-    double low = 1e300;
-    double high = 0.0;
     for (std::size_t line = 0; line < m_rows.size(); ++line) {
-        const std::vector<double> &errors = m_study.accuracy()->rows[m_rows[line]].errorAt;
-        for (std::size_t frame = 1; frame < errors.size(); ++frame) {
-            const double error = std::clamp(errors[frame], least, most);
-            low = std::min(low, error);
-            high = std::max(high, error);
-            spots.push_back({m_rows[line], {static_cast<double>(frame), error}, static_cast<int>(line)});
-        }
+        const std::vector<double> &ofRow = rows[m_rows[line]].errorAt;
+        for (std::size_t frame = 1; frame < ofRow.size(); ++frame)
+            spots.push_back({m_rows[line],
+                             {static_cast<double>(frame), errors().place(ofRow[frame])},
+                             static_cast<int>(line)});
     }
     const double frames = std::max(1.0, static_cast<double>(m_study.accuracy()->horizon));
     const double inner = std::max(80.0, axisRect()->width() - nameRoom);
     xAxis->setRange(0.0, frames * (1.0 + nameRoom / inner));
-    if (!spots.empty())
-        yAxis->setRange(low / 3.0, high * 5.0);
     return spots;
+}
+
+QPolygonF RunPlot::lineOf(std::size_t row) const
+{
+    QPolygonF line;
+    for (const Spot &spot : spots()) {
+        if (spot.row == row)
+            line << onScreen(spot);
+    }
+    return line;
+}
+
+void RunPlot::placeWords()
+{
+    std::vector<EndLabel> labels;
+    std::vector<QLineF> strokes;
+    for (const std::size_t row : m_rows) {
+        const QPolygonF line = lineOf(row);
+        if (line.isEmpty())
+            continue;
+        addStrokes(strokes, line);
+        const sim::Method &method = *m_study.accuracy()->rows[row].way.method;
+        labels.push_back({line.back(), methodTitle(method), inkOf(method, m_theme).color});
+    }
+    LabelPlaces places({}, std::move(strokes));
+    m_names = placeEndLabels(std::move(labels), m_theme.ui(12, QFont::Medium), axisRect()->rect(), places);
 }
 
 void RunPlot::draw(QPainter &painter)
 {
     const QRectF area = axisRect()->rect();
-    drawAxisNames(painter, area, tr("frame"), tr("error, px"), m_theme);
+    drawAxisNames(painter, area, {tr("frame"), tr("error, px"), {}, tr("← better")}, m_theme);
     painter.save();
     painter.setClipRect(area);
-    std::vector<EndLabel> labels;
     const AccuracyRow *used = m_study.inUse();
     for (const std::size_t row : m_rows) {
-        QPolygonF line;
-        for (const Spot &spot : spots()) {
-            if (spot.row == row)
-                line << onScreen(spot);
-        }
+        const QPolygonF line = lineOf(row);
         const sim::Method &method = *m_study.accuracy()->rows[row].way.method;
         const MethodInk ink = inkOf(method, m_theme);
         painter.setPen(QPen(ink.color, &m_study.accuracy()->rows[row] == used ? 3.0 : 1.6));
@@ -105,21 +121,21 @@ void RunPlot::draw(QPainter &painter)
         if (line.isEmpty())
             continue;
         drawMarker(painter, line.back(), ink, markerSize, m_theme.tokens().panel);
-        labels.push_back({line.back(), methodTitle(method), ink.color});
     }
     const double now = xAxis->coordToPixel(static_cast<double>(m_study.session().timeline().at().frame));
     painter.setPen(QPen(m_theme.tokens().now, 2.0));
     painter.drawLine(QPointF(now, area.top()), QPointF(now, area.bottom()));
     painter.restore();
-    drawEndLabels(painter, std::move(labels), m_theme.ui(12, QFont::Medium), area, m_theme.tokens().panel);
+    drawEndLabels(painter, m_names, m_theme.ui(12, QFont::Medium), m_theme.tokens().panel);
     if (chosen())
         drawRing(painter, onScreen(*chosen()), QPen(m_theme.tokens().ink, 2.0), markerSize);
 }
 
 QString RunPlot::tipOf(const Spot &spot) const
 {
-    return tr("Frame %1: %2 off").arg(qRound(spot.place.x())).arg(pixels(spot.place.y())) + '\n' +
-           rowWords(rowOf(spot));
+    const int frame = qRound(spot.place.x());
+    const double error = rowOf(spot).errorAt[static_cast<std::size_t>(frame)];
+    return tr("Frame %1: %2 off").arg(frame).arg(pixels(error)) + '\n' + rowWords(rowOf(spot));
 }
 
 }

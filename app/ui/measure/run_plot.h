@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/ui/measure/plot_marks.h"
 #include "app/ui/measure/spot_plot.h"
 
 namespace app {
@@ -17,13 +18,16 @@ public:
 
 protected:
     std::vector<Spot> layOut() override;
+    void placeWords() override;
     void draw(QPainter &painter) override;
     QString tipOf(const Spot &spot) const override;
 
 private:
     void chooseRows();
+    QPolygonF lineOf(std::size_t row) const;
 
     std::vector<std::size_t> m_rows;
+    std::vector<PlacedLabel> m_names;
 };
 
 }

@@ -2,35 +2,16 @@
 
 #include "app/model/accuracy_words.h"
 #include "app/ui/measure/plot_access.h"
+#include "app/ui/measure/plot_marks.h"
 
 #include <QAccessible>
 #include <QToolTip>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace app {
-
-namespace {
-
-constexpr double reach = 12.0; ///< px round the pointer in which a spot is found
-
-bool isWalk(int key)
-{
-    return key >= Qt::Key_Left && key <= Qt::Key_Down;
-}
-
-bool isTake(int key)
-{
-    return key == Qt::Key_Return || key == Qt::Key_Enter || key == Qt::Key_Space;
-}
-
-double distance(QPointF a, QPointF b)
-{
-    return std::hypot(a.x() - b.x(), a.y() - b.y());
-}
-
-}
 
 SpotPlot::SpotPlot(AccuracyStudy &study, const Theme &theme, QWidget *parent)
     : QCustomPlot(parent), m_study(study), m_theme(theme)
@@ -40,12 +21,15 @@ SpotPlot::SpotPlot(AccuracyStudy &study, const Theme &theme, QWidget *parent)
     setMouseTracking(true);
     setAntialiasedElements(QCP::aeAll);
     setNoAntialiasingOnDrag(false);
+    setPlottingHint(QCP::phImmediateRefresh, false); // it is painted together with all else that has changed
     for (QCPAxis *axis : {xAxis, yAxis}) {
         axis->grid()->setSubGridVisible(false);
         axis->setTickLengthIn(0);
         axis->setTickLengthOut(3);
         axis->setSubTicks(false);
     }
+    m_errorTicks = makeLogarithmic(*yAxis, PowerTicker::Writing::powers);
+    setErrors({});
     axisRect()->setAutoMargins(QCP::msNone);
     axisRect()->setMargins({58, 12, 16, 44});
     connect(&study, &AccuracyStudy::changed, this, &SpotPlot::refresh);
@@ -66,6 +50,7 @@ void SpotPlot::dress()
         axis->grid()->setPen(QPen(t.line, 1.0));
         axis->grid()->setZeroLinePen(Qt::NoPen);
     }
+    m_axesAreOld = true;
     refresh();
 }
 
@@ -76,6 +61,8 @@ void SpotPlot::refresh()
         return;
     }
     m_stale = false;
+    const QCPRange across = xAxis->range();
+    const QCPRange up = yAxis->range();
     const bool had = m_chosen.has_value();
     m_spots = m_study.accuracy() ? layOut() : std::vector<Spot>{};
     if (had) {
@@ -90,7 +77,24 @@ void SpotPlot::refresh()
         }
         m_chosen = found ? std::optional(*found) : std::nullopt;
     }
-    replot(QCustomPlot::rpQueuedReplot);
+    // The axes are painted anew only where they are others: that takes more than all the rest.
+    if (std::exchange(m_axesAreOld, false) || xAxis->range() != across || yAxis->range() != up)
+        replot(QCustomPlot::rpQueuedReplot);
+    else
+        update();
+    m_isUnplaced = true;
+}
+
+void SpotPlot::setErrors(const ErrorScale &errors)
+{
+    m_errors = errors;
+    m_errorTicks->setLowest(errors.lowest);
+    yAxis->setRange(errors.lower, errors.upper);
+}
+
+OnScreen SpotPlot::screen() const
+{
+    return [this](const Spot &spot) { return onScreen(spot); };
 }
 
 QPointF SpotPlot::onScreen(QPointF place) const
@@ -98,7 +102,7 @@ QPointF SpotPlot::onScreen(QPointF place) const
     return {xAxis->coordToPixel(place.x()), yAxis->coordToPixel(place.y())};
 }
 
-const SpotPlot::Spot *SpotPlot::chosen() const
+const Spot *SpotPlot::chosen() const
 {
     return m_chosen && m_study.accuracy() ? &*m_chosen : nullptr;
 }
@@ -115,20 +119,6 @@ QString SpotPlot::sentence() const
     return tipOf(*m_chosen).replace('\n', QStringLiteral(". "));
 }
 
-const SpotPlot::Spot *SpotPlot::nearest(QPointF at) const
-{
-    const Spot *best = nullptr;
-    double least = reach;
-    for (const Spot &spot : m_spots) {
-        const double away = distance(onScreen(spot), at);
-        if (away < least) {
-            least = away;
-            best = &spot;
-        }
-    }
-    return best;
-}
-
 void SpotPlot::choose(const Spot *spot)
 {
     if (spot) {
@@ -141,38 +131,6 @@ void SpotPlot::choose(const Spot *spot)
     emit chosenChanged();
     QAccessibleValueChangeEvent event(this, sentence());
     QAccessible::updateAccessibility(&event);
-}
-
-void SpotPlot::walk(int along, int across)
-{
-    if (m_spots.empty())
-        return;
-    if (!m_chosen) {
-        const sim::AccuracyRow *used = m_study.inUse();
-        const auto here = std::find_if(m_spots.begin(), m_spots.end(),
-                                       [&](const Spot &spot) { return &rowOf(spot) == used; });
-        choose(here == m_spots.end() ? &m_spots.front() : &*here);
-        return;
-    }
-    const Spot from = *m_chosen;
-    const QPointF at = onScreen(from);
-    const Spot *best = nullptr;
-    double least = 0.0;
-    for (const Spot &spot : m_spots) {
-        const QPointF there = onScreen(spot);
-        const double ahead =
-            along != 0 ? along * (there.x() - at.x()) : across * (there.y() - at.y()); // px on the way
-        if (ahead <= 0.0 || (along != 0) != (spot.line == from.line))
-            continue;
-        // Up and Down look for what is straight ahead.
-        const double cost = along != 0 ? ahead : ahead + 2.0 * std::abs(there.x() - at.x());
-        if (!best || cost < least) {
-            best = &spot;
-            least = cost;
-        }
-    }
-    if (best)
-        choose(best);
 }
 
 void SpotPlot::showTip()
@@ -191,92 +149,6 @@ void SpotPlot::adopt()
         m_study.adopt(rowOf(*m_chosen).way);
 }
 
-bool SpotPlot::event(QEvent *event)
-{
-    if (event->type() == QEvent::ShortcutOverride) {
-        const auto *key = static_cast<QKeyEvent *>(event);
-        const bool plain = (key->modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
-        if ((plain && (isWalk(key->key()) || isTake(key->key()))) || wantsKey(*key)) {
-            event->accept();
-            return true;
-        }
-    }
-    return QCustomPlot::event(event);
-}
-
-void SpotPlot::keyPressEvent(QKeyEvent *event)
-{
-    if (key(*event))
-        return;
-    if (isTake(event->key())) {
-        adopt();
-        return;
-    }
-    if (!isWalk(event->key())) {
-        QCustomPlot::keyPressEvent(event);
-        return;
-    }
-    const int step = event->key() == Qt::Key_Left || event->key() == Qt::Key_Up ? -1 : 1;
-    const bool isAlong = event->key() == Qt::Key_Left || event->key() == Qt::Key_Right;
-    walk(isAlong ? step : 0, isAlong ? 0 : step);
-    showTip();
-}
-
-void SpotPlot::mouseMoveEvent(QMouseEvent *event)
-{
-    if (m_dragging) {
-        drag(event->position());
-        return;
-    }
-    const Spot *spot = nearest(event->position());
-    const bool same = spot && m_chosen && spot->row == m_chosen->row && spot->place == m_chosen->place;
-    if (!same && (spot || m_chosen)) {
-        choose(spot);
-        showTip();
-    }
-    setCursor(spot ? Qt::PointingHandCursor : cursorAt(event->position()));
-}
-
-void SpotPlot::mousePressEvent(QMouseEvent *event)
-{
-    if (event->button() != Qt::LeftButton)
-        return;
-    if (const Spot *spot = nearest(event->position())) {
-        choose(spot);
-        adopt();
-        return;
-    }
-    m_dragging = press(event->position());
-}
-
-void SpotPlot::mouseReleaseEvent(QMouseEvent *)
-{
-    if (m_dragging)
-        drop();
-    m_dragging = false;
-}
-
-void SpotPlot::leaveEvent(QEvent *event)
-{
-    if (m_chosen && !hasFocus())
-        choose(nullptr);
-    QCustomPlot::leaveEvent(event);
-}
-
-void SpotPlot::focusInEvent(QFocusEvent *event)
-{
-    m_ringed = event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason;
-    QCustomPlot::focusInEvent(event);
-    update();
-}
-
-void SpotPlot::focusOutEvent(QFocusEvent *event)
-{
-    m_ringed = false;
-    QCustomPlot::focusOutEvent(event);
-    choose(nullptr);
-}
-
 void SpotPlot::showEvent(QShowEvent *event)
 {
     QCustomPlot::showEvent(event);
@@ -290,13 +162,39 @@ void SpotPlot::resizeEvent(QResizeEvent *event)
     refresh(); // room for labels is counted in px
 }
 
+/// Where errors of exactly 0 stand: below the numbers, from which a gap in the axis parts it.
+void SpotPlot::drawFloor(QPainter &painter) const
+{
+    if (!m_study.accuracy() || m_errors.floor <= 0.0)
+        return;
+    const Tokens &t = m_theme.tokens();
+    const QRectF area = axisRect()->rect();
+    const double y = yAxis->coordToPixel(m_errors.floor);
+    painter.setPen(dotted(t.ink3, 1.0));
+    painter.drawLine(QPointF(area.left(), y), QPointF(area.right(), y));
+    painter.setFont(m_theme.ui(12));
+    painter.setPen(t.ink3);
+    const double height = QFontMetricsF(painter.font()).height();
+    painter.drawText(QRectF(0.0, y - height / 2.0, area.left() - 8.0, height),
+                     Qt::AlignRight | Qt::AlignVCenter, QStringLiteral("0"));
+    const double gap = 0.5 * (y + yAxis->coordToPixel(m_errors.lowest));
+    painter.fillRect(QRectF(area.left() - 3.0, gap - 2.0, 6.0, 4.0), t.panel);
+    painter.setPen(QPen(t.ink3, 1.0));
+    for (const double edge : {gap - 2.0, gap + 2.0})
+        painter.drawLine(QPointF(area.left() - 4.0, edge + 2.0), QPointF(area.left() + 4.0, edge - 2.0));
+}
+
 void SpotPlot::paintEvent(QPaintEvent *event)
 {
     QCustomPlot::paintEvent(event);
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    if (m_study.accuracy())
+    drawFloor(painter);
+    if (m_study.accuracy()) {
+        if (std::exchange(m_isUnplaced, false))
+            placeWords();
         draw(painter);
+    }
     if (!m_ringed)
         return;
     painter.setPen(QPen(m_theme.tokens().ink, 2.0));

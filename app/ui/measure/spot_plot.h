@@ -1,11 +1,15 @@
 #pragma once
 
 #include "app/model/accuracy_study.h"
+#include "app/ui/measure/error_scale.h"
+#include "app/ui/measure/spots.h"
 #include "app/ui/theme/theme.h"
 
 #include <qcustomplot.h>
 
 namespace app {
+
+class PowerTicker;
 
 /// A plot of a study's rows: the axes, and spots that mouse and keyboard find. A click or Enter on a spot adopts its
 /// method and step. What is drawn and where is the plots' own business.
@@ -16,13 +20,6 @@ class SpotPlot : public QCustomPlot
 public:
     SpotPlot(AccuracyStudy &study, const Theme &theme, QWidget *parent = nullptr);
 
-    /// A place that means a row.
-    struct Spot
-    {
-        std::size_t row = 0; ///< of the study
-        QPointF place;       ///< on the axes
-        int line = 0;        ///< spots of one line follow each other by Left and Right
-    };
     const std::vector<Spot> &spots() const { return m_spots; }
     /// Where a spot is drawn, in px of the widget.
     QPointF onScreen(const Spot &spot) const { return onScreen(spot.place); }
@@ -40,6 +37,9 @@ signals:
 protected:
     /// Puts the axes where the study's rows want them and returns the spots.
     virtual std::vector<Spot> layOut() = 0;
+    /// Finds places for names, before they are drawn for the first time after a layout: that takes longer than
+    /// drawing them.
+    virtual void placeWords() = 0;
     /// Draws all but the axes.
     virtual void draw(QPainter &painter) = 0;
     /// What a tip says about a spot.
@@ -52,6 +52,9 @@ protected:
     virtual bool wantsKey(const QKeyEvent &) const { return false; }
     virtual Qt::CursorShape cursorAt(QPointF) const { return Qt::ArrowCursor; }
 
+    /// Gives the vertical axis the scale of errors (px).
+    void setErrors(const ErrorScale &errors);
+    const ErrorScale &errors() const { return m_errors; }
     /// Lays out and draws anew; at once if it is seen, else as soon as it is.
     void refresh();
     QPointF onScreen(QPointF place) const;
@@ -74,16 +77,21 @@ protected:
 
 private:
     void dress();
-    const Spot *nearest(QPointF at) const;
+    OnScreen screen() const;
+    void drawFloor(QPainter &painter) const;
     void choose(const Spot *spot);
     void walk(int along, int across);
     void showTip();
     void adopt();
 
     std::vector<Spot> m_spots;
+    ErrorScale m_errors;
+    QSharedPointer<PowerTicker> m_errorTicks;
     std::optional<Spot> m_chosen;
     sim::Way m_chosenWay; ///< by which it is found again when rows come in
     bool m_stale = true;
+    bool m_axesAreOld = true; ///< their colours are others, so that they must be painted anew
+    bool m_isUnplaced = true;
     bool m_dragging = false;
     bool m_ringed = false; ///< the keyboard is here
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/ui/measure/plot_marks.h"
 #include "app/ui/measure/spot_plot.h"
 
 namespace app {
@@ -29,6 +30,7 @@ signals:
 
 protected:
     std::vector<Spot> layOut() override;
+    void placeWords() override;
     void draw(QPainter &painter) override;
     bool press(QPointF at) override;
     void drag(QPointF at) override;
@@ -38,19 +40,34 @@ protected:
     Qt::CursorShape cursorAt(QPointF at) const override;
 
 private:
-    double costOf(const sim::AccuracyRow &row) const;
-    double unstableCost(std::size_t row) const;
+    static QString hereText();
+    /// What the names must not cover.
+    LabelPlaces takenPlaces() const;
+    /// The spots that nothing beats, on the screen, from cheap to dear; empty before there are times.
+    QPolygonF frontLine() const;
+    /// The spot of the way in use; null where it is not shown.
+    const Spot *here() const;
+    QRectF hereTag() const;
     void drawFront(QPainter &painter) const;
     void drawLadders(QPainter &painter) const;
     void drawWhiskers(QPainter &painter) const;
-    void drawNames(QPainter &painter) const;
+    /// What the front is called, and the line to it. Empty where there is no room.
+    struct Note
+    {
+        QRectF box;
+        QLineF lead; ///< ends at the front
+    };
+    static QString frontText();
+    Note frontNote(const LabelPlaces &places) const;
+    void drawFrontNote(QPainter &painter) const;
     void drawUnstable(QPainter &painter) const;
     void drawTarget(QPainter &painter) const;
     void drawHere(QPainter &painter) const;
 
     double m_target = 0.1;
     bool m_timed = false;
-    double m_top = 1.0; ///< where unstable rows are marked, px of the scene
+    std::vector<PlacedLabel> m_names;
+    Note m_note;
 };
 
 }

@@ -17,6 +17,7 @@ constexpr double smallestArc = 22.0;
 constexpr double outsideBody = 12.0;
 constexpr double pullGap = 8.0;
 constexpr double largestRing = 4000.0; ///< what is larger looks like a line in any view
+constexpr int piecesOfRing = 48;
 
 /// Radius on the screen of the body that stands at `place`; 0 if there is none.
 double bodyAt(const Shown &shown, const Camera &camera, sim::Vec2 place)
@@ -39,6 +40,47 @@ QPointF pullStart(const Guide &guide, const Shown &shown, const Camera &camera)
     const double length = std::hypot(vector.x(), vector.y());
     const double away = length > 0.0 ? (bodyAt(shown, camera, guide.a) + pullGap) / length : 0.0;
     return camera.at(guide.a) + away * vector;
+}
+
+void addArc(std::vector<QLineF> &strokes, QPointF centre, double radius, double angle)
+{
+    QPointF from = centre + QPointF(radius, 0.0);
+    const int pieces =
+        std::max(1, static_cast<int>(piecesOfRing * std::abs(angle) / (2.0 * std::numbers::pi)));
+    for (int i = 1; i <= pieces; ++i) {
+        const double turned = angle * i / pieces;
+        const QPointF to = centre + radius * QPointF(std::cos(turned), std::sin(turned));
+        strokes.emplace_back(from, to);
+        from = to;
+    }
+}
+
+void addStrokes(std::vector<QLineF> &strokes, const Guide &guide, const Shown &shown, const Camera &camera)
+{
+    const QPointF a = camera.at(guide.a);
+    switch (guide.shape) {
+    case Guide::Shape::cross:
+        strokes.insert(strokes.end(), {QLineF(a - QPointF(crossArm, 0), a + QPointF(crossArm, 0)),
+                                       QLineF(a - QPointF(0, crossArm), a + QPointF(0, crossArm))});
+        break;
+    case Guide::Shape::ring:
+        addArc(strokes, a, ringRadius(guide, camera), 2.0 * std::numbers::pi);
+        break;
+    case Guide::Shape::arrow: {
+        const QPointF from = pullStart(guide, shown, camera);
+        strokes.emplace_back(from, from + pullVector(guide, shown));
+        break;
+    }
+    case Guide::Shape::line:
+        strokes.emplace_back(a, camera.at(guide.b));
+        break;
+    case Guide::Shape::angle:
+        strokes.emplace_back(a, a + QPointF(arcRadius(guide, shown, camera) + beyondArc, 0.0));
+        addArc(strokes, a, arcRadius(guide, shown, camera), guide.size);
+        break;
+    case Guide::Shape::wind:
+        break;
+    }
 }
 
 /// The place that a guide's name belongs to.
@@ -80,7 +122,22 @@ Arrow guideArrow(const Guide &guide, const Shown &shown, const Camera &camera, c
     return {pullStart(guide, shown, camera), pullVector(guide, shown), {theme.tokens().ink2, 2.0}};
 }
 
-std::vector<GuideLabel> guideLabels(const Shown &shown, const Camera &camera, QRectF area)
+std::vector<QLineF> explainingStrokes(const Shown &shown, const Camera &camera, const Theme &theme)
+{
+    std::vector<QLineF> strokes;
+    for (const std::vector<Arrow> &arrows :
+         {pullArrows(shown, camera, theme), velocityArrows(shown, camera, theme)}) {
+        for (const Arrow &arrow : arrows)
+            strokes.emplace_back(arrow.from, arrow.from + arrow.vector);
+    }
+    if (!shown.extras.guides)
+        return strokes;
+    for (const Guide &guide : shown.picture.guides)
+        addStrokes(strokes, guide, shown, camera);
+    return strokes;
+}
+
+std::vector<GuideLabel> guideLabels(const Shown &shown, const Camera &camera, const Theme &theme, QRectF area)
 {
     std::vector<GuideLabel> labels;
     if (!shown.extras.guides)
@@ -88,7 +145,7 @@ std::vector<GuideLabel> guideLabels(const Shown &shown, const Camera &camera, QR
     const QFontMetricsF metrics(shown.text);
     std::vector<QRectF> taken = bodyBoxes(shown, camera);
     taken.push_back(nameBox(shown, camera, area));
-    LabelPlaces places(std::move(taken));
+    LabelPlaces places(std::move(taken), explainingStrokes(shown, camera, theme));
     for (const Guide &guide : shown.picture.guides) {
         const QPointF anchor = anchorOf(guide, shown, camera);
         if (guide.label.isEmpty() || !area.contains(anchor))

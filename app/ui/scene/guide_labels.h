@@ -6,7 +6,10 @@
 
 namespace app {
 
-/// A guide's name, where it covers neither bodies nor other names.
+constexpr double crossArm = 7.0;   ///< px of the screen
+constexpr double beyondArc = 14.0; ///< px of the screen, how far the x axis goes on beyond an angle's arc
+
+/// A guide's name, where it covers neither bodies nor arrows nor other names, as far as there is room.
 struct GuideLabel
 {
     QString text;
@@ -14,7 +17,10 @@ struct GuideLabel
 };
 
 /// The names of the guides that begin within `area`.
-std::vector<GuideLabel> guideLabels(const Shown &shown, const Camera &camera, QRectF area);
+std::vector<GuideLabel> guideLabels(const Shown &shown, const Camera &camera, const Theme &theme,
+                                    QRectF area);
+/// The lines that the guides and arrows of `shown` draw, as straight pieces on the screen.
+std::vector<QLineF> explainingStrokes(const Shown &shown, const Camera &camera, const Theme &theme);
 
 /// The radius of a guide's ring on the screen.
 double ringRadius(const lessons::Guide &guide, const Camera &camera);

@@ -15,9 +15,6 @@ namespace {
 
 using lessons::Guide;
 
-constexpr double crossArm = 7.0;
-constexpr double beyondArc = 14.0; ///< how far the x axis goes on
-
 void drawCross(const Canvas &canvas, QPointF c)
 {
     canvas.painter.setPen(solid(canvas.tokens().ink2, 1.5));
@@ -87,7 +84,7 @@ void GuideLayer::draw(const Canvas &canvas) const
         return;
     for (const Guide &guide : canvas.shown.picture.guides)
         drawGuide(canvas, guide);
-    for (const GuideLabel &label : guideLabels(canvas.shown, canvas.camera, canvas.area))
+    for (const GuideLabel &label : guideLabels(canvas.shown, canvas.camera, canvas.theme, canvas.area))
         drawLabel(canvas, label);
 }
 

@@ -1,5 +1,6 @@
 #include "app/ui/scene/label_places.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -7,14 +8,40 @@ namespace app {
 
 namespace {
 
-constexpr double raster = 16.0;   ///< px between two places that are tried
-constexpr double coverCost = 4.0; ///< px of distance that a covered square px is worth
+constexpr double raster = 8.0;      ///< px between two places that are tried
+constexpr double coverCost = 4.0;   ///< px of distance that a covered square px is worth
+constexpr double strokeWidth = 8.0; ///< px: a line with its arrow head
 
+}
+
+double lengthWithin(const QLineF &line, const QRectF &box)
+{
+    if (std::max(line.x1(), line.x2()) < box.left() || std::min(line.x1(), line.x2()) > box.right() ||
+        std::max(line.y1(), line.y2()) < box.top() || std::min(line.y1(), line.y2()) > box.bottom())
+        return 0.0; // most are nowhere near
+    // Liang and Barsky, "A New Concept and Method for Line Clipping", ACM TOG 3 (1), 1984.
+    double from = 0.0;
+    double to = 1.0;
+    const std::array<std::pair<double, double>, 4> edges{std::pair{-line.dx(), line.x1() - box.left()},
+                                                         {line.dx(), box.right() - line.x1()},
+                                                         {-line.dy(), line.y1() - box.top()},
+                                                         {line.dy(), box.bottom() - line.y1()}};
+    for (const auto &[outwards, room] : edges) {
+        if (outwards < 0.0)
+            from = std::max(from, room / outwards);
+        else if (outwards > 0.0)
+            to = std::min(to, room / outwards);
+        else if (room < 0.0)
+            return 0.0;
+    }
+    return std::max(0.0, to - from) * line.length();
 }
 
 double LabelPlaces::covered(const QRectF &box) const
 {
     double area = 0.0;
+    for (const QLineF &line : m_strokes)
+        area += strokeWidth * lengthWithin(line, box);
     for (const QRectF &other : m_taken) {
         const QRectF both = box.intersected(other);
         if (!both.isEmpty())
@@ -49,24 +76,40 @@ QRectF LabelPlaces::beside(QPointF anchor, QSizeF size)
 
 QRectF LabelPlaces::within(QRectF area, QPointF wanted, QSizeF size)
 {
-    const auto cost = [&](const QRectF &box) {
+    const auto distance = [&](const QRectF &box) {
         const QPointF off = box.topLeft() - wanted;
-        return coverCost * covered(box) + std::hypot(off.x(), off.y());
+        return std::hypot(off.x(), off.y());
     };
     const double right = std::max(area.left(), area.right() - size.width());
     const double bottom = std::max(area.top(), area.bottom() - size.height());
     const QPointF clamped(std::clamp(wanted.x(), area.left(), right),
                           std::clamp(wanted.y(), area.top(), bottom));
     QRectF best(clamped, size);
-    double least = cost(best);
-    for (double y = area.top(); least > 0.0 && y <= bottom; y += raster) {
-        for (double x = area.left(); x <= right; x += raster) {
-            const QRectF box(QPointF(x, y), size);
-            const double here = cost(box);
-            if (here < least) {
-                least = here;
-                best = box;
-            }
+    double least = coverCost * covered(best) + distance(best);
+    const auto attempt = [&](int across, int down) {
+        const QPointF place = clamped + raster * QPointF(across, down);
+        if (place.x() < area.left() || place.x() > right || place.y() < area.top() || place.y() > bottom)
+            return;
+        const QRectF box(place, size);
+        const double away = distance(box);
+        if (away >= least)
+            return;
+        const double here = coverCost * covered(box) + away;
+        if (here < least) {
+            least = here;
+            best = box;
+        }
+    };
+    // Ring after ring: what is farther out than the best is worth cannot be better.
+    const int rings = static_cast<int>(std::max(area.width(), area.height()) / raster);
+    for (int ring = 1; ring <= rings && ring * raster < least; ++ring) {
+        for (int i = -ring; i <= ring; ++i) {
+            attempt(i, -ring);
+            attempt(i, ring);
+        }
+        for (int i = 1 - ring; i < ring; ++i) {
+            attempt(-ring, i);
+            attempt(ring, i);
         }
     }
     m_taken.push_back(best);

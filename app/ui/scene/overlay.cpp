@@ -74,7 +74,7 @@ std::vector<QRectF> Overlay::takenBoxes(const Camera &camera, QRectF view,
         taken.push_back(arrow.bounds());
     for (const EdgeMarker &marker : outside)
         taken.insert(taken.end(), {marker.head(), marker.label});
-    for (const GuideLabel &label : guideLabels(m_shown, camera, view))
+    for (const GuideLabel &label : guideLabels(m_shown, camera, m_theme, view))
         taken.push_back(label.box);
     return taken;
 }

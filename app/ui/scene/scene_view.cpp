@@ -183,6 +183,12 @@ void SceneView::takeReference()
     const sim::Cursor at = m_session.timeline().at();
     if (m_study && m_study->isWatched() && m_study->accuracy() && at.phase == 0)
         m_shown.reference = referencePlaces(m_shown, *m_study->accuracy(), at.frame);
+    if (!m_shown.reference || !m_shown.extras.reference)
+        return;
+    // The reference shows where the bodies should be: a step's guides of the same would say it twice.
+    std::erase_if(m_shown.picture.guides, [](const lessons::Guide &guide) {
+        return guide.about == lessons::Guide::About::exactMotion;
+    });
 }
 
 void SceneView::drawBackground(QPainter *painter, const QRectF &)

@@ -16,6 +16,7 @@
 #include "app/ui/time/timeline_strip.h"
 #include "app/ui/time/transport_bar.h"
 #include "app/ui/window/notice.h"
+#include "app/ui/window/status_figures.h"
 #include "app/ui/window/stop_notice.h"
 
 #include <QApplication>
@@ -173,7 +174,9 @@ void MainWindow::makeStatus()
     m_status = new QLabel(this);
     m_status->setTextFormat(Qt::RichText);
     m_status->setContentsMargins(8, 0, 8, 0);
+    m_status->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     statusBar()->addWidget(m_status, 1);
+    statusBar()->addPermanentWidget(new StatusFigures(m_session, *m_study, this));
     statusBar()->setSizeGripEnabled(false);
     statusBar()->setFixedHeight(28);
     connect(&m_session, &Session::moved, this, &MainWindow::showStatus);

@@ -1,0 +1,111 @@
+#include "app/ui/measure/work_precision_layout.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace app {
+
+namespace {
+
+using sim::AccuracyRow;
+using sim::Outcome;
+
+constexpr double nameRoom = 128.0;   ///< px right of the last marker
+constexpr double besideFirst = 24.0; ///< px left of the first one
+constexpr double shortest = 80.0;    ///< px that are kept between them
+constexpr double above = 30.0;       ///< a factor of room over the largest error
+constexpr double fromTop = 0.06;     ///< of the height: where unstable rows stand
+
+/// Whether all that is measured has a time, so that times can be compared.
+bool isTimed(const std::vector<AccuracyRow> &rows)
+{
+    bool any = false;
+    for (const AccuracyRow &row : rows) {
+        if (row.outcome != Outcome::measured)
+            continue;
+        if (!(row.nsPerFrame > 0.0))
+            return false;
+        any = true;
+    }
+    return any;
+}
+
+/// An unstable rung was not timed: its cost follows from that of the next finer one that was.
+double unstableCost(const std::vector<AccuracyRow> &rows, std::size_t row, bool timed)
+{
+    const sim::Way &way = rows[row].way;
+    for (std::size_t i = row + 1; i < rows.size() && rows[i].way.method->id() == way.method->id(); ++i) {
+        if (costOf(rows[i], timed) > 0.0 && !way.step.adaptive())
+            return costOf(rows[i], timed) * rows[i].way.step.h / way.step.h;
+    }
+    return costOf(rows[row], timed);
+}
+
+/// The lines of the rows: one a method.
+std::vector<int> linesOf(const std::vector<AccuracyRow> &rows)
+{
+    std::vector<int> lines;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const bool isNew = i > 0 && rows[i].way.method->id() != rows[i - 1].way.method->id();
+        lines.push_back(i == 0 ? 0 : lines.back() + (isNew ? 1 : 0));
+    }
+    return lines;
+}
+
+void fitCosts(WorkPrecisionLayout &layout, double width)
+{
+    double cheap = HUGE_VAL;
+    double dear = 0.0;
+    for (const Spot &spot : layout.spots) {
+        cheap = std::min(cheap, spot.place.x());
+        dear = std::max(dear, spot.place.x());
+    }
+    const double inner = std::max(shortest, width - nameRoom - besideFirst);
+    const double decades = std::max(0.3, std::log10(dear / cheap)) / inner; // a px
+    layout.least = cheap * std::pow(10.0, -besideFirst * decades);
+    layout.most = dear * std::pow(10.0, nameRoom * decades);
+}
+
+void addUnstable(WorkPrecisionLayout &layout, const std::vector<AccuracyRow> &rows, int line)
+{
+    const ErrorScale &errors = layout.errors;
+    const double top = errors.upper / std::pow(errors.upper / errors.lower, fromTop);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (rows[i].outcome != Outcome::unstable)
+            continue;
+        const double cost = unstableCost(rows, i, layout.timed);
+        layout.spots.push_back({i, {std::clamp(cost, layout.least * 1.1, layout.most), top}, line});
+    }
+}
+
+}
+
+double costOf(const AccuracyRow &row, bool timed)
+{
+    return timed ? row.nsPerFrame / 1e3 : row.evaluations;
+}
+
+WorkPrecisionLayout workPrecisionLayout(const sim::Accuracy &accuracy, double target, QSizeF size)
+{
+    const std::vector<AccuracyRow> &rows = accuracy.rows;
+    const std::vector<int> lines = linesOf(rows);
+    WorkPrecisionLayout layout;
+    layout.timed = isTimed(rows);
+    std::vector<double> errors{target};
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (rows[i].outcome != Outcome::measured || !(costOf(rows[i], layout.timed) > 0.0))
+            continue;
+        layout.spots.push_back({i, {costOf(rows[i], layout.timed), rows[i].error}, lines[i]});
+        errors.push_back(rows[i].error);
+    }
+    if (layout.spots.empty())
+        return layout;
+    layout.errors = errorScale(errors, above, size.height());
+    for (Spot &spot : layout.spots)
+        spot.place.setY(layout.errors.place(spot.place.y()));
+    fitCosts(layout, size.width());
+    addUnstable(layout, rows, lines.back() + 1);
+    return layout;
+}
+
+}

@@ -1,0 +1,105 @@
+#include "app/ui/window/status_figures.h"
+
+#include "app/model/accuracy_words.h"
+#include "app/model/numbers.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+
+namespace app {
+
+namespace {
+
+constexpr int gap = 18; ///< px between two figures
+
+}
+
+StatusFigures::StatusFigures(const Session &session, const AccuracyStudy &study, QWidget *parent)
+    : QWidget(parent), m_session(session), m_study(study)
+{
+    auto *row = new QHBoxLayout(this);
+    row->setContentsMargins(8, 0, 14, 0);
+    row->setSpacing(gap);
+    const QString tips[count] = {
+        tr("How many points the scene has: each body, foot or joint is one"),
+        tr("How often a frame computes all forces: that is its work"),
+        tr("What computing a frame of this scene takes on this machine, in the middle of many runs"),
+        tr("How far the body that is worst off ever is from the exact motion, over these frames"),
+    };
+    for (int i = 0; i < count; ++i) {
+        m_labels[i] = new QLabel(this);
+        m_labels[i]->setToolTip(tips[i]);
+        m_labels[i]->hide();
+        row->addWidget(m_labels[i]);
+    }
+    m_later.setSingleShot(true);
+    connect(&m_later, &QTimer::timeout, this, &StatusFigures::refresh);
+    connect(&session, &Session::stepOpened, this, &StatusFigures::refresh);
+    connect(&session, &Session::runChanged, this, &StatusFigures::refreshSoon);
+    connect(&session, &Session::playingChanged, this, &StatusFigures::refresh);
+    connect(&session, &Session::moved, this, &StatusFigures::refreshSoon);
+    connect(&study, &AccuracyStudy::changed, this, &StatusFigures::refresh);
+    refresh();
+}
+
+QStringList StatusFigures::figures() const
+{
+    QStringList all;
+    for (const QLabel *label : m_labels) {
+        if (!label->isHidden())
+            all << label->text();
+    }
+    return all;
+}
+
+void StatusFigures::refreshSoon()
+{
+    if (!m_session.isPlaying() || !m_since.isValid() || m_since.hasExpired(refreshMilliseconds))
+        refresh();
+    else if (!m_later.isActive())
+        m_later.start(refreshMilliseconds - static_cast<int>(m_since.elapsed()));
+}
+
+void StatusFigures::refresh()
+{
+    m_later.stop();
+    m_since.start();
+    const sim::State &state = m_session.timeline().track().now();
+    put(points, state.points() == 1 ? tr("1 point") : tr("%1 points").arg(state.points()));
+    put(work, workWords());
+    const sim::AccuracyRow *row = m_study.inUse();
+    const bool isTimed = row && row->nsPerFrame > 0.0;
+    put(time, isTimed ? tr("%1 a frame").arg(duration(row->nsPerFrame)) : QString());
+    const bool isMeasured = row && row->outcome == sim::Outcome::measured;
+    put(error, isMeasured
+                   ? tr("%1 off over %2 frames").arg(pixels(row->error)).arg(m_study.accuracy()->framesCompared())
+                   : QString());
+}
+
+QString StatusFigures::workWords() const
+{
+    const sim::Track &track = m_session.timeline().track();
+    const sim::Script &script = track.script();
+    const int each = script.method->evaluations();
+    if (each > 0) {
+        const double times = double(each) * script.step.perRow / script.step.rowFrames;
+        return times == 1.0 ? tr("forces once a frame")
+                            : tr("forces %1 times a frame").arg(roughNumber(times));
+    }
+    const std::int64_t frames = track.now().frame;
+    if (frames <= 0 || track.now().evaluations <= 0)
+        return {};
+    const double mean = static_cast<double>(track.now().evaluations) / static_cast<double>(frames);
+    return tr("forces %1 times a frame until now").arg(roughNumber(mean));
+}
+
+void StatusFigures::put(Figure figure, const QString &text)
+{
+    QLabel *label = m_labels[figure];
+    if (label->text() != text)
+        label->setText(text);
+    if (label->isHidden() != text.isEmpty())
+        label->setVisible(!text.isEmpty());
+}
+
+}

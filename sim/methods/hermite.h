@@ -1,0 +1,44 @@
+#pragma once
+
+namespace sim {
+
+/// The polynomial of degree 5 in s that has given places, velocities and accelerations at s = 0 and s = 1, in Newton's
+/// form: its nodes are 0, 0, 0, 1, 1, 1, and `c` its divided differences.
+/// Source: Stoer and Bulirsch, "Introduction to numerical analysis", section 2.1.5.
+struct Quintic
+{
+    double c[6] = {};
+
+    /// @param x, v, a at 0 and at 1, with derivatives by s
+    static Quintic through(double x0, double v0, double a0, double x1, double v1, double a1)
+    {
+        const double rise = x1 - x0;
+        const double third = rise - v0 - a0 / 2; // [0, 0, 0, 1]
+        const double fourth = v1 - rise - (rise - v0) - third;
+        const double fifth = (a1 / 2 - (v1 - rise)) - (v1 - rise - (rise - v0)) - fourth;
+        return {{x0, v0, a0 / 2, third, fourth, fifth}};
+    }
+};
+
+/// Value and derivative at s of a polynomial in that form with `terms` coefficients, `apart` numbers apart in memory.
+/// The seventh belongs to s^3 (s - 1)^3.
+struct Newton
+{
+    double value = 0.0;
+    double slope = 0.0;
+
+    template <int terms>
+    static Newton at(const double *coefficients, int apart, double s)
+    {
+        const double back = s - 1;
+        const double nodes[] = {s, s, s, back, back, back};
+        Newton sum = {coefficients[(terms - 1) * apart], 0.0};
+        for (int j = terms - 2; j >= 0; --j) {
+            sum.slope = sum.slope * nodes[j] + sum.value;
+            sum.value = sum.value * nodes[j] + coefficients[j * apart];
+        }
+        return sum;
+    }
+};
+
+}
