@@ -34,6 +34,13 @@ enum class Stepping {
 };
 enum class Symplectic { no, yes };
 
+/// What bounds the length of a method's steps, where a scene only swings.
+enum class StepLimit {
+    stiffness, ///< past a length that the stiffest spring decides, what should swing grows without end
+    none,      ///< nothing: it stays bounded at any length and stiffness
+    tolerance, ///< it keeps its steps short enough itself, by the error that they make
+};
+
 /// A time-stepping method: how a State gets from one step to the next. Knows no effect by name.
 class Method
 {
@@ -49,6 +56,8 @@ public:
     virtual Symplectic symplectic() const { return Symplectic::no; }
     /// Whether steps have a length, or a tolerance.
     virtual Stepping stepping() const { return Stepping::fixed; }
+    /// What bounds the length of its steps.
+    virtual StepLimit stepLimit() const { return StepLimit::stiffness; }
     /// How often a step computes all forces; 0: as often as it takes, counted in State::evaluations.
     virtual int evaluations() const { return 1; }
     /// What a scene must offer, as ids: "groups" (an update order), "smooth" (a continuous limit: no constraints, no

@@ -14,6 +14,7 @@ class Adaptive : public Method
 public:
     int order() const override;
     Stepping stepping() const override { return Stepping::adaptive; }
+    StepLimit stepLimit() const override { return StepLimit::tolerance; }
     int evaluations() const override { return 0; }
     std::vector<std::string> needs() const override { return {"smooth"}; }
     Directions directions() const override { return Directions::apart; }

@@ -10,6 +10,7 @@ namespace sim {
 class Implicit : public Method
 {
 public:
+    StepLimit stepLimit() const override { return StepLimit::none; }
     int evaluations() const override { return 0; }
     std::vector<std::string> needs() const override { return {"slopes"}; }
     Directions directions() const override { return Directions::apart; }
