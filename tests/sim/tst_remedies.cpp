@@ -1,0 +1,202 @@
+// What would mend a step past its limit, each tried by running it; and the map of growth.
+
+#include "stability_bench.h"
+#include "support.h"
+
+#include "sim/effects/body_spring.h"
+#include "sim/effects/damping.h"
+#include "sim/effects/radial_spring.h"
+#include "sim/methods/methods.h"
+#include "sim/stability/growth_map.h"
+#include "sim/stability/remedies.h"
+
+#include <QTest>
+
+using namespace sim;
+using namespace stability_bench;
+
+namespace {
+
+/// A creature whose parameters are k and damp, at rest.
+Script creatureScript(int feet, const char *method, double k, double damp, double h)
+{
+    Script script;
+    script.build = [feet](const Values &values) { return creature(feet, values["k"], values["damp"]).scene; };
+    script.values.set("k", k);
+    script.values.set("damp", damp);
+    script.method = findMethod(method);
+    script.step = StepSize::of(h);
+    return script;
+}
+
+struct Asked
+{
+    Script script;
+    Scene scene = sceneOf(script, script.values);
+    Stability now = stabilityOf(scene, scene.start, *script.method, script.step.h);
+
+    explicit Asked(Script given) : script(std::move(given)) {}
+    std::vector<Remedy> remedies(const DampRange *damp) const
+    {
+        return remediesFor(script, script.values, scene.start, now, damp);
+    }
+};
+
+const DampRange damping = {"damp", 0.0, 0.01};
+
+const Remedy *find(const std::vector<Remedy> &all, Remedy::Kind kind)
+{
+    for (const Remedy &one : all) {
+        if (one.kind == kind)
+            return &one;
+    }
+    return nullptr;
+}
+
+}
+
+class TestRemedies : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void eachRemedyMendsARunThatGrows_data();
+    void eachRemedyMendsARunThatGrows();
+    void theStepIsTheLargestThatHoldsWell();
+    void theDampingIsTheLeastThatHolds();
+    void aStepThatHoldsWellNeedsNothing();
+    void whereNoStepHoldsNoneIsOffered();
+    void withoutSuchAParameterNoDampingIsOffered();
+    void aMapSaysWhereRunsGrow_data();
+    void aMapSaysWhereRunsGrow();
+    void aMapStopsWhenToldTo();
+};
+
+void TestRemedies::eachRemedyMendsARunThatGrows_data()
+{
+    QTest::addColumn<QString>("method");
+    QTest::addColumn<double>("k");
+    QTest::addColumn<double>("damp");
+    QTest::addRow("explicit Euler") << "explicit_euler" << 0.2 << 0.9;
+    QTest::addRow("semi-implicit Euler") << "semi_implicit_euler" << 2.5 << 0.9;
+    QTest::addRow("published") << "published" << 0.3 << 0.9;
+    QTest::addRow("midpoint") << "midpoint" << 0.5 << 0.95;
+    QTest::addRow("Runge-Kutta 4") << "rk4" << 4.0 << 0.9;
+}
+
+void TestRemedies::eachRemedyMendsARunThatGrows()
+{
+    QFETCH(QString, method);
+    QFETCH(double, k);
+    QFETCH(double, damp);
+    const int feet = 3;
+    const Asked asked(creatureScript(feet, qPrintable(method), k, damp, 1.0));
+    QVERIFY(grows(creature(feet, k, damp), method.toStdString(), 1.0));
+    const std::vector<Remedy> remedies = asked.remedies(&damping);
+    QVERIFY(find(remedies, Remedy::Kind::smallerStep));
+    QVERIFY(find(remedies, Remedy::Kind::boundlessMethod));
+    for (const Remedy &one : remedies) {
+        const bool damps = one.kind == Remedy::Kind::moreDamping;
+        const Swinging mended = creature(feet, k, damps ? one.value : damp);
+        QVERIFY2(!grows(mended, one.method->id(), one.step.h, 4000),
+                 qPrintable(QString::fromStdString(one.method->id())));
+        QVERIFY(one.share <= (damps ? justHeld : wellHeld));
+    }
+}
+
+void TestRemedies::theStepIsTheLargestThatHoldsWell()
+{
+    const Asked asked(creatureScript(5, "explicit_euler", 0.2, 0.85, 1.0));
+    const std::vector<Remedy> remedies = asked.remedies(&damping);
+    const Remedy *step = find(remedies, Remedy::Kind::smallerStep);
+    QVERIFY(step);
+    QVERIFY(step->step.h <= wellHeld * asked.now.limit);
+    QVERIFY(2.0 * step->step.h > wellHeld * asked.now.limit);
+}
+
+void TestRemedies::theDampingIsTheLeastThatHolds()
+{
+    const Asked asked(creatureScript(3, "published", 0.3, 0.9, 1.0));
+    const std::vector<Remedy> remedies = asked.remedies(&damping);
+    const Remedy *damp = find(remedies, Remedy::Kind::moreDamping);
+    QVERIFY(damp);
+    const auto shareAt = [&](double value) {
+        return predicted(creature(3, 0.3, value).scene, "published").share();
+    };
+    QVERIFY(damp->value < 0.9);
+    QVERIFY(shareAt(damp->value) <= justHeld);
+    QVERIFY(shareAt(damp->value + 0.01) > justHeld);
+}
+
+void TestRemedies::aStepThatHoldsWellNeedsNothing()
+{
+    const Asked asked(creatureScript(5, "semi_implicit_euler", 0.2, 0.85, 1.0));
+    QVERIFY(asked.now.share() < wellHeld);
+    QVERIFY(asked.remedies(&damping).empty());
+}
+
+void TestRemedies::whereNoStepHoldsNoneIsOffered()
+{
+    const Asked asked(creatureScript(3, "explicit_euler", 0.2, 1.0, 1.0));
+    const std::vector<Remedy> remedies = asked.remedies(&damping);
+    QVERIFY(!find(remedies, Remedy::Kind::smallerStep));
+    const Remedy *other = find(remedies, Remedy::Kind::holdingMethod);
+    QVERIFY(other);
+    QCOMPARE(other->method->evaluations(), 1);
+    QVERIFY(other->method->needs().empty());
+}
+
+void TestRemedies::withoutSuchAParameterNoDampingIsOffered()
+{
+    const Asked asked(creatureScript(3, "published", 0.3, 0.9, 1.0));
+    QVERIFY(find(asked.remedies(&damping), Remedy::Kind::moreDamping));
+    QVERIFY(!find(asked.remedies(nullptr), Remedy::Kind::moreDamping));
+}
+
+void TestRemedies::aMapSaysWhereRunsGrow_data()
+{
+    QTest::addColumn<QString>("method");
+    for (const char *method : {"published", "semi_implicit_euler", "explicit_euler"})
+        QTest::addRow("%s", method) << QString(method);
+}
+
+void TestRemedies::aMapSaysWhereRunsGrow()
+{
+    QFETCH(QString, method);
+    const Script script = creatureScript(2, qPrintable(method), 0.2, 0.9, 1.0);
+    const Scene scene = sceneOf(script, script.values);
+    const auto check = [&](const MapAxis &y) {
+        const GrowthMap map =
+            growthMap(script, script.values, scene.start, MapAxis::evenly("k", 0.05, 3.0, 7), y,
+                      [](const GrowthMap &) { return true; });
+        QCOMPARE(map.growth.size(), std::size_t(7 * 5));
+        int growing = 0;
+        for (std::size_t row = 0; row < map.y.values.size(); ++row) {
+            for (std::size_t column = 0; column < map.x.values.size(); ++column) {
+                const double value = map.y.values[row];
+                const bool isStep = map.y.parameter.empty();
+                const Swinging here = creature(2, map.x.values[column], isStep ? 0.9 : value);
+                const bool found = grows(here, method.toStdString(), isStep ? value : 1.0, 4000);
+                QCOMPARE(map.at(column, row) > 1.0, found);
+                growing += found;
+            }
+        }
+        QVERIFY(growing > 0 && growing < 35);
+    };
+    check(MapAxis::steps(0.1, 2.0, 5));
+    check(MapAxis::evenly("damp", 0.3, 0.99, 5));
+}
+
+void TestRemedies::aMapStopsWhenToldTo()
+{
+    const Script script = creatureScript(2, "published", 0.2, 0.9, 1.0);
+    const Scene scene = sceneOf(script, script.values);
+    int rows = 0;
+    const GrowthMap map =
+        growthMap(script, script.values, scene.start, MapAxis::evenly("k", 0.1, 1.0, 4),
+                  MapAxis::steps(0.1, 1.0, 5), [&](const GrowthMap &) { return ++rows < 2; });
+    QCOMPARE(map.growth.size(), std::size_t(2 * 4));
+}
+
+QTEST_APPLESS_MAIN(TestRemedies)
+#include "tst_remedies.moc"
