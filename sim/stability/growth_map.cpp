@@ -12,9 +12,9 @@ MapAxis MapAxis::evenly(std::string parameter, double low, double high, int coun
     return axis;
 }
 
-MapAxis MapAxis::steps(double low, double high, int count)
+MapAxis MapAxis::byRatio(std::string parameter, double low, double high, int count)
 {
-    MapAxis axis;
+    MapAxis axis{std::move(parameter), {}};
     for (int i = 0; i < count; ++i)
         axis.values.push_back(low * std::pow(high / low, static_cast<double>(i) / (count - 1)));
     return axis;

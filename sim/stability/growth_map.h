@@ -17,8 +17,8 @@ struct MapAxis
 
     /// `count` values from `low` to `high`, evenly by difference.
     static MapAxis evenly(std::string parameter, double low, double high, int count);
-    /// Steps from `low` to `high` frames, evenly by ratio.
-    static MapAxis steps(double low, double high, int count);
+    /// The same evenly by ratio; both above 0.
+    static MapAxis byRatio(std::string parameter, double low, double high, int count);
 };
 
 /// How fast disturbances grow over a plane of two numbers, all else staying as it is.

@@ -26,9 +26,9 @@ enum class Manner {
 struct Stability
 {
     Bound bound = Bound::unknown;
-    double h = 0.0;         ///< frames
-    double limit = 0.0;     ///< frames; 0: it grows at any step; infinity: damping holds every step
-    double growth = 1.0;    ///< a frame, beyond what the motion itself does; at most 1 where the step holds
+    double h = 0.0;      ///< frames
+    double limit = 0.0;  ///< frames; 0: it grows at any step; infinity: damping holds every step
+    double growth = 1.0; ///< a frame, beyond what the motion itself does; at most 1 where the step holds
     Manner manner = Manner::overAndBack; ///< at the limit, or of what grows
     Culprit culprit;
     std::vector<int> points;        ///< that move most in that pattern: up to three

@@ -183,7 +183,7 @@ void TestRemedies::aMapSaysWhereRunsGrow()
         }
         QVERIFY(growing > 0 && growing < 35);
     };
-    check(MapAxis::steps(0.1, 2.0, 5));
+    check(MapAxis::byRatio({}, 0.1, 2.0, 5));
     check(MapAxis::evenly("damp", 0.3, 0.99, 5));
 }
 
@@ -194,7 +194,7 @@ void TestRemedies::aMapStopsWhenToldTo()
     int rows = 0;
     const GrowthMap map =
         growthMap(script, script.values, scene.start, MapAxis::evenly("k", 0.1, 1.0, 4),
-                  MapAxis::steps(0.1, 1.0, 5), [&](const GrowthMap &) { return ++rows < 2; });
+                  MapAxis::byRatio({}, 0.1, 1.0, 5), [&](const GrowthMap &) { return ++rows < 2; });
     QCOMPARE(map.growth.size(), std::size_t(2 * 4));
 }
 

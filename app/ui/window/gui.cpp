@@ -71,6 +71,12 @@ int takeScreenshot(QApplication &application, const ScreenshotRequest &request)
         session.goTo({request.frame, request.phase});
         while (session.goingTo())
             QApplication::processEvents(QEventLoop::WaitForMoreEvents);
+        if (request.reasons)
+            window.showStability(true);
+        if (request.map)
+            window.showGrowthMap(*request.map);
+        while (!window.stability().isCurrent() || window.stability().isMapping())
+            QApplication::processEvents(QEventLoop::WaitForMoreEvents);
         QApplication::processEvents();
         if (!window.grab().save(request.out))
             return refuse(QApplication::translate("Gui",

@@ -12,6 +12,7 @@
 #include "app/ui/scene/scene_bar.h"
 #include "app/ui/scene/scene_view.h"
 #include "app/ui/scene/thumbnail.h"
+#include "app/ui/stability/stability_gauge.h"
 #include "app/ui/time/footfall_strip.h"
 #include "app/ui/time/timeline_strip.h"
 #include "app/ui/time/transport_bar.h"
@@ -48,7 +49,8 @@ QFrame *divider(QWidget *parent)
 
 MainWindow::MainWindow(Session &session, Theme &theme, StudyFunction study, QWidget *parent)
     : QMainWindow(parent), m_session(session), m_theme(theme), m_course(new Course(session, this)),
-      m_study(new AccuracyStudy(session, std::move(study), this))
+      m_study(new AccuracyStudy(session, std::move(study), this)),
+      m_stability(new StabilityWatch(session, this))
 {
     setWindowIcon(QIcon(":/app/springstep.svg"));
     setDockOptions(QMainWindow::AnimatedDocks);
@@ -56,6 +58,7 @@ MainWindow::MainWindow(Session &session, Theme &theme, StudyFunction study, QWid
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     setCentralWidget(centre());
     makeDocks();
+    makeStability();
     makeActions();
     setMenuWidget(header());
     makeStatus();
@@ -163,6 +166,8 @@ void MainWindow::fitParameters()
     // What is above them gets all the height that the parameters do not need.
     const int wanted = m_parameterDock->sizeHint().height();
     QDockWidget *above = m_codeDock->isHidden() ? m_accuracyDock : m_codeDock;
+    if (m_stabilityDock && !m_stabilityDock->isHidden())
+        above = m_stabilityDock;
     resizeDocks({above, m_parameterDock}, {std::max(1, height() - wanted), wanted}, Qt::Vertical);
 }
 
@@ -174,6 +179,7 @@ void MainWindow::makeStatus()
     statusBar()->addWidget(m_status, 1);
     statusBar()->setSizeGripEnabled(false);
     statusBar()->setFixedHeight(28);
+    statusBar()->addPermanentWidget(m_gauge);
     connect(&m_session, &Session::moved, this, &MainWindow::showStatus);
     connect(&m_session, &Session::playingChanged, this, &MainWindow::showStatus);
     connect(&m_session, &Session::said, this, [this](const QString &sentence) {
@@ -264,6 +270,7 @@ void MainWindow::restore()
         resize(1280, 800);
     m_docksKnown = restoreState(settings.value("window/docks").toByteArray());
     m_accuracyDock->hide(); // the window opens for learning
+    showStability(false);
 }
 
 void MainWindow::showEvent(QShowEvent *event)
@@ -279,6 +286,7 @@ void MainWindow::closeEvent(QCloseEvent *event)
 {
     QSettings settings;
     settings.setValue("window/geometry", saveGeometry());
+    showStability(false);
     settings.setValue("window/docks", m_mode == Mode::learn ? saveState() : m_learnDocks);
     QMainWindow::closeEvent(event);
 }
