@@ -2,6 +2,7 @@
 
 #include "app/model/numbers.h"
 #include "app/model/step_words.h"
+#include "app/ui/stability/map_axis.h"
 #include "app/ui/stability/stability_gauge.h"
 
 #include <QHelpEvent>
@@ -14,26 +15,10 @@ namespace app {
 
 namespace {
 
-constexpr double mostShown = 10.0; ///< growth a frame: faster has the last colour
-constexpr double holding = -0.05; ///< a cell's value where nothing grows; others have the logarithm of growth
-constexpr double leastNamed = 0.06; ///< of all cells: what smaller areas are is not written into them
-
 QColor mixed(const QColor &a, const QColor &b, double share)
 {
     const auto part = [share](int from, int to) { return qRound(from + share * (to - from)); };
     return {part(a.red(), b.red()), part(a.green(), b.green()), part(a.blue(), b.blue())};
-}
-
-/// Axes in the logarithm of a number that is mapped by ratio, since colour maps have cells of one size.
-double onAxis(const sim::MapAxis &axis, double value)
-{
-    return axis.parameter == "damp" ? value : std::log10(std::max(value, axis.values.front()));
-}
-
-double spacing(const sim::MapAxis &axis)
-{
-    return (onAxis(axis, axis.values.back()) - onAxis(axis, axis.values.front())) /
-           static_cast<double>(axis.values.size() - 1);
 }
 
 QString valueWords(const sim::MapAxis &axis, double value)
@@ -168,142 +153,6 @@ bool GrowthPlot::grows(int column, int row) const
     const sim::GrowthMap &map = *m_watch.map();
     const auto index = static_cast<std::size_t>(row) * map.x.values.size() + static_cast<std::size_t>(column);
     return index < map.growth.size() && map.growth[index] > 1.0;
-}
-
-QRectF GrowthPlot::cell(int column, int row) const
-{
-    double x = 0.0, y = 0.0;
-    m_cells->data()->cellToCoord(column, row, &x, &y);
-    const sim::GrowthMap &map = *m_watch.map();
-    const double wide = 0.5 * spacing(map.x), high = 0.5 * spacing(map.y);
-    return {QPointF(xAxis->coordToPixel(x - wide), yAxis->coordToPixel(y + high)),
-            QPointF(xAxis->coordToPixel(x + wide), yAxis->coordToPixel(y - high))};
-}
-
-void GrowthPlot::drawBorder(QPainter &painter) const
-{
-    const sim::GrowthMap &map = *m_watch.map();
-    const int columns = static_cast<int>(map.x.values.size());
-    const int rows = static_cast<int>(map.growth.size()) / columns;
-    painter.setPen(QPen(m_theme.tokens().ink, 1.5));
-    for (int row = 0; row < rows; ++row) {
-        for (int column = 0; column < columns; ++column) {
-            const QRectF here = cell(column, row);
-            if (column + 1 < columns && grows(column, row) != grows(column + 1, row))
-                painter.drawLine(here.topRight(), here.bottomRight());
-            if (row + 1 < rows && grows(column, row) != grows(column, row + 1))
-                painter.drawLine(here.topLeft(), here.topRight());
-        }
-    }
-}
-
-void GrowthPlot::drawWords(QPainter &painter) const
-{
-    const sim::GrowthMap &map = *m_watch.map();
-    const int columns = static_cast<int>(map.x.values.size());
-    const int all = static_cast<int>(map.growth.size());
-    painter.setFont(m_theme.ui(12, QFont::Medium));
-    const QFontMetricsF metrics(painter.font());
-    for (const bool growing : {false, true}) {
-        QPointF sum;
-        int count = 0;
-        for (int i = 0; i < all; ++i) {
-            if (grows(i % columns, i / columns) == growing) {
-                sum += cell(i % columns, i / columns).center();
-                ++count;
-            }
-        }
-        if (count < leastNamed * columns * static_cast<int>(map.y.values.size()))
-            continue;
-        const QString text = growing ? tr("grows") : tr("holds");
-        QRectF box(0, 0, metrics.horizontalAdvance(text) + 12, metrics.height() + 4);
-        box.moveCenter(sum / count);
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(m_theme.tokens().panel);
-        painter.drawRoundedRect(box, 4, 4);
-        painter.setPen(m_theme.tokens().ink);
-        painter.drawText(box, Qt::AlignCenter, text);
-    }
-}
-
-void GrowthPlot::drawTried(QPainter &painter) const
-{
-    const Tokens &t = m_theme.tokens();
-    const std::vector<TriedSpot> &tried = m_watch.tried();
-    QPolygonF path;
-    for (const TriedSpot &spot : tried)
-        path << onScreen(spot);
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(t.panel, 3.5));
-    painter.drawPolyline(path);
-    painter.setPen(QPen(t.ink, 1.5));
-    painter.drawPolyline(path);
-    const QPointF here = path.back();
-    painter.setPen(QPen(t.ink, 1.5));
-    painter.setBrush(t.now);
-    painter.drawEllipse(here, 6.0, 6.0);
-    painter.setFont(m_theme.ui(12, QFont::Medium));
-    const QFontMetricsF metrics(painter.font());
-    const QString text = tr("you are here");
-    QRectF box(0, 0, metrics.horizontalAdvance(text) + 12, metrics.height() + 4);
-    const QRectF area = axisRect()->rect();
-    const bool isLeft = here.x() < area.center().x();
-    box.moveCenter(here);
-    isLeft ? box.moveLeft(here.x() + 11) : box.moveRight(here.x() - 11);
-    box.moveTop(std::clamp(box.top(), area.top() + 2, area.bottom() - box.height() - 2));
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(t.now);
-    painter.drawRoundedRect(box, 4, 4);
-    painter.setPen(t.nowText);
-    painter.drawText(box, Qt::AlignCenter, text);
-}
-
-void GrowthPlot::drawScale(QPainter &painter) const
-{
-    const Tokens &t = m_theme.tokens();
-    const QRectF area = axisRect()->rect();
-    painter.setFont(m_theme.ui(12));
-    painter.setPen(t.ink3);
-    const QFontMetricsF metrics(painter.font());
-    const bool isStep = *m_watch.mapPlane() == MapPlane::step;
-    painter.drawText(QRectF(area.left() - 44, 2, area.width(), 22), Qt::AlignLeft | Qt::AlignVCenter,
-                     isStep ? tr("step, frames") : tr("damp, kept a frame"));
-    painter.drawText(QRectF(area.left(), height() - 20, area.width(), 18), Qt::AlignRight | Qt::AlignVCenter,
-                     tr("stiffness k, 1/frame²"));
-    // What the colours mean: growth a frame.
-    const QString most = tr("×10 a frame"), least = QStringLiteral("×1");
-    const double bar = 64.0;
-    double x = area.right() - metrics.horizontalAdvance(most);
-    painter.drawText(QRectF(x, 2, 200, 22), Qt::AlignLeft | Qt::AlignVCenter, most);
-    x -= bar + 6;
-    QLinearGradient colors(x, 0, x + bar, 0);
-    const double nought = -holding / (std::log10(mostShown) - holding);
-    QCPColorGradient gradient = m_gradient;
-    for (int i = 0; i <= 16; ++i) {
-        const double at = nought + (1.0 - nought) * i / 16.0;
-        colors.setColorAt(i / 16.0, gradient.color(at, QCPRange(0.0, 1.0)));
-    }
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(colors);
-    painter.drawRoundedRect(QRectF(x, 10, bar, 6), 3, 3);
-    painter.setPen(t.ink3);
-    x -= 6 + metrics.horizontalAdvance(least);
-    painter.drawText(QRectF(x, 2, 60, 22), Qt::AlignLeft | Qt::AlignVCenter, least);
-}
-
-void GrowthPlot::paintEvent(QPaintEvent *event)
-{
-    QCustomPlot::paintEvent(event);
-    QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    if (!m_watch.map() || !m_watch.mapPlane())
-        return;
-    drawScale(painter);
-    painter.setClipRect(axisRect()->rect().adjusted(-1, -1, 1, 1));
-    drawBorder(painter);
-    drawWords(painter);
-    painter.setClipping(false);
-    drawTried(painter);
 }
 
 QString GrowthPlot::wordsAt(QPointF place) const

@@ -23,7 +23,7 @@ public:
     /// Where a spot is drawn, in px of the widget.
     QPointF onScreen(const TriedSpot &spot) const;
 
-    QSize minimumSizeHint() const override { return {280, 240}; }
+    QSize minimumSizeHint() const override { return {280, 200}; }
     QSize sizeHint() const override { return {368, 300}; }
 
 protected:
@@ -40,6 +40,7 @@ private:
     QRectF cell(int column, int row) const;
     void drawBorder(QPainter &painter) const;
     void drawWords(QPainter &painter) const;
+    QRectF hereBox(const QFontMetricsF &metrics) const;
     void drawTried(QPainter &painter) const;
     void drawScale(QPainter &painter) const;
 

@@ -84,7 +84,8 @@ QSize StabilityGauge::sizeHint() const
     // Room for what changes while it plays, so that nothing beside it moves.
     const int words = std::max(metrics.horizontalAdvance(m_words),
                                metrics.horizontalAdvance(tr("%1\u2009% of the limit").arg(100)));
-    return {2 * margin + metrics.horizontalAdvance(tr("Stability")) + gap + barWidth + gap + words, gaugeHeight};
+    return {2 * margin + metrics.horizontalAdvance(tr("Stability")) + gap + barWidth + gap + words,
+            gaugeHeight};
 }
 
 void StabilityGauge::paintBar(QPainter &painter, const QRectF &bar) const

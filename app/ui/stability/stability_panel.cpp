@@ -38,7 +38,7 @@ StabilityPanel::StabilityPanel(StabilityWatch &watch, const Theme &theme, QWidge
     content->setAttribute(Qt::WA_StyledBackground);
     auto *column = new QVBoxLayout(content);
     column->setContentsMargins(margin, 4, margin, 12);
-    column->setSpacing(10);
+    column->setSpacing(8);
     column->addWidget(card());
     column->addWidget(mends());
     m_leftOut = textLabel("caption", {}, content);
@@ -96,8 +96,8 @@ QWidget *StabilityPanel::mends()
     m_mends = new QWidget(this);
     m_rows = new QVBoxLayout(m_mends);
     m_rows->setContentsMargins(0, 0, 0, 0);
-    m_rows->setSpacing(6);
-    m_rows->addWidget(textLabel("heading", tr("What would mend it"), m_mends));
+    m_rows->setSpacing(4);
+    m_rows->addWidget(textLabel("heading", tr("What would help"), m_mends));
     return m_mends;
 }
 
