@@ -110,6 +110,7 @@ private slots:
     void whereThereIsNoMapItSaysSo();
     void aScreenReaderHearsGaugeAndMap();
     void everyControlHasATip();
+    void theWindowMayCloseWhileTheMapIsOpen();
 };
 
 void StabilityPanelTest::initTestCase()
@@ -345,6 +346,18 @@ void StabilityPanelTest::everyControlHasATip()
         QVERIFY(!button->text().isEmpty() || !button->accessibleName().isEmpty());
         QVERIFY(button->focusPolicy() != Qt::NoFocus);
     }
+}
+
+void StabilityPanelTest::theWindowMayCloseWhileTheMapIsOpen()
+{
+    Bench bench;
+    bench.session.setParameter("k", 0.3);
+    QTest::mouseClick(&bench.gauge, Qt::LeftButton);
+    QVERIFY(QTest::qWaitFor([&] { return !bench.panel.remedies().empty(); }));
+    QTest::mouseClick(bench.plane(0), Qt::LeftButton); // under way when the window goes
+    bench.window.close();
+    QCoreApplication::processEvents();
+    QVERIFY(!bench.window.stability().isMapping());
 }
 
 QTEST_MAIN(StabilityPanelTest)

@@ -62,6 +62,16 @@ Swinging uneven()
     return found;
 }
 
+/// More patterns of motion than are looked at exactly, and no two feet alike.
+Swinging manyFeet()
+{
+    const int feet = 20;
+    Swinging found = creature(feet, 0.2, 0.85);
+    for (int i = 0; i < feet; ++i)
+        found.scene.start.inverseMass[i] = 0.5 + 0.05 * i;
+    return found;
+}
+
 /// A young tree whose joints are springs.
 Swinging tree(double k, double damp)
 {
@@ -201,7 +211,7 @@ void TestStability::limitsAgreeWithTheMeasuredOnset_data()
         {"damped chain", chain(5, 0.2, 0.97)},    {"damped creature", creature(5, 0.2, 0.85)},
         {"creature", creature(4, 0.1, 1.0)},      {"damped bundle", bundle(7, 0.3, 0.9)},
         {"uneven masses and drags", uneven()},    {"damped tree", tree(0.05, 0.95)},
-        {"soft pair", creature(1, 0.2, 0.9)},
+        {"soft pair", creature(1, 0.2, 0.9)},     {"twenty feet", manyFeet()},
     };
     for (const Named &one : scenes) {
         for (const char *method : explicitMethods()) {

@@ -24,7 +24,7 @@ public:
     QPointF onScreen(const TriedSpot &spot) const;
 
     QSize minimumSizeHint() const override { return {280, 200}; }
-    QSize sizeHint() const override { return {368, 300}; }
+    QSize sizeHint() const override { return {368, 220}; }
 
 protected:
     bool event(QEvent *event) override;

@@ -3,6 +3,7 @@
 #include "app/ui/panels/panel_title.h"
 #include "app/ui/stability/growth_plot.h"
 
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QHideEvent>
 #include <QLabel>
@@ -94,10 +95,12 @@ QWidget *StabilityPanel::card()
 QWidget *StabilityPanel::mends()
 {
     m_mends = new QWidget(this);
-    m_rows = new QVBoxLayout(m_mends);
+    m_rows = new QGridLayout(m_mends);
     m_rows->setContentsMargins(0, 0, 0, 0);
-    m_rows->setSpacing(4);
-    m_rows->addWidget(textLabel("heading", tr("What would help"), m_mends));
+    m_rows->setHorizontalSpacing(10);
+    m_rows->setVerticalSpacing(4);
+    m_rows->setColumnStretch(1, 1);
+    m_rows->addWidget(textLabel("heading", tr("What would help"), m_mends), 0, 0, 1, 2);
     return m_mends;
 }
 
@@ -166,39 +169,52 @@ void StabilityPanel::refresh()
         m_verdict->setText(said);
     m_leftOut->setText(leftOutWords(*reading));
     m_leftOut->setVisible(!m_leftOut->text().isEmpty());
-    refreshRemedies(reading->remedies);
     refreshMap();
+}
+
+QPushButton *StabilityPanel::remedyButton(const sim::Remedy &remedy)
+{
+    auto *button = new QPushButton(remedyTitle(remedy), m_mends);
+    button->setObjectName("use");
+    button->setAutoDefault(false);
+    button->setToolTip(tr("%1: %2").arg(remedyTitle(remedy), remedyOutcome(remedy)));
+    button->setAccessibleDescription(remedyOutcome(remedy));
+    connect(button, &QPushButton::clicked, this, [this, remedy] { m_watch.adopt(remedy); });
+    return button;
 }
 
 void StabilityPanel::refreshRemedies(const std::vector<sim::Remedy> &remedies)
 {
-    QStringList offered;
+    if (!isVisible())
+        return; // nobody reads them; and no child may come while children are hidden
+    // Beside a map they leave their outcomes to the tips: two in a row.
+    const bool isShort = m_watch.mapPlane().has_value();
+    QStringList offered = {isShort ? QStringLiteral("short") : QString()};
     for (const sim::Remedy &one : remedies)
         offered << remedyTitle(one) + '\n' + remedyOutcome(one);
-    m_mends->setVisible(!offered.isEmpty());
+    m_mends->setVisible(!remedies.empty());
     if (offered == m_offered)
         return;
     m_offered = offered;
-    for (QPushButton *button : m_remedies)
-        delete button->parentWidget();
+    for (QWidget *cell : m_cells)
+        cell->deleteLater(); // perhaps the one whose click led here
+    m_cells.clear();
     m_remedies.clear();
     for (const sim::Remedy &one : remedies) {
-        auto *row = new QWidget(m_mends);
-        auto *layout = new QHBoxLayout(row);
-        layout->setContentsMargins(0, 0, 0, 0);
-        layout->setSpacing(10);
-        auto *button = new QPushButton(remedyTitle(one), row);
-        button->setObjectName("use");
-        button->setAutoDefault(false);
-        button->setToolTip(tr("%1: %2").arg(remedyTitle(one), remedyOutcome(one)));
-        button->setAccessibleDescription(remedyOutcome(one));
-        connect(button, &QPushButton::clicked, this, [this, one] { m_watch.adopt(one); });
-        auto *outcome = textLabel("caption", remedyOutcome(one), row);
-        layout->addWidget(button);
-        layout->addWidget(outcome, 1);
-        m_rows->addWidget(row);
-        m_remedies.push_back(button);
+        const int count = static_cast<int>(m_remedies.size());
+        m_remedies.push_back(remedyButton(one));
+        m_cells.push_back(m_remedies.back());
+        if (isShort) {
+            m_rows->addWidget(m_remedies.back(), 1 + count / 2, count % 2);
+            continue;
+        }
+        auto *outcome = textLabel("caption", remedyOutcome(one), m_mends);
+        m_cells.push_back(outcome);
+        m_rows->addWidget(m_remedies.back(), 1 + count, 0, Qt::AlignLeft);
+        m_rows->addWidget(outcome, 1 + count, 1);
     }
+    for (QWidget *cell : m_cells)
+        cell->show();
 }
 
 void StabilityPanel::showMap(std::optional<MapPlane> plane)
@@ -215,6 +231,8 @@ void StabilityPanel::refreshMap()
         m_planes[i]->setChecked(plane == its);
         m_planes[i]->setEnabled(m_watch.canMap(its) || plane == its);
     }
+    if (const StabilityReading *reading = m_watch.reading())
+        refreshRemedies(reading->remedies);
     const bool can = m_watch.canMap(plane.value_or(MapPlane::step));
     m_noMap->setVisible(!can);
     m_noMap->setText(m_watch.session().step().parameter(QStringLiteral("k"))
@@ -227,6 +245,7 @@ void StabilityPanel::showEvent(QShowEvent *event)
 {
     QWidget::showEvent(event);
     m_watch.setDetailed(true);
+    refreshMap();
 }
 
 void StabilityPanel::hideEvent(QHideEvent *event)

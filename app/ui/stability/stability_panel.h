@@ -7,10 +7,10 @@
 
 #include <vector>
 
+class QGridLayout;
 class QLabel;
 class QPushButton;
 class QToolButton;
-class QVBoxLayout;
 
 namespace app {
 
@@ -47,6 +47,7 @@ private:
     void dress();
     void refresh();
     void refreshRemedies(const std::vector<sim::Remedy> &remedies);
+    QPushButton *remedyButton(const sim::Remedy &remedy);
     void refreshMap();
 
     StabilityWatch &m_watch;
@@ -56,8 +57,9 @@ private:
     QLabel *m_verdict = nullptr;
     QLabel *m_leftOut = nullptr;
     QWidget *m_mends = nullptr;
-    QVBoxLayout *m_rows = nullptr;
+    QGridLayout *m_rows = nullptr;
     QStringList m_offered; ///< what the rows say, so that they stay while it does
+    std::vector<QWidget *> m_cells;
     std::vector<QPushButton *> m_remedies;
     std::vector<QToolButton *> m_planes;
     QLabel *m_noMap = nullptr;
