@@ -1,9 +1,5 @@
 #include "app/model/remedy_search.h"
 
-#include "app/model/numbers.h"
-#include "app/model/sentences.h"
-#include "app/model/step_words.h"
-
 #include <atomic>
 
 namespace app {
@@ -62,39 +58,21 @@ void RemedySearch::begin()
     const auto run = std::make_shared<Run>();
     m_run = run;
     m_isDone = false;
-    m_thread = std::thread(
-        [this, run, script = m_session.timeline().script(), stop = *stop(), damping = m_session.damping()] {
-            std::vector<sim::Remedy> found =
-                sim::remediesFor(script, stop, damping, [run] { return !run->isLeft; });
-            QMetaObject::invokeMethod(
-                this,
-                [this, run, found = std::move(found)] {
-                    if (run != m_run)
-                        return;
-                    m_found = found;
-                    m_isDone = true;
-                    emit changed();
-                },
-                Qt::QueuedConnection);
-        });
-}
-
-QString remedyTitle(const sim::Remedy &remedy, const Session &session)
-{
-    const sim::Script &script = remedy.script;
-    switch (remedy.kind) {
-    case sim::RemedyKind::smallerStep:
-        return RemedySearch::tr("&Smaller step: %1").arg(stepTitle(script.step));
-    case sim::RemedyKind::largerTolerance:
-        return RemedySearch::tr("&Larger tolerance: %1").arg(stepTitle(script.step));
-    case sim::RemedyKind::otherMethod:
-        return RemedySearch::tr("&Another method: %1").arg(phrase(script.method->title()));
-    case sim::RemedyKind::moreDamping:
-        break;
-    }
-    const std::string id = session.damping().id;
-    return RemedySearch::tr("More &damping: %1 %2")
-        .arg(QString::fromStdString(id), writtenNumber(script.values[id], 2));
+    m_thread = std::thread([this, run, script = m_session.timeline().script(), stop = *stop(),
+                            damping = m_session.damping()] {
+        std::vector<sim::Remedy> found =
+            sim::remediesAfter(script, stop, damping ? &*damping : nullptr, [run] { return !run->isLeft; });
+        QMetaObject::invokeMethod(
+            this,
+            [this, run, found = std::move(found)] {
+                if (run != m_run)
+                    return;
+                m_found = found;
+                m_isDone = true;
+                emit changed();
+            },
+            Qt::QueuedConnection);
+    });
 }
 
 QString remedyHelp(const sim::Remedy &remedy)

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/model/session.h"
-#include "sim/remedies.h"
+#include "sim/stability/trials.h"
 
 #include <QObject>
 
@@ -45,9 +45,7 @@ private:
     std::vector<sim::Remedy> m_found;
 };
 
-/// What a remedy does, for a button: "Smaller step: 1/2 frame". The letter after & is its key.
-QString remedyTitle(const sim::Remedy &remedy, const Session &session);
-/// What comes of it, in a sentence or two.
+/// What comes of using a remedy where a run has stopped, in a sentence or two.
 QString remedyHelp(const sim::Remedy &remedy);
 
 }

@@ -168,6 +168,9 @@ void MainWindow::makeViewActions()
     };
     toggle(tr("&Lessons"), "Ctrl+1", {m_left})->setObjectName("showLessons");
     toggle(tr("&Code and parameters"), "Ctrl+2", {m_codeDock, m_parameterDock})->setObjectName("showCode");
+    m_stabilityAction = add(tr("&Stability of the step"), {QKeySequence("Ctrl+L")}, window,
+                            [this](bool shown) { showStability(shown); });
+    m_stabilityAction->setCheckable(true);
     m_dark = add(tr("&Dark"), {QKeySequence("Ctrl+Shift+D")}, window, [this](bool dark) {
         m_theme.setScheme(dark ? Scheme::dark : Scheme::light);
         QSettings().setValue("window/dark", dark);

@@ -1,6 +1,7 @@
 #include "app/ui/window/stop_notice.h"
 
 #include "app/model/sentences.h"
+#include "app/model/stability_words.h"
 
 #include <QEvent>
 #include <QLabel>
@@ -16,14 +17,9 @@ constexpr int gap = 12;         ///< px, to the picture's edges
 constexpr int mostWidth = 720;  ///< px
 constexpr double radius = 10.0; ///< px
 
-QString withoutKey(QString title)
+QString keyOf(const QString &label)
 {
-    return title.remove('&');
-}
-
-QString keyOf(const QString &title)
-{
-    return QKeySequence::mnemonic(title).toString(QKeySequence::NativeText);
+    return QKeySequence::mnemonic(label).toString(QKeySequence::NativeText);
 }
 
 }
@@ -83,10 +79,10 @@ void StopNotice::showRemedies()
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(8);
     for (const sim::Remedy &remedy : m_search.found()) {
-        const QString title = remedyTitle(remedy, m_session);
-        auto *button = new QPushButton(title, m_buttons);
-        button->setToolTip(QStringLiteral("%1 (%2)").arg(remedyHelp(remedy), keyOf(title)));
-        button->setAccessibleName(withoutKey(title));
+        const QString label = remedyLabel(remedy);
+        auto *button = new QPushButton(label, m_buttons);
+        button->setToolTip(QStringLiteral("%1 (%2)").arg(remedyHelp(remedy), keyOf(label)));
+        button->setAccessibleName(remedyTitle(remedy));
         button->setAccessibleDescription(remedyHelp(remedy));
         // Queued: using a remedy takes this button away.
         connect(
