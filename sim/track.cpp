@@ -1,6 +1,7 @@
 #include "sim/track.h"
 
 #include "sim/carry_over.h"
+#include "sim/guilt.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,37 +39,6 @@ std::optional<Failure> failureOf(const State &state)
 int pointOf(const Failure &failure, const State &state)
 {
     return failure.point < state.points() ? failure.point : -1;
-}
-
-/// How large what `force` last says about itself is, its pull; infinite where that is not finite.
-double sizeOf(const std::vector<Live> &live)
-{
-    if (live.empty())
-        return 0.0;
-    const auto *pull = std::get_if<Vec2>(&live.back().value);
-    const double size = pull ? length(*pull) : std::abs(std::get<double>(live.back().value));
-    return std::isfinite(size) ? size : std::numeric_limits<double>::infinity();
-}
-
-/// Whose doing it is that `phase` failed at `point`, coming from `before`.
-EffectPtr guiltyOf(const Phase &phase, const Scene &scene, const State &before, int point,
-                   Directions directions)
-{
-    if (phase.effect || point < 0)
-        return phase.effect;
-    EffectPtr hardest;
-    double most = 0.0;
-    for (const EffectPtr &effect : scene.effects) {
-        const auto *force = dynamic_cast<const Force *>(effect.get());
-        if (!force || force->count(before, {point, 1}) == 0)
-            continue;
-        const double size = sizeOf(force->explain(before, point, directions));
-        if (size > most) {
-            most = size;
-            hardest = effect;
-        }
-    }
-    return hardest;
 }
 
 /// Returns false when `goesOn` (which may be empty) said no.
@@ -283,17 +253,22 @@ Track::Next Track::stopHere(const GoesOn &goesOn)
             return Next::isLeftOff;
         failure = failureOf(state);
         stop.phase = next.title;
-        if (failure)
-            stop.effect = guiltyOf(next, segment->scene, before, pointOf(*failure, state),
-                                   m_script.method->directions());
-        else
+        if (failure) {
+            const Guilt guilt = guiltOf(next, segment->scene, before, pointOf(*failure, state),
+                                        m_script.method->directions());
+            stop.effect = guilt.effect;
+            stop.other = guilt.other;
+        } else {
             ++stop.phases;
+        }
     }
     if (failure) {
         stop.reason = failure->reason;
         stop.point = pointOf(*failure, state);
         if (stop.point >= 0)
             stop.body = segment->scene.names[static_cast<std::size_t>(stop.point)];
+        if (stop.other >= 0)
+            stop.otherBody = segment->scene.names[static_cast<std::size_t>(stop.other)];
     }
     m_stop = stop;
     m_now = *good;

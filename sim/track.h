@@ -43,6 +43,8 @@ struct Stop
         effect;     ///< whose phase that is; of a method's own, what pulls that point hardest; null: nothing
     int point = -1; ///< the one that failed first; -1 for what belongs to no point
     std::string body; ///< its name
+    int other = -1;   ///< the point at the other end of that pull; -1: it pulls to a place, or is none
+    std::string otherBody;
 };
 
 /// What one phase did to one point.

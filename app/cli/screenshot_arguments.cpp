@@ -58,6 +58,18 @@ bool isMeasuring(const QString &text)
     return text == "measure";
 }
 
+/// What to show of the step's stability.
+void readStability(const QString &text, ScreenshotRequest &request)
+{
+    if (text != "gauge" && text != "reasons" && text != "step" && text != "damping")
+        throw Refusal(Text::tr("--stability is %1; it can be \"gauge\", \"reasons\", or a map: \"step\" or "
+                               "\"damping\".")
+                          .arg(quoted(text)));
+    request.reasons = text != "gauge";
+    if (text == "step" || text == "damping")
+        request.map = text == "step" ? MapPlane::step : MapPlane::damping;
+}
+
 /// What to photograph. @throws Refusal
 ScreenshotRequest requestFrom(const QCommandLineParser &parser)
 {
@@ -76,6 +88,7 @@ ScreenshotRequest requestFrom(const QCommandLineParser &parser)
     request.dark = isDark(parser.value("theme"));
     request.measuring = isMeasuring(parser.value("mode"));
     request.energy = parser.isSet("energy");
+    readStability(parser.value("stability"), request);
     return request;
 }
 
@@ -91,6 +104,8 @@ void addScreenshotOptions(QCommandLineParser &parser)
         {"theme", Text::tr("light or dark (default light)."), "THEME", "light"},
         {"mode", Text::tr("learn or measure (default learn)."), "MODE", "learn"},
         {"energy", Text::tr("Show where energy went, below the picture.")},
+        {"stability", Text::tr("gauge, reasons, or a map: step or damping (default gauge)."), "WHAT",
+         "gauge"},
     });
 }
 

@@ -94,22 +94,45 @@ QString sentenceFor(const sim::Error &error)
     return Text::tr("This does not fit together: %1.").arg(QString::fromUtf8(error.what()));
 }
 
+QString pullTitle(const sim::Effect &effect, const QString &body, const QString &other)
+{
+    const bool isSpring = effect.kind() == sim::Kind::spring;
+    if (other.isEmpty())
+        return isSpring ? Text::tr("The spring of %1").arg(body)
+                        : Text::tr("What pulls %1 (%2)").arg(body, phrase(effect.title()));
+    const QString pair = Text::tr("%1 – %2").arg(body, other);
+    return isSpring ? Text::tr("The spring %1").arg(pair)
+                    : Text::tr("What pulls %1 (%2)").arg(pair, phrase(effect.title()));
+}
+
 QString sentenceFor(const sim::Stop &stop)
 {
-    const QString name = QString::fromStdString(stop.body);
-    if (stop.reason == sim::StopReason::tooManySteps)
-        return Text::tr(
-                   "Stopped at frame %1: the method needs too many steps for the next one. What is pulled "
-                   "hardest is %2. Try a larger tolerance, or a method whose steps all have one length.")
-            .arg(stop.frame)
-            .arg(name);
-    if (stop.phase.empty())
-        return Text::tr("Stopped at frame %1: the next one is not finite. It began at %2.")
-            .arg(stop.frame)
-            .arg(name);
-    return Text::tr("Stopped at frame %1: the next one is not finite. It began at %2, in %3.")
-        .arg(stop.frame)
-        .arg(name, phrase(stop.phase));
+    const QString name = bodyTitle(QString::fromStdString(stop.body));
+    const bool isPulled = dynamic_cast<const sim::Force *>(stop.effect.get()) && !stop.body.empty();
+    const QString pull =
+        isPulled ? pullTitle(*stop.effect, name, bodyTitle(QString::fromStdString(stop.otherBody)))
+                 : QString();
+    QStringList said;
+    if (stop.reason == sim::StopReason::tooManySteps) {
+        said << Text::tr("Stopped at frame %1: the method needs too many steps for the next one.")
+                    .arg(stop.frame);
+        said << (isPulled ? Text::tr("%1 pulls hardest.").arg(pull)
+                          : Text::tr("What is pulled hardest is %1.").arg(name));
+        said << Text::tr("Try a larger tolerance, or a method whose steps all have one length.");
+        return said.join(' ');
+    }
+    said << (stop.body.empty()
+                 ? Text::tr("Stopped at frame %1: in the next one a number is not finite.").arg(stop.frame)
+                 : Text::tr(
+                       "Stopped at frame %1: in the next one %2 is too far or too fast for any number (not "
+                       "finite).")
+                       .arg(stop.frame)
+                       .arg(name));
+    if (!stop.phase.empty())
+        said << Text::tr("It began in “%1”.").arg(phrase(stop.phase));
+    if (isPulled)
+        said << Text::tr("%1 pulls hardest.").arg(pull);
+    return said.join(' ');
 }
 
 }

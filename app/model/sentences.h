@@ -19,7 +19,11 @@ QString bodyTitle(const QString &name);
 /// What sim refused, as one clear sentence with the remedy.
 QString sentenceFor(const sim::Error &error);
 
-/// Why a run ended, as one clear sentence.
+/// The pull of `effect` on `body`, from `other` or, where that is empty, from a place: "The spring foot 3 – body", "What
+/// pulls creature 0, foot 1 (gravity)". Bodies by their titles.
+QString pullTitle(const sim::Effect &effect, const QString &body, const QString &other);
+
+/// Why a run ended, what went first, and what pulls it hardest.
 QString sentenceFor(const sim::Stop &stop);
 
 }

@@ -5,6 +5,7 @@
 #include "app/model/player.h"
 #include "app/model/progress.h"
 #include "sim/gathered.h"
+#include "sim/stability/remedies.h"
 #include "sim/timeline.h"
 
 #include <QElapsedTimer>
@@ -93,6 +94,12 @@ public:
     void setTolerance(double tolerance);
     /// Method and step in one change.
     void use(const sim::MethodPtr &method, sim::StepSize step);
+    /// Takes up what mends: a method and a step like use(), a parameter like setParameter(). Where the run has ended by
+    /// itself nothing can be mended from there on: then the change holds from the start on, and the session goes to that
+    /// frame again. The run as it was becomes the ghost, and all that the learner did is kept.
+    void use(const sim::Remedy &remedy);
+    /// The parameter of the step that damps, if it has one.
+    std::optional<sim::DampRange> damping() const;
     void grab(const QString &body);
     void moveHand(sim::Vec2 to);
     void letGo();
@@ -156,6 +163,7 @@ private:
                       sim::State state) const;
     std::shared_ptr<const lessons::Look> lookOf(const std::shared_ptr<const sim::Segment> &segment) const;
     void setStep(sim::StepSize step);
+    void runAgain(const sim::Remedy &remedy);
     void leave();
     void start(sim::Script script, sim::Cursor at);
     /// The step's run with these values and no input of a learner's, by the first of `methods` that can. Goes on

@@ -13,6 +13,22 @@
 
 namespace app {
 
+namespace {
+
+/// A parameter and a value of it, for the name of a ghost.
+QString written(const QString &parameter, double value)
+{
+    return QStringLiteral("%1 %2").arg(parameter, QLocale::c().toString(value, 'g', 4));
+}
+
+/// The way in which `script` was computed before `method` took its place: its step, or its method.
+QString written(const sim::Script &script, const sim::Method &method)
+{
+    return script.method->id() == method.id() ? stepTitle(script.step) : phrase(script.method->title());
+}
+
+}
+
 double Session::parameter(const QString &id) const
 {
     return m_timeline->values()[id.toStdString()];
@@ -53,8 +69,8 @@ void Session::setParameter(const QString &id, double value)
         startAnew(values, {m_timeline->script().method, sim::findMethod(step().method.toStdString())});
         return;
     }
-    const QString before = tr("before: %1 %2").arg(id, QLocale::c().toString(was, 'g', 4));
-    edit(before, [&](sim::Timeline &timeline) { return timeline.set(id.toStdString(), value); });
+    edit(tr("before: %1").arg(written(id, was)),
+         [&](sim::Timeline &timeline) { return timeline.set(id.toStdString(), value); });
 }
 
 void Session::resetParameters()
@@ -80,8 +96,7 @@ void Session::use(const sim::MethodPtr &method, sim::StepSize step)
     const sim::StepSize was = now.step;
     if (method->id() == wasMethod->id() && step == was)
         return;
-    const QString before = method->id() == wasMethod->id() ? stepTitle(was) : phrase(wasMethod->title());
-    edit(tr("before: %1").arg(before), [&](sim::Timeline &timeline) {
+    edit(tr("before: %1").arg(written(now, *method)), [&](sim::Timeline &timeline) {
         sim::Script script = timeline.script();
         script.method = method;
         script.step = step;
@@ -90,6 +105,45 @@ void Session::use(const sim::MethodPtr &method, sim::StepSize step)
             m_otherStep = was;
         return forked;
     });
+}
+
+std::optional<sim::DampRange> Session::damping() const
+{
+    for (const lessons::Parameter &one : step().parameters) {
+        if (one.role == lessons::Role::keptSpeed)
+            return sim::DampRange{one.id.toStdString(), one.min, std::pow(10.0, -one.decimals)};
+    }
+    return std::nullopt;
+}
+
+void Session::use(const sim::Remedy &remedy)
+{
+    const std::optional<sim::Stop> &stop = m_timeline->stop();
+    if (stop && m_timeline->at().frame == stop->frame)
+        runAgain(remedy);
+    else if (remedy.kind == sim::Remedy::Kind::moreDamping)
+        setParameter(QString::fromStdString(remedy.parameter), remedy.value);
+    else
+        use(remedy.method, remedy.step);
+}
+
+void Session::runAgain(const sim::Remedy &remedy)
+{
+    pause();
+    const std::int64_t frame = m_timeline->at().frame;
+    const QString damping = QString::fromStdString(remedy.parameter);
+    const QString was = remedy.kind == sim::Remedy::Kind::moreDamping
+                            ? written(damping, parameter(damping))
+                            : written(m_timeline->script(), *remedy.method);
+    m_timeline->seek({}); // the way to that frame may be long: goTo() takes it in slices
+    edit(tr("before: %1").arg(was), [&](sim::Timeline &timeline) {
+        const sim::StepSize step = timeline.script().step;
+        const bool forked = timeline.replace(sim::mended(timeline.script(), remedy));
+        if (step.adaptive() != timeline.script().step.adaptive())
+            m_otherStep = step;
+        return forked;
+    });
+    goTo({frame, 0});
 }
 
 void Session::setStep(sim::StepSize step)

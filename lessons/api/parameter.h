@@ -5,6 +5,12 @@
 
 namespace lessons {
 
+/// What a parameter is for the run as a whole.
+enum class Role {
+    none,
+    keptSpeed, ///< the share of its speed that everything keeps each frame: less of it is more damping
+};
+
 /// A number (or a choice) that a learner sets. Declared once: panel, range, tooltip, file and command line all
 /// read this.
 struct Parameter
@@ -26,6 +32,7 @@ struct Parameter
     QStringList choiceHelps = {};  ///< one sentence each; may be empty
     /// Another value is another experiment: the run begins anew with it, as Step::opening has it.
     bool opens = false;
+    Role role = Role::none;
 
     bool isWhole() const { return whole; }
 };

@@ -48,7 +48,9 @@ Parameter damping(double preset)
             0.0,
             1.0,
             2,
-            {}};
+            {},
+            false,
+            Role::keptSpeed};
 }
 
 Parameter radius(double preset)

@@ -68,14 +68,15 @@ private slots:
         QTest::addColumn<QString>("sentence");
         QTest::newRow("a number that is not finite")
             << int(sim::StopReason::notFinite) << "spring"
-            << "Stopped at frame 7: the next one is not finite. It began at foot3, in spring.";
-        QTest::newRow("one that no phase made")
-            << int(sim::StopReason::notFinite) << QString()
-            << "Stopped at frame 7: the next one is not finite. It began at foot3.";
+            << "Stopped at frame 7: in the next one foot 3 is too far or too fast for any number (not "
+               "finite). It began in “spring”.";
+        QTest::newRow("one that no phase made") << int(sim::StopReason::notFinite) << QString()
+                                                << "Stopped at frame 7: in the next one foot 3 is too far or "
+                                                   "too fast for any number (not finite).";
         QTest::newRow("too many steps")
             << int(sim::StopReason::tooManySteps) << "steps of its own"
             << "Stopped at frame 7: the method needs too many steps for the next one. What is pulled hardest "
-               "is foot3. Try a larger tolerance, or a method whose steps all have one length.";
+               "is foot 3. Try a larger tolerance, or a method whose steps all have one length.";
     }
     void stops()
     {

@@ -106,8 +106,9 @@ private slots:
         QVERIFY2(isOneLine(answer.err), qPrintable(answer.err));
         const auto match =
             QRegularExpression(
-                "\\AStopped at frame (\\d+): the next one is not finite. It began at (foot\\d+|body), "
-                "in \\w+.\n\\z")
+                "\\AStopped at frame (\\d+): in the next one (foot \\d+|body) is too far or too fast for any "
+                "number \\(not finite\\). It began in “\\w+”. The spring (foot \\d+ – body|body – foot \\d+) "
+                "pulls hardest.\n\\z")
                 .match(answer.err);
         QVERIFY2(match.hasMatch(), qPrintable(answer.err));
         const QString lastRow = answer.out.trimmed().section('\n', -1);
@@ -123,9 +124,10 @@ private slots:
         QCOMPARE(answer.code, 1);
         QVERIFY2(isOneLine(answer.err), qPrintable(answer.err));
         const auto match =
-            QRegularExpression("\\AStopped at frame (\\d+): the method needs too many steps for the "
-                               "next one. What is pulled hardest is (foot\\d+|body). Try a larger "
-                               "tolerance, or a method whose steps all have one length.\n\\z")
+            QRegularExpression(
+                "\\AStopped at frame (\\d+): the method needs too many steps for the "
+                "next one. The spring (foot \\d+ – body|body – foot \\d+) pulls hardest. Try a larger "
+                "tolerance, or a method whose steps all have one length.\n\\z")
                 .match(answer.err);
         QVERIFY2(match.hasMatch(), qPrintable(answer.err));
         QCOMPARE(answer.out.trimmed().section('\n', -1).section(',', 0, 1), match.captured(1) + ",body");

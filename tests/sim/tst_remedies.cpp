@@ -1,54 +1,50 @@
-// What mends a run that stopped: the mildest of each kind that holds, known from the eigenvalues of the scenes.
+// What would mend a step past its limit, each tried by running it; and the map of growth.
 
+#include "stability_bench.h"
 #include "support.h"
 
 #include "sim/effects/body_spring.h"
 #include "sim/effects/damping.h"
-#include "sim/effects/point_spring.h"
-#include "sim/effects/sticks.h"
+#include "sim/effects/radial_spring.h"
 #include "sim/methods/methods.h"
-#include "sim/remedies.h"
+#include "sim/stability/growth_map.h"
+#include "sim/stability/remedies.h"
 
 #include <QTest>
 
 using namespace sim;
+using namespace stability_bench;
 
 namespace {
 
-const GoesOn patient = [] { return true; };
-const KeptShare drag = {"damp", 0.0};
-
-/// A body with `feet` feet on springs without length, linear: against each other they swing with (feet + 1) k.
-Script star(int feet, const char *method = "semi_implicit_euler")
+/// A creature whose parameters are k and damp, at rest.
+Script creatureScript(int feet, const char *method, double k, double damp, double h)
 {
-    support::Sample sample;
-    sample.values.set("k", 0.2);
-    sample.values.set("damp", 0.85);
-    sample.build = [feet](const Values &values) {
-        Scene scene = support::pointsOf(feet);
-        support::scatter(scene.start, 3, 200.0);
-        scene.effects = {std::make_shared<BodySpring>(support::legs(feet), values["k"]),
-                         std::make_shared<Damping>(values["damp"])};
-        return scene;
-    };
-    return support::script(sample, method);
+    Script script;
+    script.build = [feet](const Values &values) { return creature(feet, values["k"], values["damp"]).scene; };
+    script.values.set("k", k);
+    script.values.set("damp", damp);
+    script.method = findMethod(method);
+    script.step = StepSize::of(h);
+    return script;
 }
 
-/// Whether semi-implicit Euler holds there: v' = d (v - h w^2 x), x' = x + h v' has |eigenvalues| < 1 exactly if
-/// h^2 w^2 < 2 (1 + 1/d), with d = damp^h.
-bool holds(double squared, double h, double damping)
+struct Asked
 {
-    return h * h * squared < 2.0 * (1.0 + std::pow(damping, -h));
-}
+    Script script;
+    Scene scene = sceneOf(script, script.values);
+    Stability now = stabilityOf(scene, scene.start, *script.method, script.step.h);
 
-Stop stopOf(const Script &script)
-{
-    Track track(script, 1 << 20);
-    track.seek({100'000, 0});
-    return track.stop().value();
-}
+    explicit Asked(Script given) : script(std::move(given)) {}
+    std::vector<Remedy> remedies(const DampRange *damp) const
+    {
+        return remediesFor(script, script.values, scene.start, now, damp);
+    }
+};
 
-const Remedy *find(const std::vector<Remedy> &all, RemedyKind kind)
+const DampRange damping = {"damp", 0.0, 0.01};
+
+const Remedy *find(const std::vector<Remedy> &all, Remedy::Kind kind)
 {
     for (const Remedy &one : all) {
         if (one.kind == kind)
@@ -64,147 +60,143 @@ class TestRemedies : public QObject
     Q_OBJECT
 
 private slots:
-    void theMildestThatHoldsIsFound_data()
-    {
-        QTest::addColumn<int>("feet");
-        for (const int feet : {25, 60, 200, 500})
-            QTest::addRow("%d feet", feet) << feet;
-    }
-    void theMildestThatHoldsIsFound()
-    {
-        QFETCH(int, feet);
-        const Script script = star(feet);
-        const double squared = 0.2 * (feet + 1);
-        QVERIFY(!holds(squared, 1.0, 0.85));
-        const std::vector<Remedy> found = remediesFor(script, stopOf(script), drag, patient);
-        double h = 0.5;
-        while (!holds(squared, h, 0.85))
-            h /= 2.0;
-        const Remedy *smaller = find(found, RemedyKind::smallerStep);
-        QVERIFY(smaller && smaller->heldFor > 0);
-        QCOMPARE(smaller->script.step.h, h);
-        double kept = 0.85;
-        do {
-            kept = std::max(0.01, std::floor(100.0 * kept * kept) / 100.0);
-        } while (!holds(squared, 1.0, kept) && kept > 0.01);
-        const Remedy *damped = find(found, RemedyKind::moreDamping);
-        QCOMPARE(damped != nullptr, holds(squared, 1.0, kept));
-        if (damped)
-            QCOMPARE(damped->script.values["damp"], kept);
-    }
-
-    void everyRemedyBringsTheRunToRest_data()
-    {
-        QTest::addColumn<QString>("method");
-        for (const char *method : {"published", "semi_implicit_euler", "velocity_verlet", "rk4"})
-            QTest::newRow(method) << method;
-    }
-    void everyRemedyBringsTheRunToRest()
-    {
-        QFETCH(QString, method);
-        const Script script = star(60, method.toUtf8());
-        const std::vector<Remedy> found = remediesFor(script, stopOf(script), drag, patient);
-        QVERIFY(find(found, RemedyKind::smallerStep));
-        const Remedy *other = find(found, RemedyKind::otherMethod);
-        QVERIFY(other && other->script.method->stepLimit() == StepLimit::none);
-        for (const Remedy &remedy : found) {
-            Track track(remedy.script, 0);
-            track.seek({5 * remedy.heldFor, 0});
-            QVERIFY(!track.stop());
-            const State &end = track.now(); // springs without length: all in one place, at rest
-            for (int i = 0; i < end.points(); ++i)
-                QVERIFY(length(end.at(i) - end.at(0)) < 1e-6 && length(end.speed(i)) < 1e-6);
-        }
-    }
-
-    void allElseStaysAsItWas()
-    {
-        Script script = star(60);
-        script.bodies["foot3"] = {{111, 222}, {}};
-        script.effectsOff = {"wind"};
-        script.input = {{3, Grab{"foot1"}}, {3, Move{{300, 310}}}, {9, Release{}}, {12, Set{"damp", 0.9}}};
-        for (const Remedy &remedy : remediesFor(script, stopOf(script), drag, patient)) {
-            QVERIFY(remedy.script.bodies == script.bodies);
-            QCOMPARE(remedy.script.effectsOff, script.effectsOff);
-            QCOMPARE(remedy.script.values["k"], 0.2);
-            const bool isDamped = remedy.kind == RemedyKind::moreDamping;
-            QCOMPARE(remedy.script.values == script.values, !isDamped);
-            QCOMPARE(remedy.script.input == script.input, !isDamped);
-            QCOMPARE(remedy.script.input.size(), script.input.size());
-            QCOMPARE(remedy.script.method->id() == script.method->id(),
-                     remedy.kind != RemedyKind::otherMethod);
-            QCOMPARE(remedy.script.step == script.step, remedy.kind != RemedyKind::smallerStep);
-            if (isDamped) // what was set on the way damps more, too
-                QVERIFY(std::get<Set>(remedy.script.input.back().what).value < 0.9);
-        }
-    }
-
-    void aRunOfTooManyStepsGetsALargerTolerance()
-    {
-        support::Sample sample;
-        sample.build = [](const Values &) {
-            Scene scene = support::pointsOf(1);
-            scene.start.place(0, {300, 200});
-            scene.effects = {std::make_shared<BodySpring>(support::legs(1), 8e6)};
-            return scene;
-        };
-        Script script = support::script(sample, "dormand_prince");
-        script.step = StepSize::within(1e-13);
-        const Stop stop = stopOf(script);
-        QVERIFY(stop.reason == StopReason::tooManySteps);
-        const std::vector<Remedy> found = remediesFor(script, stop, {}, patient);
-        const Remedy *larger = find(found, RemedyKind::largerTolerance);
-        QVERIFY(larger && !find(found, RemedyKind::smallerStep) && !find(found, RemedyKind::moreDamping));
-        QVERIFY(find(found, RemedyKind::otherMethod));
-        // A tenth of it is not enough.
-        script.step = StepSize::within(larger->script.step.tolerance / 10.0);
-        QVERIFY(stopOf(script).reason == StopReason::tooManySteps);
-        Track track(larger->script, 0);
-        track.seek({200, 0});
-        QVERIFY(!track.stop());
-    }
-
-    void whatDoesNotFitIsNotOffered()
-    {
-        Script script = star(60);
-        const auto build = script.build;
-        script.build = [build](const Values &values) {
-            Scene scene = build(values);
-            scene.effects.push_back(std::make_shared<Sticks>(std::vector<Stick>{{0, 1, 60.0}}, 61));
-            return scene;
-        };
-        const std::vector<Remedy> found = remediesFor(script, stopOf(script), drag, patient);
-        QVERIFY(find(found, RemedyKind::smallerStep));
-        QVERIFY(!find(found, RemedyKind::otherMethod));
-    }
-
-    void whereNothingHoldsNothingIsOffered()
-    {
-        Script script = star(60, "explicit_euler");
-        script.values.set("k",
-                          1e9); // no step of 1/64 is short enough, no damping of explicit Euler strong enough
-        const std::vector<Remedy> found = remediesFor(script, stopOf(script), drag, patient);
-        QVERIFY(!find(found, RemedyKind::smallerStep) && !find(found, RemedyKind::moreDamping));
-    }
-
-    void aTrialThatWouldTakeLongIsNotClaimed()
-    {
-        const Script script = star(60);
-        Stop stop = stopOf(script);
-        stop.frame = 1'000'000'000;
-        for (const Remedy &remedy : remediesFor(script, stop, drag, patient))
-            QCOMPARE(remedy.heldFor, std::int64_t(0));
-    }
-
-    void nobodyWaitsForASearchThatIsLeft()
-    {
-        const Script script = star(60);
-        int asked = 0;
-        const auto found = remediesFor(script, stopOf(script), drag, [&] { return ++asked < 50; });
-        QVERIFY(found.empty());
-        QVERIFY(asked < 60);
-    }
+    void eachRemedyMendsARunThatGrows_data();
+    void eachRemedyMendsARunThatGrows();
+    void theStepIsTheLargestThatHoldsWell();
+    void theDampingIsTheLeastThatHolds();
+    void aStepThatHoldsWellNeedsNothing();
+    void whereNoStepHoldsNoneIsOffered();
+    void withoutSuchAParameterNoDampingIsOffered();
+    void aMapSaysWhereRunsGrow_data();
+    void aMapSaysWhereRunsGrow();
+    void aMapStopsWhenToldTo();
 };
+
+void TestRemedies::eachRemedyMendsARunThatGrows_data()
+{
+    QTest::addColumn<QString>("method");
+    QTest::addColumn<double>("k");
+    QTest::addColumn<double>("damp");
+    QTest::addRow("explicit Euler") << "explicit_euler" << 0.2 << 0.9;
+    QTest::addRow("semi-implicit Euler") << "semi_implicit_euler" << 2.5 << 0.9;
+    QTest::addRow("published") << "published" << 0.3 << 0.9;
+    QTest::addRow("midpoint") << "midpoint" << 0.5 << 0.95;
+    QTest::addRow("Runge-Kutta 4") << "rk4" << 4.0 << 0.9;
+}
+
+void TestRemedies::eachRemedyMendsARunThatGrows()
+{
+    QFETCH(QString, method);
+    QFETCH(double, k);
+    QFETCH(double, damp);
+    const int feet = 3;
+    const Asked asked(creatureScript(feet, qPrintable(method), k, damp, 1.0));
+    QVERIFY(grows(creature(feet, k, damp), method.toStdString(), 1.0));
+    const std::vector<Remedy> remedies = asked.remedies(&damping);
+    QVERIFY(find(remedies, Remedy::Kind::smallerStep));
+    QVERIFY(find(remedies, Remedy::Kind::boundlessMethod));
+    for (const Remedy &one : remedies) {
+        const bool damps = one.kind == Remedy::Kind::moreDamping;
+        const Swinging mended = creature(feet, k, damps ? one.value : damp);
+        QVERIFY2(!grows(mended, one.method->id(), one.step.h, 4000),
+                 qPrintable(QString::fromStdString(one.method->id())));
+        QVERIFY(one.share <= (damps ? justHeld : wellHeld));
+    }
+}
+
+void TestRemedies::theStepIsTheLargestThatHoldsWell()
+{
+    const Asked asked(creatureScript(5, "explicit_euler", 0.2, 0.85, 1.0));
+    const std::vector<Remedy> remedies = asked.remedies(&damping);
+    const Remedy *step = find(remedies, Remedy::Kind::smallerStep);
+    QVERIFY(step);
+    QVERIFY(step->step.h <= wellHeld * asked.now.limit);
+    QVERIFY(2.0 * step->step.h > wellHeld * asked.now.limit);
+}
+
+void TestRemedies::theDampingIsTheLeastThatHolds()
+{
+    const Asked asked(creatureScript(3, "published", 0.3, 0.9, 1.0));
+    const std::vector<Remedy> remedies = asked.remedies(&damping);
+    const Remedy *damp = find(remedies, Remedy::Kind::moreDamping);
+    QVERIFY(damp);
+    const auto shareAt = [&](double value) {
+        return predicted(creature(3, 0.3, value).scene, "published").share();
+    };
+    QVERIFY(damp->value < 0.9);
+    QVERIFY(shareAt(damp->value) <= justHeld);
+    QVERIFY(shareAt(damp->value + 0.01) > justHeld);
+}
+
+void TestRemedies::aStepThatHoldsWellNeedsNothing()
+{
+    const Asked asked(creatureScript(5, "semi_implicit_euler", 0.2, 0.85, 1.0));
+    QVERIFY(asked.now.share() < wellHeld);
+    QVERIFY(asked.remedies(&damping).empty());
+}
+
+void TestRemedies::whereNoStepHoldsNoneIsOffered()
+{
+    const Asked asked(creatureScript(3, "explicit_euler", 0.2, 1.0, 1.0));
+    const std::vector<Remedy> remedies = asked.remedies(&damping);
+    QVERIFY(!find(remedies, Remedy::Kind::smallerStep));
+    const Remedy *other = find(remedies, Remedy::Kind::holdingMethod);
+    QVERIFY(other);
+    QCOMPARE(other->method->evaluations(), 1);
+    QVERIFY(other->method->needs().empty());
+}
+
+void TestRemedies::withoutSuchAParameterNoDampingIsOffered()
+{
+    const Asked asked(creatureScript(3, "published", 0.3, 0.9, 1.0));
+    QVERIFY(find(asked.remedies(&damping), Remedy::Kind::moreDamping));
+    QVERIFY(!find(asked.remedies(nullptr), Remedy::Kind::moreDamping));
+}
+
+void TestRemedies::aMapSaysWhereRunsGrow_data()
+{
+    QTest::addColumn<QString>("method");
+    for (const char *method : {"published", "semi_implicit_euler", "explicit_euler"})
+        QTest::addRow("%s", method) << QString(method);
+}
+
+void TestRemedies::aMapSaysWhereRunsGrow()
+{
+    QFETCH(QString, method);
+    const Script script = creatureScript(2, qPrintable(method), 0.2, 0.9, 1.0);
+    const Scene scene = sceneOf(script, script.values);
+    const auto check = [&](const MapAxis &y) {
+        const GrowthMap map =
+            growthMap(script, script.values, scene.start, MapAxis::evenly("k", 0.05, 3.0, 7), y,
+                      [](const GrowthMap &) { return true; });
+        QCOMPARE(map.growth.size(), std::size_t(7 * 5));
+        int growing = 0;
+        for (std::size_t row = 0; row < map.y.values.size(); ++row) {
+            for (std::size_t column = 0; column < map.x.values.size(); ++column) {
+                const double value = map.y.values[row];
+                const bool isStep = map.y.parameter.empty();
+                const Swinging here = creature(2, map.x.values[column], isStep ? 0.9 : value);
+                const bool found = grows(here, method.toStdString(), isStep ? value : 1.0, 4000);
+                QCOMPARE(map.at(column, row) > 1.0, found);
+                growing += found;
+            }
+        }
+        QVERIFY(growing > 0 && growing < 35);
+    };
+    check(MapAxis::byRatio({}, 0.1, 2.0, 5));
+    check(MapAxis::evenly("damp", 0.3, 0.99, 5));
+}
+
+void TestRemedies::aMapStopsWhenToldTo()
+{
+    const Script script = creatureScript(2, "published", 0.2, 0.9, 1.0);
+    const Scene scene = sceneOf(script, script.values);
+    int rows = 0;
+    const GrowthMap map =
+        growthMap(script, script.values, scene.start, MapAxis::evenly("k", 0.1, 1.0, 4),
+                  MapAxis::byRatio({}, 0.1, 1.0, 5), [&](const GrowthMap &) { return ++rows < 2; });
+    QCOMPARE(map.growth.size(), std::size_t(2 * 4));
+}
 
 QTEST_APPLESS_MAIN(TestRemedies)
 #include "tst_remedies.moc"

@@ -127,6 +127,8 @@ private slots:
         // Whatever phase it was, nothing but the spring can be the reason.
         QVERIFY(track.stop()->effect);
         QCOMPARE(track.stop()->effect->id(), std::string("body_spring"));
+        QCOMPARE(track.stop()->other, 1 - track.stop()->point); // there are two
+        QCOMPARE(track.shown().scene.find(track.stop()->otherBody), track.stop()->other);
         // Its pull overflows before anything else does, but for the places that such a pull leads to.
         const bool tries = findMethod(method.toStdString())->evaluations() > 1;
         QVERIFY(phase == "spring" || (tries && (phase == "try a place" || phase == "move")));

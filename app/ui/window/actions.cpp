@@ -172,6 +172,9 @@ void MainWindow::makeViewActions()
     energy->setChecked(false);
     energy->setToolTip(tr("Where energy and momentum went, below the picture (Ctrl+3)"));
     energy->setObjectName("showEnergy");
+    m_stabilityAction = add(tr("&Stability of the step"), {QKeySequence("Ctrl+L")}, window,
+                            [this](bool shown) { showStability(shown); });
+    m_stabilityAction->setCheckable(true);
     m_dark = add(tr("&Dark"), {QKeySequence("Ctrl+Shift+D")}, window, [this](bool dark) {
         m_theme.setScheme(dark ? Scheme::dark : Scheme::light);
         QSettings().setValue("window/dark", dark);
@@ -247,6 +250,8 @@ void MainWindow::showHelp()
         m_helpPage->addGesture(tr("Picture"), tr("Esc"), tr("let go"));
         m_helpPage->addGesture(tr("Time"), tr("Drag the timeline"), tr("go anywhere in time"));
         m_helpPage->addGesture(tr("Time"), tr("Click a phase"), tr("run to it"));
+        m_helpPage->addGesture(tr("Time"), tr("Alt and the underlined letter"),
+                               tr("where a run has stopped by itself: use what mends it"));
         const QString accuracy = tr("Accuracy");
         m_helpPage->addGesture(accuracy, tr("Arrow keys"), tr("walk through the points of a plot"));
         m_helpPage->addGesture(accuracy, tr("Enter or a click"), tr("use the method and step of a point"));

@@ -2,6 +2,7 @@
 
 #include "app/model/session.h"
 #include "app/ui/window/main_window.h"
+#include "app/ui/window/stop_notice.h"
 
 #include <QApplication>
 #include <QSettings>
@@ -72,6 +73,13 @@ int takeScreenshot(QApplication &application, const ScreenshotRequest &request)
             QApplication::processEvents(QEventLoop::WaitForMoreEvents);
         session.goTo({request.frame, request.phase});
         while (session.goingTo())
+            QApplication::processEvents(QEventLoop::WaitForMoreEvents);
+        if (request.reasons)
+            window.showStability(true);
+        if (request.map)
+            window.showGrowthMap(*request.map);
+        while (!window.stability().isCurrent() || window.stability().isMapping() ||
+               window.stopNotice().search().isSearching())
             QApplication::processEvents(QEventLoop::WaitForMoreEvents);
         QApplication::processEvents();
         if (!window.grab().save(request.out))

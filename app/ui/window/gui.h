@@ -1,9 +1,12 @@
 #pragma once
 
+#include "app/model/map_plane.h"
+
 #include <QSize>
 #include <QString>
 
 #include <cstdint>
+#include <optional>
 
 class QApplication;
 
@@ -18,9 +21,11 @@ struct ScreenshotRequest
     int phase = 0; ///< phases done inside the frame
     QSize size{1280, 800};
     bool dark = false;
-    bool measuring = false; ///< arranged for measuring, with all that is measured
-    bool energy = false;    ///< whether the ledger of energy is shown
-    QString out;            ///< a file name; its ending tells the format
+    bool measuring = false;      ///< arranged for measuring, with all that is measured
+    bool energy = false;         ///< whether the ledger of energy is shown
+    bool reasons = false;        ///< with what bounds the step
+    std::optional<MapPlane> map; ///< and the map of growth
+    QString out;                 ///< a file name; its ending tells the format
 };
 
 /// Shows the window, with the experiment `file` unless that is empty, and runs until it is closed.

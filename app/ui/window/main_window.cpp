@@ -13,11 +13,13 @@
 #include "app/ui/scene/scene_bar.h"
 #include "app/ui/scene/scene_view.h"
 #include "app/ui/scene/thumbnail.h"
+#include "app/ui/stability/stability_gauge.h"
 #include "app/ui/time/footfall_strip.h"
 #include "app/ui/time/timeline_strip.h"
 #include "app/ui/time/transport_bar.h"
 #include "app/ui/window/notice.h"
 #include "app/ui/window/status_figures.h"
+#include "app/ui/window/stop_notice.h"
 
 #include <QApplication>
 #include <QCloseEvent>
@@ -50,7 +52,8 @@ QFrame *divider(QWidget *parent)
 
 MainWindow::MainWindow(Session &session, Theme &theme, StudyFunction study, QWidget *parent)
     : QMainWindow(parent), m_session(session), m_theme(theme), m_course(new Course(session, this)),
-      m_study(new AccuracyStudy(session, std::move(study), this))
+      m_study(new AccuracyStudy(session, std::move(study), this)),
+      m_stability(new StabilityWatch(session, this))
 {
     setWindowIcon(QIcon(":/app/springstep.svg"));
     setDockOptions(QMainWindow::AnimatedDocks);
@@ -58,6 +61,7 @@ MainWindow::MainWindow(Session &session, Theme &theme, StudyFunction study, QWid
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     setCentralWidget(centre());
     makeDocks();
+    makeStability();
     makeActions();
     setMenuWidget(header());
     makeStatus();
@@ -83,6 +87,7 @@ QWidget *MainWindow::centre()
     m_sceneBar = new SceneBar(m_session, m_theme, centre);
     m_scene = new SceneView(m_session, m_theme, centre);
     m_scene->setMinimumSize(480, 320);
+    m_stopNotice = new StopNotice(m_session, m_theme, m_scene);
     m_transport = new TransportBar(m_session, m_theme, centre);
     m_timeline = new TimelineStrip(m_session, m_theme, centre);
     m_footfall = new FootfallStrip(m_session, *m_course, *m_timeline, m_theme, centre);
@@ -168,6 +173,8 @@ void MainWindow::fitParameters()
     // What is above them gets all the height that the parameters do not need.
     const int wanted = m_parameterDock->sizeHint().height();
     QDockWidget *above = m_codeDock->isHidden() ? m_accuracyDock : m_codeDock;
+    if (m_stabilityDock && !m_stabilityDock->isHidden())
+        above = m_stabilityDock;
     resizeDocks({above, m_parameterDock}, {std::max(1, height() - wanted), wanted}, Qt::Vertical);
 }
 
@@ -181,6 +188,7 @@ void MainWindow::makeStatus()
     statusBar()->addPermanentWidget(new StatusFigures(m_session, *m_study, this));
     statusBar()->setSizeGripEnabled(false);
     statusBar()->setFixedHeight(28);
+    statusBar()->addPermanentWidget(m_gauge);
     connect(&m_session, &Session::moved, this, &MainWindow::showStatus);
     connect(&m_session, &Session::playingChanged, this, &MainWindow::showStatus);
     connect(&m_session, &Session::said, this, [this](const QString &sentence) {
@@ -272,6 +280,7 @@ void MainWindow::restore()
     m_docksKnown = restoreState(settings.value("window/docks").toByteArray());
     m_accuracyDock->hide(); // the window opens for learning
     m_energyDock->hide();
+    showStability(false);
 }
 
 void MainWindow::showEvent(QShowEvent *event)
@@ -287,6 +296,7 @@ void MainWindow::closeEvent(QCloseEvent *event)
 {
     QSettings settings;
     settings.setValue("window/geometry", saveGeometry());
+    showStability(false);
     settings.setValue("window/docks", m_mode == Mode::learn ? saveState() : m_learnDocks);
     QMainWindow::closeEvent(event);
 }

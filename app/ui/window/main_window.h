@@ -2,6 +2,7 @@
 
 #include "app/model/accuracy_study.h"
 #include "app/model/session.h"
+#include "app/model/stability_watch.h"
 #include "app/ui/theme/theme.h"
 
 #include <QMainWindow>
@@ -26,6 +27,9 @@ class MeasurePanel;
 class ParameterPanel;
 class SceneBar;
 class SceneView;
+class StabilityGauge;
+class StabilityPanel;
+class StopNotice;
 class TimelineStrip;
 class TransportBar;
 
@@ -46,6 +50,12 @@ public:
     const AccuracyStudy &study() const { return *m_study; }
     /// Whether the ledger of energy is seen, below the picture.
     void showEnergy(bool shown);
+    const StabilityWatch &stability() const { return *m_stability; }
+    const StopNotice &stopNotice() const { return *m_stopNotice; }
+    /// Shows what bounds the step in place of code or accuracy, or those again.
+    void showStability(bool shown);
+    /// The map of growth, where the step has one.
+    void showGrowthMap(MapPlane plane);
 
     /// Opens an experiment file. A file that is refused is named with the reason, and nothing changes.
     void openFile(const QString &path);
@@ -73,6 +83,7 @@ private:
     void fitParameters();
     void showMeasures();
     void makeStatus();
+    void makeStability();
     void showStatus();
     void showHelp();
     void askOpen();
@@ -91,6 +102,7 @@ private:
     Theme &m_theme;
     Course *m_course; ///< what the steps measure
     AccuracyStudy *m_study;
+    StabilityWatch *m_stability;
     Mode m_mode = Mode::learn;
     QByteArray m_learnDocks; ///< the arrangement that the learner left for measuring
     std::vector<Listed> m_actions;
@@ -106,6 +118,7 @@ private:
     LearnPanel *m_learn = nullptr;
     SceneBar *m_sceneBar = nullptr;
     SceneView *m_scene = nullptr;
+    StopNotice *m_stopNotice = nullptr;
     TransportBar *m_transport = nullptr;
     TimelineStrip *m_timeline = nullptr;
     FootfallStrip *m_footfall = nullptr;
@@ -117,11 +130,16 @@ private:
     HelpPage *m_helpPage = nullptr;
     AccuracyPanel *m_accuracy = nullptr;
     EnergyPanel *m_energy = nullptr;
+    StabilityGauge *m_gauge = nullptr;
+    StabilityPanel *m_stabilityPanel = nullptr;
+    QAction *m_stabilityAction = nullptr;
     QDockWidget *m_left = nullptr;
     QDockWidget *m_accuracyDock = nullptr;
     QDockWidget *m_energyDock = nullptr;
     QDockWidget *m_codeDock = nullptr;
     QDockWidget *m_parameterDock = nullptr;
+    QDockWidget *m_stabilityDock = nullptr;
+    QDockWidget *m_replaced = nullptr; ///< what stands aside while stability is shown
     QLabel *m_status = nullptr;
     QString m_said;
     bool m_docksKnown =

@@ -65,6 +65,7 @@ void MainWindow::setMode(Mode mode)
 {
     if (mode == m_mode)
         return;
+    showStability(false);
     m_mode = mode;
     m_modes->actions().at(static_cast<int>(mode))->setChecked(true);
     if (mode == Mode::measure) {

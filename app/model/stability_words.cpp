@@ -1,0 +1,200 @@
+#include "app/model/stability_words.h"
+
+#include "app/model/accuracy_words.h"
+#include "app/model/numbers.h"
+#include "app/model/sentences.h"
+#include "app/model/step_words.h"
+
+#include <QCoreApplication>
+
+#include <cmath>
+
+namespace app {
+
+namespace {
+
+using sim::Bound;
+using sim::Stability;
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(StabilityWords)
+};
+
+QString percent(double share)
+{
+    if (share >= 9.995)
+        return Text::tr("%1 × the limit").arg(roughNumber(share));
+    return Text::tr("%1\u2009% of the limit").arg(qRound(100.0 * share));
+}
+
+QString frames(double h)
+{
+    return Text::tr("%1\u2009frames").arg(roughNumber(h));
+}
+
+QString nameOf(const StabilityReading &reading, int point)
+{
+    const auto index = static_cast<std::size_t>(point);
+    return bodyTitle(QString::fromStdString(reading.segment->scene.names[index]));
+}
+
+/// "The spring foot 3 – body", "The spring of foot 0", "legs, foot 0 – body".
+QString culpritWords(const StabilityReading &reading)
+{
+    const sim::Culprit &culprit = reading.stability.culprit;
+    if (!culprit.effect)
+        return {};
+    return pullTitle(*culprit.effect, nameOf(reading, culprit.point),
+                     culprit.other < 0 ? QString() : nameOf(reading, culprit.other));
+}
+
+/// Which spring decides.
+QString decides(const StabilityReading &reading)
+{
+    const QString who = culpritWords(reading);
+    return who.isEmpty() ? QString() : Text::tr("%1 decides it.").arg(who.toHtmlEscaped());
+}
+
+/// What it looks like past the limit.
+QString manner(const StabilityReading &reading)
+{
+    switch (reading.stability.manner) {
+    case sim::Manner::overAndBack:
+        return Text::tr("Past the limit it swings to the other side at each step, farther each time.");
+    case sim::Manner::wider:
+        return Text::tr("Past the limit it swings wider and wider.");
+    case sim::Manner::away:
+        break;
+    }
+    return Text::tr("Past the limit all of it drifts off, faster and faster: one end moves before the other "
+                    "does, so their pulls do not cancel.");
+}
+
+QString ofSteps(const StabilityReading &reading)
+{
+    const Stability &found = reading.stability;
+    if (std::isinf(found.limit))
+        return Text::tr("<b>Damping holds every step.</b> However long, nothing swings up here.");
+    if (found.limit == 0.0)
+        return Text::tr("<b>No step holds.</b> With this method and so little damping, small disturbances "
+                        "%1, and at any shorter step they still grow.")
+            .arg(growthWords(found.growth));
+    if (found.holds() && found.h > found.limit)
+        return Text::tr("<b>%1, and held all the same.</b> From %2 on steps are too long, but damping holds "
+                        "one as long as this.")
+            .arg(percent(found.share()), frames(found.limit));
+    if (!found.holds())
+        return Text::tr("<b>%1.</b> Small disturbances %2. Steps up to %3 hold.")
+            .arg(percent(found.share()), growthWords(found.growth), frames(found.limit));
+    return Text::tr("<b>%1.</b> Steps up to %2 hold here.").arg(percent(found.share()), frames(found.limit));
+}
+
+}
+
+Nearness nearnessOf(const Stability &stability)
+{
+    if (stability.bound != Bound::stiffness)
+        return Nearness::none;
+    if (!stability.holds())
+        return Nearness::past;
+    return stability.share() > sim::wellHeld ? Nearness::near : Nearness::far;
+}
+
+QString growthWords(double growth)
+{
+    if (growth < 2.0)
+        return Text::tr("grow by %1\u2009% a frame").arg(roughNumber(100.0 * (growth - 1.0)));
+    return Text::tr("grow %1 times a frame").arg(roughNumber(growth));
+}
+
+QString gaugeWords(const StabilityReading &reading)
+{
+    const Stability &found = reading.stability;
+    switch (found.bound) {
+    case Bound::none:
+        return Text::tr("no limit");
+    case Bound::tolerance:
+        return Text::tr("by its tolerance");
+    case Bound::noSprings:
+        return Text::tr("nothing swings");
+    case Bound::unknown:
+        return Text::tr("not known here");
+    case Bound::stiffness:
+        break;
+    }
+    if (std::isinf(found.limit))
+        return Text::tr("held by damping");
+    return found.limit == 0.0 ? Text::tr("no step holds") : percent(found.share());
+}
+
+QString stabilityVerdict(const StabilityReading &reading)
+{
+    const QString method = methodTitle(*reading.method).toHtmlEscaped();
+    switch (reading.stability.bound) {
+    case Bound::none:
+        return Text::tr("<b>%1 has no such limit.</b> A long step stays bounded however stiff the springs; "
+                        "it is only less exact. How exact it should be bounds the step.")
+            .arg(method);
+    case Bound::tolerance:
+        return Text::tr("<b>%1 keeps its own steps short enough.</b> Its tolerance, %2, bounds them.")
+            .arg(method, stepTitle(reading.step));
+    case Bound::noSprings:
+        return Text::tr("<b>Nothing swings here.</b> What acts has no stiffness, so no step is too long for "
+                        "it.");
+    case Bound::unknown:
+        return Text::tr("<b>Not known here.</b> The pulls in this state are no finite numbers.");
+    case Bound::stiffness:
+        break;
+    }
+    QStringList sentences = {ofSteps(reading), decides(reading)};
+    if (std::isfinite(reading.stability.limit))
+        sentences << manner(reading);
+    sentences.removeAll(QString());
+    return sentences.join(' ');
+}
+
+QString leftOutWords(const StabilityReading &reading)
+{
+    QStringList names;
+    for (const sim::EffectPtr &effect : reading.stability.leftOut) {
+        const QString name = phrase(effect->title());
+        if (!names.contains(name))
+            names << name;
+    }
+    if (names.isEmpty())
+        return {};
+    return Text::tr("Not part of this: %1. They act by jumps, once a step, and have no stiffness.")
+        .arg(names.join(QStringLiteral(", ")));
+}
+
+QString remedyLabel(const sim::Remedy &remedy)
+{
+    switch (remedy.kind) {
+    case sim::Remedy::Kind::smallerStep:
+        return Text::tr("Use a &step of %1").arg(stepTitle(remedy.step));
+    case sim::Remedy::Kind::largerTolerance:
+        return Text::tr("Use a &tolerance of %1").arg(stepTitle(remedy.step));
+    case sim::Remedy::Kind::moreDamping:
+        return Text::tr("&Damp more: %1 %2")
+            .arg(QString::fromStdString(remedy.parameter), writtenNumber(remedy.value, 2));
+    case sim::Remedy::Kind::holdingMethod:
+    case sim::Remedy::Kind::boundlessMethod:
+        break;
+    }
+    return Text::tr("&Use %1").arg(methodTitle(*remedy.method));
+}
+
+QString remedyTitle(const sim::Remedy &remedy)
+{
+    return remedyLabel(remedy).remove('&');
+}
+
+QString remedyOutcome(const sim::Remedy &remedy)
+{
+    if (remedy.kind != sim::Remedy::Kind::boundlessMethod)
+        return Text::tr("then at %1").arg(percent(remedy.share));
+    return remedy.step.adaptive() ? Text::tr("keeps its own steps") : Text::tr("has no such limit");
+}
+
+}

@@ -1,0 +1,194 @@
+#include "app/ui/stability/growth_plot.h"
+
+#include "app/model/numbers.h"
+#include "app/model/step_words.h"
+#include "app/ui/stability/map_axis.h"
+#include "app/ui/stability/stability_gauge.h"
+
+#include <QHelpEvent>
+#include <QToolTip>
+
+#include <algorithm>
+#include <cmath>
+
+namespace app {
+
+namespace {
+
+QColor mixed(const QColor &a, const QColor &b, double share)
+{
+    const auto part = [share](int from, int to) { return qRound(from + share * (to - from)); };
+    return {part(a.red(), b.red()), part(a.green(), b.green()), part(a.blue(), b.blue())};
+}
+
+QString valueWords(const sim::MapAxis &axis, double value)
+{
+    if (axis.parameter.empty())
+        return GrowthPlot::tr("a step of %1\u2009frames").arg(roughNumber(value));
+    return QStringLiteral("%1 %2").arg(QString::fromStdString(axis.parameter), roughNumber(value));
+}
+
+}
+
+GrowthPlot::GrowthPlot(const StabilityWatch &watch, const Theme &theme, QWidget *parent)
+    : QCustomPlot(parent), m_watch(watch), m_theme(theme), m_cells(new QCPColorMap(xAxis, yAxis))
+{
+    installGaugeAccess();
+    setObjectName("growthMap");
+    setAccessibleName(tr("Map of growth"));
+    setFocusPolicy(Qt::TabFocus);
+    m_cells->setInterpolate(false);
+    m_cells->setTightBoundary(false);
+    m_cells->setDataRange(QCPRange(holding, std::log10(mostShown)));
+    axisRect()->setMinimumMargins(QMargins(44, 30, 14, 40));
+    axisRect()->setAutoMargins(QCP::msNone);
+    axisRect()->setMargins(QMargins(48, 30, 14, 40));
+    xAxis->grid()->setVisible(false);
+    yAxis->grid()->setVisible(false);
+    connect(&watch, &StabilityWatch::mapChanged, this, &GrowthPlot::refresh);
+    connect(&theme, &Theme::changed, this, &GrowthPlot::dress);
+    dress();
+}
+
+void GrowthPlot::dress()
+{
+    const Tokens &t = m_theme.tokens();
+    setBackground(QBrush(t.panel));
+    axisRect()->setBackground(QBrush(t.scene));
+    for (QCPAxis *axis : {xAxis, yAxis}) {
+        axis->setBasePen(QPen(t.line2));
+        axis->setTickPen(QPen(t.line2));
+        axis->setSubTicks(false);
+        axis->setTickLabelColor(t.ink3);
+        axis->setTickLabelFont(m_theme.ui(12));
+        axis->setTickLength(0, 3);
+    }
+    // Ever darker on a light ground, ever brighter on a dark one: it reads without hue.
+    const bool isDark = m_theme.scheme() == Scheme::dark;
+    const QColor far = isDark ? mixed(t.near, Qt::white, 0.65) : mixed(t.past, Qt::black, 0.5);
+    m_gradient.clearColorStops();
+    m_gradient.setColorInterpolation(QCPColorGradient::ciRGB);
+    const double nought = -holding / (std::log10(mostShown) - holding);
+    m_gradient.setColorStopAt(0.0, t.scene);
+    m_gradient.setColorStopAt(nought * 0.6, t.scene);
+    m_gradient.setColorStopAt(nought * 0.61, mixed(t.scene, t.near, isDark ? 0.3 : 0.3));
+    m_gradient.setColorStopAt(0.4, mixed(t.scene, t.near, 0.85));
+    m_gradient.setColorStopAt(1.0, far);
+    m_cells->setGradient(m_gradient);
+    m_cells->setDataRange(QCPRange(holding, std::log10(mostShown)));
+    refresh();
+}
+
+void GrowthPlot::refresh()
+{
+    m_cells->setVisible(m_watch.map());
+    if (const sim::GrowthMap *map = m_watch.map()) {
+        fill(*map);
+        label(*map);
+    }
+    setAccessibleDescription(sentence());
+    replot(QCustomPlot::rpQueuedReplot);
+    update();
+}
+
+void GrowthPlot::fill(const sim::GrowthMap &map)
+{
+    const int columns = static_cast<int>(map.x.values.size());
+    const int rows = static_cast<int>(map.y.values.size());
+    m_cells->data()->setSize(columns, rows);
+    m_cells->data()->setRange({onAxis(map.x, map.x.values.front()), onAxis(map.x, map.x.values.back())},
+                              {onAxis(map.y, map.y.values.front()), onAxis(map.y, map.y.values.back())});
+    m_cells->data()->fill(holding);
+    for (std::size_t i = 0; i < map.growth.size(); ++i) {
+        const double growth = map.growth[i];
+        const double value = growth > 1.0 ? std::min(std::log10(growth), std::log10(mostShown)) : holding;
+        m_cells->data()->setCell(static_cast<int>(i) % columns, static_cast<int>(i) / columns, value);
+    }
+    const double wide = 0.5 * spacing(map.x), high = 0.5 * spacing(map.y);
+    xAxis->setRange(onAxis(map.x, map.x.values.front()) - wide, onAxis(map.x, map.x.values.back()) + wide);
+    yAxis->setRange(onAxis(map.y, map.y.values.front()) - high, onAxis(map.y, map.y.values.back()) + high);
+}
+
+void GrowthPlot::label(const sim::GrowthMap &map)
+{
+    const auto powers = [](const sim::MapAxis &axis) {
+        auto ticker = QSharedPointer<QCPAxisTickerText>::create();
+        const int first = static_cast<int>(std::ceil(std::log10(axis.values.front()) - 1e-9));
+        for (int i = first; i <= std::log10(axis.values.back()) + 1e-9; ++i)
+            ticker->addTick(i, std::abs(i) <= 3 ? QString::number(std::pow(10.0, i)) : powerOfTen(i));
+        return ticker;
+    };
+    xAxis->setTicker(powers(map.x));
+    if (!map.y.parameter.empty()) {
+        auto ticker = QSharedPointer<QCPAxisTickerFixed>::create();
+        ticker->setTickStep(0.2);
+        yAxis->setTicker(ticker);
+        yAxis->setNumberFormat("f");
+        yAxis->setNumberPrecision(1);
+        return;
+    }
+    auto ticker = QSharedPointer<QCPAxisTickerText>::create();
+    for (int i = -20; i <= 6; i += 2) {
+        const double h = std::ldexp(1.0, i);
+        ticker->addTick(std::log10(h), i < 0 ? QStringLiteral("1/%1").arg(1 << -i) : QString::number(h));
+    }
+    yAxis->setTicker(ticker);
+}
+
+double GrowthPlot::upOf(const TriedSpot &spot) const
+{
+    return m_watch.map()->y.parameter.empty() ? spot.h : spot.damp;
+}
+
+QPointF GrowthPlot::onScreen(const TriedSpot &spot) const
+{
+    const sim::GrowthMap *map = m_watch.map();
+    if (!map)
+        return {};
+    return {xAxis->coordToPixel(onAxis(map->x, spot.k)), yAxis->coordToPixel(onAxis(map->y, upOf(spot)))};
+}
+
+bool GrowthPlot::grows(int column, int row) const
+{
+    const sim::GrowthMap &map = *m_watch.map();
+    const auto index = static_cast<std::size_t>(row) * map.x.values.size() + static_cast<std::size_t>(column);
+    return index < map.growth.size() && map.growth[index] > 1.0;
+}
+
+QString GrowthPlot::wordsAt(QPointF place) const
+{
+    const sim::GrowthMap *map = m_watch.map();
+    if (!map || !QRectF(axisRect()->rect()).contains(place))
+        return {};
+    int column = 0, row = 0;
+    m_cells->data()->coordToCell(xAxis->pixelToCoord(place.x()), yAxis->pixelToCoord(place.y()), &column,
+                                 &row);
+    column = std::clamp(column, 0, static_cast<int>(map->x.values.size()) - 1);
+    row = std::clamp(row, 0, static_cast<int>(map->y.values.size()) - 1);
+    const auto x = static_cast<std::size_t>(column), y = static_cast<std::size_t>(row);
+    if (y * map->x.values.size() + x >= map->growth.size())
+        return {};
+    const QString where =
+        tr("%1, %2").arg(valueWords(map->x, map->x.values[x]), valueWords(map->y, map->y.values[y]));
+    return grows(column, row) ? tr("%1: disturbances %2").arg(where, growthWords(map->at(x, y)))
+                              : tr("%1: it holds").arg(where);
+}
+
+QString GrowthPlot::sentence() const
+{
+    if (!m_watch.map() || m_watch.tried().empty())
+        return tr("The map is being computed.");
+    return tr("You are at %1.").arg(wordsAt(onScreen(m_watch.tried().back())));
+}
+
+bool GrowthPlot::event(QEvent *event)
+{
+    if (event->type() == QEvent::ToolTip) {
+        const auto *help = static_cast<QHelpEvent *>(event);
+        QToolTip::showText(help->globalPos(), wordsAt(help->pos()), this);
+        return true;
+    }
+    return QCustomPlot::event(event);
+}
+
+}

@@ -1,0 +1,149 @@
+#include "app/ui/stability/stability_gauge.h"
+
+#include <QKeyEvent>
+#include <QPainter>
+#include <QTextDocumentFragment>
+
+#include <algorithm>
+#include <cmath>
+
+namespace app {
+
+namespace {
+
+constexpr int margin = 8;
+constexpr int gap = 8;
+constexpr int gaugeHeight = 24;
+constexpr int tickHeight = 12;
+
+}
+
+StabilityGauge::StabilityGauge(const StabilityWatch &watch, const Theme &theme, QWidget *parent)
+    : QAbstractButton(parent), m_watch(watch), m_theme(theme)
+{
+    installGaugeAccess();
+    setObjectName("gauge");
+    setFocusPolicy(Qt::TabFocus);
+    setCursor(Qt::PointingHandCursor);
+    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+    setAttribute(Qt::WA_Hover);
+    connect(&watch, &StabilityWatch::changed, this, &StabilityGauge::refresh);
+    connect(&theme, &Theme::changed, this, qOverload<>(&QWidget::update));
+    refresh();
+}
+
+void StabilityGauge::refresh()
+{
+    const StabilityReading *reading = m_watch.reading();
+    const QString words = reading ? gaugeWords(*reading) : QString();
+    const bool grows = QFontMetrics(m_theme.ui(12)).horizontalAdvance(words) !=
+                       QFontMetrics(m_theme.ui(12)).horizontalAdvance(m_words);
+    m_words = words;
+    setText(words);
+    setAccessibleName(tr("Stability"));
+    const QString verdict = reading ? stabilityVerdict(*reading) : QString();
+    setAccessibleDescription(QTextDocumentFragment::fromHtml(verdict).toPlainText());
+    setToolTip(QStringLiteral("<p>%1</p><p>%2</p>")
+                   .arg(verdict, tr("Click for the reasons, and for what would mend it (Ctrl+L).")));
+    if (grows)
+        updateGeometry();
+    update();
+}
+
+double StabilityGauge::percent() const
+{
+    const StabilityReading *reading = m_watch.reading();
+    if (!reading || reading->stability.bound != sim::Bound::stiffness)
+        return 0.0;
+    return 100.0 * std::min(reading->stability.share(), 1.0 / limitPlace);
+}
+
+double StabilityGauge::filled() const
+{
+    return percent() / 100.0 * limitPlace;
+}
+
+QColor StabilityGauge::fillColor() const
+{
+    const Tokens &tokens = m_theme.tokens();
+    switch (nearnessOf(m_watch.reading()->stability)) {
+    case Nearness::past:
+        return tokens.past;
+    case Nearness::near:
+        return tokens.near;
+    case Nearness::far:
+    case Nearness::none:
+        break;
+    }
+    return tokens.ok;
+}
+
+QSize StabilityGauge::sizeHint() const
+{
+    const QFontMetrics metrics(m_theme.ui(12));
+    // Room for what changes while it plays, so that nothing beside it moves.
+    const int words = std::max(metrics.horizontalAdvance(m_words),
+                               metrics.horizontalAdvance(tr("%1\u2009% of the limit").arg(100)));
+    return {2 * margin + metrics.horizontalAdvance(tr("Stability")) + gap + barWidth + gap + words,
+            gaugeHeight};
+}
+
+void StabilityGauge::paintBar(QPainter &painter, const QRectF &bar) const
+{
+    const Tokens &tokens = m_theme.tokens();
+    const StabilityReading *reading = m_watch.reading();
+    const bool isBound = reading && reading->stability.bound == sim::Bound::stiffness;
+    const double round = bar.height() / 2.0;
+    if (!isBound) {
+        painter.setPen(QPen(tokens.line2, 1.0, Qt::DotLine));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRoundedRect(bar.adjusted(0.5, 0.5, -0.5, -0.5), round, round);
+        return;
+    }
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(tokens.line2);
+    painter.drawRoundedRect(bar, round, round);
+    QRectF done = bar;
+    done.setWidth(std::max(bar.height(), bar.width() * std::min(1.0, filled())));
+    if (filled() > 0.0) {
+        painter.setBrush(fillColor());
+        painter.drawRoundedRect(done, round, round);
+    }
+    const double x = std::round(bar.left() + limitPlace * bar.width()) + 0.5;
+    painter.setPen(QPen(tokens.ink, 1.0));
+    painter.drawLine(QPointF(x, bar.center().y() - tickHeight / 2.0),
+                     QPointF(x, bar.center().y() + tickHeight / 2.0));
+}
+
+void StabilityGauge::paintEvent(QPaintEvent *)
+{
+    const Tokens &tokens = m_theme.tokens();
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (underMouse() || isChecked()) {
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(tokens.hover);
+        painter.drawRoundedRect(rect(), 6, 6);
+    }
+    const QFont font = m_theme.ui(12);
+    const QFontMetricsF metrics(font);
+    painter.setFont(font);
+    painter.setPen(tokens.ink2);
+    QRectF row = QRectF(rect()).adjusted(margin, 0, -margin, 0);
+    painter.drawText(row, Qt::AlignVCenter | Qt::AlignLeft, tr("Stability"));
+    row.setLeft(row.left() + metrics.horizontalAdvance(tr("Stability")) + gap);
+    paintBar(painter, QRectF(row.left(), row.center().y() - barHeight / 2.0, barWidth, barHeight));
+    row.setLeft(row.left() + barWidth + gap);
+    painter.setPen(tokens.ink);
+    painter.drawText(row, Qt::AlignVCenter | Qt::AlignLeft, m_words);
+}
+
+void StabilityGauge::keyPressEvent(QKeyEvent *event)
+{
+    if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter)
+        click();
+    else
+        QAbstractButton::keyPressEvent(event);
+}
+
+}

@@ -1,0 +1,260 @@
+#include "app/ui/stability/stability_panel.h"
+
+#include "app/ui/panels/panel_title.h"
+#include "app/ui/stability/growth_plot.h"
+
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QHideEvent>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QTextDocumentFragment>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace app {
+
+namespace {
+
+constexpr int margin = 16;
+
+QLabel *textLabel(const char *name, const QString &text, QWidget *parent)
+{
+    auto *label = new QLabel(text, parent);
+    label->setObjectName(name);
+    label->setWordWrap(true);
+    return label;
+}
+
+}
+
+StabilityPanel::StabilityPanel(StabilityWatch &watch, const Theme &theme, QWidget *parent)
+    : QWidget(parent), m_watch(watch), m_theme(theme)
+{
+    setObjectName("panel");
+    setAttribute(Qt::WA_StyledBackground);
+    auto *content = new QWidget;
+    content->setObjectName("panel");
+    content->setAttribute(Qt::WA_StyledBackground);
+    auto *column = new QVBoxLayout(content);
+    column->setContentsMargins(margin, 4, margin, 12);
+    column->setSpacing(8);
+    column->addWidget(card());
+    column->addWidget(mends());
+    m_leftOut = textLabel("caption", {}, content);
+    column->addWidget(m_leftOut);
+    column->addWidget(map(), 1);
+    auto *area = new QScrollArea(this);
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area->setWidget(content);
+    area->setFocusPolicy(Qt::NoFocus);
+    auto *all = new QVBoxLayout(this);
+    all->setContentsMargins(0, 0, 0, 0);
+    all->setSpacing(0);
+    all->addWidget(title());
+    all->addWidget(area, 1);
+    connect(&watch, &StabilityWatch::changed, this, &StabilityPanel::refresh);
+    connect(&watch, &StabilityWatch::mapChanged, this, &StabilityPanel::refreshMap);
+    connect(&theme, &Theme::changed, this, &StabilityPanel::dress);
+    dress();
+    refresh();
+    refreshMap();
+}
+
+QWidget *StabilityPanel::title()
+{
+    m_title = new PanelTitle(tr("Stability"), PanelTitle::CaptionPlace::besideTitle, m_theme, this);
+    m_close = new QToolButton(m_title);
+    m_close->setObjectName("closeStability");
+    m_close->setFixedSize(28, 28);
+    m_close->setFocusPolicy(Qt::TabFocus);
+    m_close->setAccessibleName(tr("Close"));
+    m_close->setToolTip(tr("Close, and show what was here before (Ctrl+L)"));
+    connect(m_close, &QToolButton::clicked, this, &StabilityPanel::closed);
+    m_title->addAction(m_close);
+    return m_title;
+}
+
+QWidget *StabilityPanel::card()
+{
+    auto *card = new QFrame(this);
+    card->setObjectName("sentence");
+    auto *layout = new QVBoxLayout(card);
+    layout->setContentsMargins(14, 10, 12, 10);
+    m_verdict = new QLabel(card);
+    m_verdict->setObjectName("verdict");
+    m_verdict->setTextFormat(Qt::RichText);
+    m_verdict->setWordWrap(true);
+    layout->addWidget(m_verdict);
+    return card;
+}
+
+QWidget *StabilityPanel::mends()
+{
+    m_mends = new QWidget(this);
+    m_rows = new QGridLayout(m_mends);
+    m_rows->setContentsMargins(0, 0, 0, 0);
+    m_rows->setHorizontalSpacing(10);
+    m_rows->setVerticalSpacing(4);
+    m_rows->setColumnStretch(1, 1);
+    m_rows->addWidget(textLabel("heading", tr("What would help"), m_mends), 0, 0, 1, 2);
+    return m_mends;
+}
+
+QToolButton *StabilityPanel::mapButton(const QString &text, const QString &tip, MapPlane plane)
+{
+    auto *button = new QToolButton(this);
+    button->setObjectName("tab");
+    button->setText(text);
+    button->setToolTip(tip);
+    button->setCheckable(true);
+    button->setFocusPolicy(Qt::TabFocus);
+    connect(button, &QToolButton::clicked, this,
+            [this, plane](bool on) { showMap(on ? std::optional(plane) : std::nullopt); });
+    m_planes.push_back(button);
+    return button;
+}
+
+QWidget *StabilityPanel::map()
+{
+    auto *part = new QWidget(this);
+    auto *column = new QVBoxLayout(part);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(4);
+    auto *row = new QHBoxLayout;
+    row->setSpacing(2);
+    row->addWidget(textLabel("heading", tr("Map"), part), 1);
+    row->addWidget(mapButton(tr("Stiffness and step"),
+                             tr("Which stiffness and which step hold, all else as it is; again to close"),
+                             MapPlane::step));
+    row->addWidget(mapButton(tr("Stiffness and damping"),
+                             tr("Which stiffness and which damping hold, all else as it is; again to close"),
+                             MapPlane::damping));
+    column->addLayout(row);
+    m_noMap = textLabel("caption", {}, part);
+    column->addWidget(m_noMap);
+    m_plot = new GrowthPlot(m_watch, m_theme, part);
+    column->addWidget(m_plot, 1);
+    column->addStretch();
+    return part;
+}
+
+void StabilityPanel::dress()
+{
+    m_verdict->setFont(m_theme.ui(14));
+    m_close->setIcon(m_theme.icon("close"));
+}
+
+QString StabilityPanel::verdict() const
+{
+    return QTextDocumentFragment::fromHtml(m_verdict->text()).toPlainText();
+}
+
+QString StabilityPanel::leftOut() const
+{
+    return m_leftOut->text();
+}
+
+void StabilityPanel::refresh()
+{
+    const StabilityReading *reading = m_watch.reading();
+    if (!reading)
+        return;
+    m_title->setCaption(gaugeWords(*reading));
+    const QString said = stabilityVerdict(*reading);
+    if (said != m_verdict->text())
+        m_verdict->setText(said);
+    m_leftOut->setText(leftOutWords(*reading));
+    m_leftOut->setVisible(!m_leftOut->text().isEmpty());
+    refreshMap();
+}
+
+QPushButton *StabilityPanel::remedyButton(const sim::Remedy &remedy)
+{
+    auto *button = new QPushButton(remedyTitle(remedy), m_mends);
+    button->setObjectName("use");
+    button->setAutoDefault(false);
+    button->setToolTip(tr("%1: %2").arg(remedyTitle(remedy), remedyOutcome(remedy)));
+    button->setAccessibleDescription(remedyOutcome(remedy));
+    connect(button, &QPushButton::clicked, this, [this, remedy] { m_watch.adopt(remedy); });
+    return button;
+}
+
+void StabilityPanel::refreshRemedies(const std::vector<sim::Remedy> &remedies)
+{
+    if (!isVisible())
+        return; // nobody reads them; and no child may come while children are hidden
+    // Beside a map they leave their outcomes to the tips: two in a row.
+    const bool isShort = m_watch.mapPlane().has_value();
+    QStringList offered = {isShort ? QStringLiteral("short") : QString()};
+    for (const sim::Remedy &one : remedies)
+        offered << remedyTitle(one) + '\n' + remedyOutcome(one);
+    m_mends->setVisible(!remedies.empty());
+    if (offered == m_offered)
+        return;
+    m_offered = offered;
+    for (QWidget *cell : m_cells)
+        cell->deleteLater(); // perhaps the one whose click led here
+    m_cells.clear();
+    m_remedies.clear();
+    for (const sim::Remedy &one : remedies) {
+        const int count = static_cast<int>(m_remedies.size());
+        m_remedies.push_back(remedyButton(one));
+        m_cells.push_back(m_remedies.back());
+        if (isShort) {
+            m_rows->addWidget(m_remedies.back(), 1 + count / 2, count % 2);
+            continue;
+        }
+        auto *outcome = textLabel("caption", remedyOutcome(one), m_mends);
+        m_cells.push_back(outcome);
+        m_rows->addWidget(m_remedies.back(), 1 + count, 0, Qt::AlignLeft);
+        m_rows->addWidget(outcome, 1 + count, 1);
+    }
+    for (QWidget *cell : m_cells)
+        cell->show();
+}
+
+void StabilityPanel::showMap(std::optional<MapPlane> plane)
+{
+    m_watch.watchMap(plane);
+    refreshMap();
+}
+
+void StabilityPanel::refreshMap()
+{
+    const std::optional<MapPlane> plane = m_watch.mapPlane();
+    for (std::size_t i = 0; i < m_planes.size(); ++i) {
+        const auto its = static_cast<MapPlane>(i);
+        m_planes[i]->setChecked(plane == its);
+        m_planes[i]->setEnabled(m_watch.canMap(its) || plane == its);
+    }
+    if (const StabilityReading *reading = m_watch.reading())
+        refreshRemedies(reading->remedies);
+    const bool can = m_watch.canMap(plane.value_or(MapPlane::step));
+    m_noMap->setVisible(!can);
+    m_noMap->setText(m_watch.session().step().parameter(QStringLiteral("k"))
+                         ? tr("There is no map for this method: no stiffness is too much for its step.")
+                         : tr("There is no map for this step: it has no stiffness k to change."));
+    m_plot->setVisible(plane && can);
+}
+
+void StabilityPanel::showEvent(QShowEvent *event)
+{
+    QWidget::showEvent(event);
+    m_watch.setDetailed(true);
+    refreshMap();
+}
+
+void StabilityPanel::hideEvent(QHideEvent *event)
+{
+    QWidget::hideEvent(event);
+    if (event->spontaneous())
+        return; // only the whole window is out of sight
+    m_watch.setDetailed(false);
+    m_watch.watchMap(std::nullopt);
+}
+
+}

@@ -1,0 +1,124 @@
+#include "app/ui/window/stop_notice.h"
+
+#include "app/model/sentences.h"
+#include "app/model/stability_words.h"
+
+#include <QEvent>
+#include <QLabel>
+#include <QPainter>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace app {
+
+namespace {
+
+constexpr int gap = 12;         ///< px, to the picture's edges
+constexpr int mostWidth = 720;  ///< px
+constexpr double radius = 10.0; ///< px
+
+QString keyOf(const QString &label)
+{
+    return QKeySequence::mnemonic(label).toString(QKeySequence::NativeText);
+}
+
+}
+
+StopNotice::StopNotice(Session &session, const Theme &theme, QWidget *picture)
+    : QFrame(picture), m_session(session), m_theme(theme), m_search(session), m_text(new QLabel(this)),
+      m_hint(new QLabel(this)), m_buttons(new QWidget(this))
+{
+    setObjectName("stopNotice");
+    m_text->setWordWrap(true);
+    m_text->setTextFormat(Qt::PlainText);
+    m_hint->setObjectName("caption");
+    m_hint->setWordWrap(true);
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(20, 12, 16, 12);
+    column->setSpacing(8);
+    column->addWidget(m_text);
+    column->addWidget(m_hint);
+    column->addWidget(m_buttons);
+    connect(&m_search, &RemedySearch::changed, this, &StopNotice::refresh);
+    connect(&theme, &Theme::changed, this, qOverload<>(&QWidget::update));
+    picture->installEventFilter(this);
+    refresh();
+}
+
+QString StopNotice::sentence() const
+{
+    return m_text->text();
+}
+
+void StopNotice::refresh()
+{
+    const sim::Stop *stop = m_search.stop();
+    setVisible(stop);
+    if (!stop)
+        return;
+    m_text->setText(sentenceFor(*stop));
+    setAccessibleName(m_text->text());
+    const bool isEmpty = m_search.found().empty();
+    m_hint->setVisible(isEmpty);
+    m_hint->setText(
+        m_search.isSearching()
+            ? tr("Trying out what would mend it…")
+            : tr("No smaller step and no other method was found to hold. Go back, and change what made "
+                 "it so."));
+    showRemedies();
+    place();
+}
+
+void StopNotice::showRemedies()
+{
+    delete m_buttons;
+    m_buttons = new QWidget(this);
+    layout()->addWidget(m_buttons);
+    m_buttons->setVisible(!m_search.found().empty());
+    auto *row = new QHBoxLayout(m_buttons);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(8);
+    for (const sim::Remedy &remedy : m_search.found()) {
+        const QString label = remedyLabel(remedy);
+        auto *button = new QPushButton(label, m_buttons);
+        button->setToolTip(QStringLiteral("%1 (%2)").arg(remedyHelp(remedy), keyOf(label)));
+        button->setAccessibleName(remedyTitle(remedy));
+        button->setAccessibleDescription(remedyHelp(remedy));
+        // Queued: using a remedy takes this button away.
+        connect(
+            button, &QPushButton::clicked, this, [this, remedy] { m_session.use(remedy); },
+            Qt::QueuedConnection);
+        row->addWidget(button);
+    }
+    row->addStretch();
+}
+
+void StopNotice::place()
+{
+    const QWidget *picture = parentWidget();
+    const int width = std::min(mostWidth, picture->width() - 2 * gap);
+    setGeometry(gap, gap, width, heightForWidth(width));
+    raise();
+}
+
+bool StopNotice::eventFilter(QObject *watched, QEvent *event)
+{
+    if (watched == parentWidget() && event->type() == QEvent::Resize && isVisible())
+        place();
+    return QFrame::eventFilter(watched, event);
+}
+
+void StopNotice::paintEvent(QPaintEvent *)
+{
+    const Tokens &tokens = m_theme.tokens();
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(tokens.line2);
+    painter.setBrush(tokens.panel);
+    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), radius, radius);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(tokens.past);
+    painter.drawRoundedRect(QRectF(8.0, 12.0, 3.0, height() - 24.0), 1.5, 1.5);
+}
+
+}

@@ -1,0 +1,153 @@
+#include "stability_bench.h"
+
+#include "support.h"
+
+#include "sim/effects/body_spring.h"
+#include "sim/effects/damping.h"
+#include "sim/effects/point_spring.h"
+#include "sim/effects/radial_spring.h"
+#include "sim/methods/methods.h"
+
+#include <cmath>
+
+namespace stability_bench {
+
+namespace {
+
+using namespace sim;
+using std::make_shared;
+
+constexpr double radius = 50.0;      // px
+constexpr double disturbance = 1e-5; // px
+constexpr double decided = 1e8;      // times the energy
+
+double moving(const State &state)
+{
+    return 0.5 * state.velocity.square().sum();
+}
+
+double stretched(const State &state, int a, int b, double rest)
+{
+    const double off = length(state.at(a) - state.at(b)) - rest;
+    return 0.5 * off * off;
+}
+
+double awayFrom(const State &state, int point, Vec2 place)
+{
+    const double off = length(state.at(point) - place);
+    return 0.5 * off * off;
+}
+
+Scene points(int count)
+{
+    return support::pointsOf(count - 1);
+}
+
+}
+
+Swinging onePoint(double k, double damp)
+{
+    const Vec2 centre = {270.0, 200.0};
+    Scene scene = points(1);
+    scene.groups = {{"body", {0, 1}}};
+    scene.effects = {make_shared<PointSpring>(0, centre, k), make_shared<Damping>(damp)};
+    return {scene, [=](const State &state) { return moving(state) + k * awayFrom(state, 0, centre); }};
+}
+
+Swinging chain(int count, double k, double damp)
+{
+    Scene scene = points(count);
+    std::vector<Link> links;
+    for (int i = 0; i + 1 < count; ++i) {
+        links.push_back({i, i + 1});
+        links.push_back({i + 1, i});
+    }
+    const Vec2 centre = {270.0, 200.0}; // all springs are slack there
+    scene.effects = {make_shared<PointSpring>(0, centre, k), make_shared<PointSpring>(count - 1, centre, k),
+                     make_shared<BodySpring>(links, k), make_shared<Damping>(damp)};
+    return {scene, [=](const State &state) {
+                double sum = awayFrom(state, 0, centre) + awayFrom(state, count - 1, centre);
+                for (int i = 0; i + 1 < count; ++i)
+                    sum += stretched(state, i, i + 1, 0.0);
+                return moving(state) + k * sum;
+            }};
+}
+
+Swinging creature(int feet, double k, double damp)
+{
+    Scene scene = points(feet + 1);
+    for (int i = 0; i < feet; ++i) {
+        const double angle = 6.283185307179586 * (i + 0.3) / feet;
+        scene.start.place(i, Vec2{270.0, 200.0} + radius * Vec2{std::cos(angle), std::sin(angle)});
+    }
+    scene.effects = {make_shared<RadialSpring>(support::legs(feet), k, radius), make_shared<Damping>(damp)};
+    return {scene, [=](const State &state) {
+                double sum = 0.0;
+                for (int i = 0; i < feet; ++i)
+                    sum += stretched(state, i, feet, radius);
+                return moving(state) + k * sum;
+            }};
+}
+
+Swinging bundle(int feet, double k, double damp)
+{
+    Scene scene = points(feet + 1);
+    scene.effects = {make_shared<BodySpring>(support::legs(feet), k), make_shared<Damping>(damp)};
+    return {scene, [=](const State &state) {
+                double sum = 0.0;
+                for (int i = 0; i < feet; ++i)
+                    sum += stretched(state, i, feet, 0.0);
+                return moving(state) + k * sum;
+            }};
+}
+
+Stability predicted(const Scene &scene, const std::string &method, double h)
+{
+    return stabilityOf(scene, scene.start, *findMethod(method), h);
+}
+
+bool grows(const Swinging &one, const std::string &method, double h, int steps)
+{
+    const MethodPtr with = findMethod(method);
+    const Pipeline pipeline = compose(one.scene, *with, {h, 1, 1, 0.0});
+    State state = one.scene.start;
+    with->prepare(state);
+    support::Dice dice(7);
+    for (int i = 0; i < state.points(); ++i) {
+        state.place(i, state.at(i) + disturbance * Vec2{dice.real(-1, 1), dice.real(-1, 1)});
+        if (state.spin.rows() > 0)
+            state.angle[i] += disturbance * dice.real(-1, 1);
+    }
+    const double start = one.energy(state);
+    double early = 0.0, late = 0.0; // the most of the fifth tenth, and of the last
+    for (int i = 0; i < steps; ++i) {
+        for (const Phase &phase : pipeline.phases)
+            phase.run(state);
+        const double energy = one.energy(state);
+        if (!std::isfinite(energy) || energy > decided * start)
+            return true;
+        if (energy < start / decided)
+            return false;
+        if (i >= 4 * steps / 10 && i < steps / 2)
+            early = std::max(early, energy);
+        if (i >= steps - steps / 10)
+            late = std::max(late, energy);
+    }
+    return late > 1.2 * early;
+}
+
+double onset(const Swinging &one, const std::string &method, double from)
+{
+    double held = from, grown = from;
+    for (int i = 0; i < 400 && !grows(one, method, grown); ++i) {
+        held = grown;
+        grown *= 1.04;
+    }
+    for (int i = 0; i < 8; ++i) {
+        const double middle = 0.5 * (held + grown);
+        (grows(one, method, middle) ? grown : held) = middle;
+    }
+    return 0.5 * (held + grown);
+}
+
+}
