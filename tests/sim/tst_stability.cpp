@@ -146,6 +146,8 @@ private slots:
     void aHeldBodyDoesNotSwing();
     void theLargestEigenvaluesOfALargeMatrixAreFound();
     void pullsThatAreNotFiniteAreSaid();
+    void extremesHaveAnAnswer_data();
+    void extremesHaveAnAnswer();
 };
 
 void TestStability::limitsAgreeWithClosedForms_data()
@@ -446,6 +448,40 @@ void TestStability::pullsThatAreNotFiniteAreSaid()
     const Stability found = predicted(scene, "semi_implicit_euler");
     QCOMPARE(found.bound, Bound::unknown);
     QVERIFY(!found.holds());
+}
+
+void TestStability::extremesHaveAnAnswer_data()
+{
+    QTest::addColumn<double>("k");
+    QTest::addColumn<double>("damp");
+    QTest::addColumn<double>("inverse");
+    for (const double k : {1e-12, 1.0, 1e9}) {
+        for (const double damp : {0.0, 1e-300, 0.5, 1.0}) {
+            for (const double inverse : {1e-9, 1.0, 1e9})
+                QTest::addRow("k %g, damp %g, mass 1 : %g", k, damp, inverse) << k << damp << inverse;
+        }
+    }
+}
+
+void TestStability::extremesHaveAnAnswer()
+{
+    QFETCH(double, k);
+    QFETCH(double, damp);
+    QFETCH(double, inverse);
+    Scene scene = creature(3, k, damp).scene;
+    scene.start.inverseMass[0] = inverse;
+    scene.start.place(1, {1e9, -1e9});
+    for (const char *method : explicitMethods()) {
+        for (const double h : {1e-6, 1.0, 100.0}) {
+            const Stability found = predicted(scene, method, h);
+            QCOMPARE(found.bound, Bound::stiffness);
+            QVERIFY(found.limit >= 0.0);
+            QVERIFY(found.growth >= 0.0);
+            // Far below its limit a step holds, unless that is below what rounding tells.
+            if (found.limit > 0.0 && found.share() < 0.9)
+                QVERIFY(found.holds());
+        }
+    }
 }
 
 QTEST_APPLESS_MAIN(TestStability)
