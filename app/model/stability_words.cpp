@@ -21,6 +21,10 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(StabilityWords)
 };
 
+constexpr double mostCounted = 1e6; ///< growth a frame that is told as a number
+
+constexpr double leastTelling = 0.01; ///< rad of the stiffest swing: shorter steps hardly change it
+
 QString percent(double share)
 {
     if (share >= 9.995)
@@ -76,6 +80,10 @@ QString ofSteps(const StabilityReading &reading)
     const Stability &found = reading.stability;
     if (std::isinf(found.limit))
         return Text::tr("<b>Damping holds every step.</b> However long, nothing swings up here.");
+    if (found.limit == 0.0 && found.holds())
+        return found.h * std::sqrt(found.stiffness) < leastTelling
+                   ? Text::tr("<b>No step holds.</b> This one is so short that growth is too slow to tell.")
+                   : Text::tr("<b>No shorter step holds.</b> Damping holds one as long as this.");
     if (found.limit == 0.0)
         return Text::tr("<b>No step holds.</b> With this method and so little damping, small disturbances "
                         "%1, and at any shorter step they still grow.")
@@ -103,6 +111,8 @@ Nearness nearnessOf(const Stability &stability)
 
 QString growthWords(double growth)
 {
+    if (!(growth < mostCounted))
+        return Text::tr("grow more than a million times a frame");
     if (growth < 2.0)
         return Text::tr("grow by %1\u2009% a frame").arg(roughNumber(100.0 * (growth - 1.0)));
     return Text::tr("grow %1 times a frame").arg(roughNumber(growth));
@@ -125,7 +135,9 @@ QString gaugeWords(const StabilityReading &reading)
     }
     if (std::isinf(found.limit))
         return Text::tr("held by damping");
-    return found.limit == 0.0 ? Text::tr("no step holds") : percent(found.share());
+    if (found.limit == 0.0)
+        return found.holds() ? Text::tr("just held") : Text::tr("no step holds");
+    return percent(found.share());
 }
 
 QString stabilityVerdict(const StabilityReading &reading)

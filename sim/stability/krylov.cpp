@@ -13,8 +13,10 @@ namespace sim {
 namespace {
 
 constexpr int rounds = 8;
+constexpr int tiny = 4; ///< up to this size matrices are taken as they are: a turned basis would cost digits
 constexpr double settled = 1e-6;
-constexpr Eigen::Index blended = 4; ///< how many vectors the next round starts from
+constexpr double lastDigits = 1e-14; ///< of a matrix' norm: some tens of a double's last digits
+constexpr Eigen::Index blended = 4;  ///< how many vectors the next round starts from
 
 /// No direction is left out, and none is like another.
 Eigen::VectorXd anyVector(int size)
@@ -31,6 +33,10 @@ Spectrum::Spectrum(int size, const Product &product)
 {
     if (size == 0)
         return;
+    if (size <= tiny) {
+        columnByColumn(size, product);
+        return;
+    }
     Vector start = anyVector(size);
     for (int i = 0; i < rounds; ++i) {
         round(product, start);
@@ -43,6 +49,18 @@ Spectrum::Spectrum(int size, const Product &product)
             start += one.real() + one.imag();
         }
     }
+}
+
+void Spectrum::columnByColumn(int size, const Product &product)
+{
+    m_basis = Eigen::MatrixXd::Identity(size, size);
+    Eigen::MatrixXd all(size, size);
+    Vector column(size);
+    for (int i = 0; i < size; ++i) {
+        product(m_basis.col(i), column);
+        all.col(i) = column;
+    }
+    sort(all);
 }
 
 void Spectrum::round(const Product &product, Vector start)
@@ -83,6 +101,7 @@ void Spectrum::sort(const Eigen::MatrixXd &small)
         m_small = Eigen::MatrixXcd::Identity(small.rows(), 1);
         return;
     }
+    m_rounding = lastDigits * small.norm();
     const Eigen::EigenSolver<Eigen::MatrixXd> solver(small);
     std::vector<Eigen::Index> order(static_cast<std::size_t>(small.rows()));
     std::iota(order.begin(), order.end(), Eigen::Index{0});
@@ -96,6 +115,11 @@ void Spectrum::sort(const Eigen::MatrixXd &small)
         m_values.push_back(values[order[i]]);
         m_small.col(static_cast<Eigen::Index>(i)) = vectors.col(order[i]);
     }
+}
+
+double Spectrum::radius() const
+{
+    return std::max(0.0, std::abs(m_values.front()) - m_rounding);
 }
 
 Eigen::VectorXcd Spectrum::vector(std::size_t index) const

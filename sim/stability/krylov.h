@@ -25,10 +25,15 @@ public:
     Spectrum(int size, const Product &product);
 
     const std::vector<std::complex<double>> &values() const { return m_values; }
+    /// By how much rounding may have moved the values: a matrix of large numbers moves small ones far.
+    double rounding() const { return m_rounding; }
+    /// The modulus of the first value, less what rounding may have added.
+    double radius() const;
     /// The vector of values()[index], of length 1.
     Eigen::VectorXcd vector(std::size_t index) const;
 
 private:
+    void columnByColumn(int size, const Product &product);
     void round(const Product &product, Vector start);
     void sort(const Eigen::MatrixXd &small);
 
@@ -36,6 +41,7 @@ private:
     Eigen::MatrixXcd m_small; ///< vectors in that basis, in the order of m_values
     std::vector<std::complex<double>> m_values;
     double m_left = 0.0; ///< what the basis leaves of the last product
+    double m_rounding = 0.0;
 };
 
 }

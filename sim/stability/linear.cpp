@@ -287,11 +287,11 @@ Linear oscillator(const Method &method, std::complex<double> lambda, double c)
     linear.scene.start = State::ofPoints(1);
     linear.scene.names = {"point"};
     linear.scene.groups = {{"point", {0, 1}}};
-    linear.rows = {0, 1};
+    linear.rows = im == 0.0 ? std::vector<int>{0} : std::vector<int>{0, 1};
     addForce(linear, nullptr, {{{0, 1}, {{0, 0, re}, {0, 1, -im}, {1, 0, im}, {1, 1, re}}}});
     if (c != 0.0)
         linear.scene.effects.push_back(std::make_shared<Damping>(std::exp(-c)));
-    linear.rates = {c, c};
+    linear.rates.assign(linear.rows.size(), c);
     method.prepare(linear.scene.start);
     return linear;
 }

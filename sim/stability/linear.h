@@ -40,8 +40,8 @@ struct Linear
 /// differences.
 Linear linearise(const Scene &scene, const State &state, const Method &method);
 
-/// One point in the plane that a pull turns and shortens: x'' = lambda x - c x', with a complex lambda (1/frame^2) as
-/// the matrix (re, -im; im, re). c in 1/frame.
+/// One point that swings, x'' = lambda x - c x': along a line, or, for a lambda that is not real, in the plane under the
+/// matrix (re, -im; im, re). lambda in 1/frame^2, c in 1/frame.
 Linear oscillator(const Method &method, std::complex<double> lambda, double c);
 
 }

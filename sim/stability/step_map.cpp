@@ -48,10 +48,10 @@ Spectrum StepMap::spectrum()
     return {size(), [this](const Eigen::VectorXd &in, Eigen::VectorXd &out) { (*this)(in, out); }};
 }
 
-std::complex<double> stepFactor(const Method &method, std::complex<double> lambda, double c, double h)
+Spectrum probe(const Method &method, std::complex<double> lambda, double c, double h)
 {
     const Linear one = oscillator(method, lambda, c);
-    return StepMap(one, method, h, std::sqrt(std::abs(lambda))).spectrum().values().front();
+    return StepMap(one, method, h, std::sqrt(std::abs(lambda))).spectrum();
 }
 
 }

@@ -32,8 +32,8 @@ private:
     double m_balance;
 };
 
-/// What a step of `h` frames multiplies the part that grows most of a swing x'' = lambda x - c x' by: the largest
-/// eigenvalue of the method's own step. lambda in 1/frame^2, c in 1/frame.
-std::complex<double> stepFactor(const Method &method, std::complex<double> lambda, double c, double h);
+/// What a step of `h` frames does to a swing x'' = lambda x - c x': the eigenvalues of the method's own step. lambda in
+/// 1/frame^2, c in 1/frame.
+Spectrum probe(const Method &method, std::complex<double> lambda, double c, double h);
 
 }

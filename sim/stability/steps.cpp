@@ -56,7 +56,7 @@ public:
         bool anyReal = false;
         for (const std::size_t index : m_swings) {
             const Complex lambda = swing(index);
-            const bool isReal = std::abs(lambda.imag()) <= nearness * std::abs(lambda);
+            const bool isReal = lambda.imag() == 0.0;
             if (isReal && (anyReal || lambda.real() > 0.0))
                 continue;
             anyReal = anyReal || isReal;
@@ -88,14 +88,15 @@ public:
         const std::size_t index =
             *std::max_element(m_probed.begin(), m_probed.end(),
                               [&](std::size_t a, std::size_t b) { return growthOf(a, h) < growthOf(b, h); });
-        return {m_slopes.vector(index), stepFactor(m_method, swing(index), m_linear.leastRate(), h)};
+        return {m_slopes.vector(index),
+                probe(m_method, swing(index), m_linear.leastRate(), h).values().front()};
     }
 
 private:
     double growthOf(std::size_t index, double h) const
     {
         const double c = m_linear.leastRate();
-        return std::log(std::abs(stepFactor(m_method, swing(index), c, h))) - h * ownRateOf(swing(index), c);
+        return std::log(probe(m_method, swing(index), c, h).radius()) - h * ownRateOf(swing(index), c);
     }
 
     std::vector<std::size_t> m_probed;
@@ -106,10 +107,7 @@ class Whole : public Steps
 {
 public:
     using Steps::Steps;
-    double growth(double h) const override
-    {
-        return std::log(std::abs(spectrum(h).values().front())) - h * ownRate();
-    }
+    double growth(double h) const override { return std::log(spectrum(h).radius()) - h * ownRate(); }
     /// Where nothing slows a drift, its place and its velocity share one eigenvalue, and rounding moves such a pair by the
     /// root of its own size.
     double rounding() const override { return 1e-6; }
@@ -152,8 +150,14 @@ Steps::Steps(const Linear &linear, const Method &method)
         if (std::abs(values[i]) <= near || std::any_of(m_swings.begin(), m_swings.end(), isCopy))
             continue;
         m_swings.push_back(i);
-        m_ownRate = std::max(m_ownRate, ownRateOf(values[i], linear.leastRate()));
+        m_ownRate = std::max(m_ownRate, ownRateOf(swing(i), linear.leastRate()));
     }
+}
+
+std::complex<double> Steps::swing(std::size_t index) const
+{
+    const Complex value = m_slopes.values()[index];
+    return std::abs(value.imag()) <= nearness * std::abs(value) ? Complex(value.real()) : value;
 }
 
 std::unique_ptr<Steps> stepsOf(const Linear &linear, const Method &method)

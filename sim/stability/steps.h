@@ -35,7 +35,8 @@ public:
     virtual Pattern pattern(double h) const = 0;
 
 protected:
-    std::complex<double> swing(std::size_t index) const { return m_slopes.values()[index]; }
+    /// 1/frame^2; what is real but for rounding is real.
+    std::complex<double> swing(std::size_t index) const;
 
     const Linear &m_linear;
     const Method &m_method;

@@ -66,6 +66,7 @@ private slots:
     void adoptingARemedyMends();
     void wordsSayWhatBoundsTheStep_data();
     void wordsSayWhatBoundsTheStep();
+    void aStepThatHoldsWhereShorterOnesGrowIsSaid();
     void jumpsAreNamed();
     void theMapHoldsWhereReadingsHold_data();
     void theMapHoldsWhereReadingsHold();
@@ -233,6 +234,22 @@ void StabilityWatchTest::wordsSayWhatBoundsTheStep()
     const QString said = bench.plainVerdict(); // rich text turns thin spaces into spaces
     for (const QString &part : verdict)
         QVERIFY2(said.contains(part), qPrintable(said));
+}
+
+void StabilityWatchTest::aStepThatHoldsWhereShorterOnesGrowIsSaid()
+{
+    StabilityReading reading;
+    reading.method = sim::findMethod("explicit_euler");
+    reading.stability.bound = sim::Bound::stiffness;
+    reading.stability.stiffness = 0.2;
+    reading.stability.growth = 1.0;
+    reading.stability.h = 1e-6;
+    QVERIFY(stabilityVerdict(reading).contains("too slow to tell"));
+    reading.stability.h = 100.0;
+    QVERIFY(stabilityVerdict(reading).contains("Damping holds one as long as this"));
+    reading.stability.limit = 2.5;
+    QVERIFY(stabilityVerdict(reading).contains("held all the same"));
+    QVERIFY(growthWords(INFINITY).contains("more than a million"));
 }
 
 void StabilityWatchTest::jumpsAreNamed()

@@ -6,6 +6,7 @@
 #include "sim/effects/damping.h"
 #include "sim/effects/point_spring.h"
 #include "sim/effects/radial_spring.h"
+#include "sim/effects/torsion.h"
 #include "sim/methods/methods.h"
 
 #include <cmath>
@@ -99,6 +100,55 @@ Swinging bundle(int feet, double k, double damp)
                     sum += stretched(state, i, feet, 0.0);
                 return moving(state) + k * sum;
             }};
+}
+
+Swinging uneven()
+{
+    Swinging found = chain(4, 0.3, 0.95);
+    found.scene.start.inverseMass << 1.0, 0.25, 2.0, 1.0;
+    found.scene.effects.push_back(make_shared<Damping>(0.8, Points{1, 1}));
+    return found;
+}
+
+Swinging manyFeet()
+{
+    const int feet = 20;
+    Swinging found = creature(feet, 0.2, 0.85);
+    for (int i = 0; i < feet; ++i)
+        found.scene.start.inverseMass[i] = 0.5 + 0.05 * i;
+    return found;
+}
+
+Swinging tree(double k, double damp)
+{
+    Tree grown = Tree::ofTrunk(100.0);
+    grown.sprout(0, -120.0, 0.7);
+    grown.sprout(0, -55.0, 0.8);
+    grown.sprout(1, -150.0, 0.5);
+    const auto shared = make_shared<const Tree>(grown);
+    Scene scene;
+    const int branches = grown.branches();
+    scene.start = State::ofPoints(branches);
+    scene.start.spin.setZero(branches);
+    scene.start.angle.resize(branches);
+    for (int i = 0; i < branches; ++i) {
+        scene.start.angle[i] = grown.rest[std::size_t(i)];
+        scene.names.push_back(std::string("branch").append(std::to_string(i)));
+    }
+    scene.groups = {{"branches", {0, branches}}};
+    scene.effects = {make_shared<Torsion>(shared, limbsOf(grown, k)), make_shared<SpinDamping>(damp)};
+    const Eigen::ArrayXd rest = scene.start.angle;
+    return {scene, [rest](const State &state) {
+                return state.spin.square().sum() + (state.angle - rest).square().sum();
+            }};
+}
+
+const std::vector<const char *> &explicitMethods()
+{
+    static const std::vector<const char *> all = {
+        "explicit_euler", "semi_implicit_euler", "position_verlet", "velocity_verlet", "midpoint", "rk4",
+        "published"};
+    return all;
 }
 
 Stability predicted(const Scene &scene, const std::string &method, double h)

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 /// What the suites of the stability gauge share: scenes, and steps measured by running.
 namespace stability_bench {
@@ -24,6 +25,16 @@ Swinging chain(int points, double k, double damp);
 Swinging creature(int feet, double k, double damp);
 /// The same with springs that want no distance, all in one place.
 Swinging bundle(int feet, double k, double damp);
+
+/// Body springs between bodies of several masses, of which one is slowed more than the others.
+Swinging uneven();
+/// More patterns of motion than are looked at exactly, and no two feet alike.
+Swinging manyFeet();
+/// A young tree whose joints are springs.
+Swinging tree(double k, double damp);
+
+/// The explicit methods of fixed step.
+const std::vector<const char *> &explicitMethods();
 
 /// The prediction for `method` at a step of h frames.
 sim::Stability predicted(const sim::Scene &scene, const std::string &method, double h = 1.0);
