@@ -28,11 +28,11 @@ struct Parameter
     int decimals = 2;    ///< shown after the point
     QStringList choices; ///< ids; when not empty the value is a position in this list
     bool whole = false;  ///< a count: nothing between two whole numbers
+    Role role = Role::none;
     QStringList choiceTitles = {}; ///< what a learner reads in place of the ids; empty: the ids
     QStringList choiceHelps = {};  ///< one sentence each; may be empty
     /// Another value is another experiment: the run begins anew with it, as Step::opening has it.
     bool opens = false;
-    Role role = Role::none;
 
     bool isWhole() const { return whole; }
 };
