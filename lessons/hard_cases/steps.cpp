@@ -37,6 +37,8 @@ Parameter stiffnessUpTo(double preset, double most)
 {
     Parameter parameter = stiffness(preset);
     parameter.sliderMax = most;
+    if (most >= 1000.0)
+        parameter.decimals = 1; // the field has room for six signs
     return parameter;
 }
 
