@@ -37,7 +37,7 @@ namespace limit {
 Scene setUp(const Values &values)
 {
     Scene scene = loneFoot();
-    scene.start.place(0, {310, 200});
+    scene.start.place(0, {290, 200});
 
     double k = values["k"];
     add<PointSpring>(scene, 0, centre, k);

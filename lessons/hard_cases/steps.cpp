@@ -37,6 +37,8 @@ Parameter stiffnessUpTo(double preset, double most)
 {
     Parameter parameter = stiffness(preset);
     parameter.sliderMax = most;
+    if (most >= 1000.0)
+        parameter.decimals = 1; // the field has room for six signs
     return parameter;
 }
 
@@ -61,8 +63,8 @@ Parameter longest()
 
 Step limitStep()
 {
-    Step step = stepOf("limit", Text::tr("The limit of a step"), QRectF(170, 150, 200, 80),
-                       {"implicit_midpoint", Text::tr("Implicit midpoint"), {0, 100}});
+    Step step = stepOf("limit", Text::tr("The limit of a step"), QRectF(10, 130, 520, 110),
+                       {"implicit_midpoint", Text::tr("Implicit midpoint"), {0, 150}});
     step.addParameters({stiffnessUpTo(4.01, 6.0), damping(1.0)});
     step.narration = Text::tr(
         "A step asks for the pull once, and then goes straight on. If the spring is too stiff, it goes past "
@@ -187,7 +189,7 @@ Step contradictionStep()
     step.look = [](const sim::Scene &scene, const sim::Values &values) {
         Look look;
         look.bodies.resize(scene.names.size(), {BodyLook::Shape::joint, 4.0});
-        look.sticks = {{0, 1, shortStick}, {1, 2, shortStick}, {0, 2, values["longest"]}};
+        look.sticks = {{0, 2, values["longest"]}, {0, 1, shortStick}, {1, 2, shortStick}};
         look.stage = QRectF(180, 95, 180, 200);
         return look;
     };

@@ -90,7 +90,7 @@ bool isCase(const Timeline &run, const char *id)
 std::vector<Try> limitTries()
 {
     return {
-        {Text::tr("Choose **1/2 frame** as step, and play to frame 100. It swings, and no farther than the "
+        {Text::tr("Choose **1/2 frame** as step, and play to frame 100. It swings, hardly farther than the "
                   "crosses."),
          [](const Timeline &run) {
              return hasLimit(run) && stepOf(run) <= 0.5 && stepOf(run) > 0.0 && beganWith(run, "k", 4.01) &&

@@ -152,7 +152,7 @@ void CompanionTest::itTakesOverWhatIsChanged()
     QVERIFY(isBeside(session));
     session.rewind();
     session.setParameter("damp", 0.9); // for the whole run
-    for (int i = 0; i < 10; ++i)
+    for (int i = 0; i < 14; ++i)
         session.frameForward();
     QVERIFY(isBeside(session));
 }
@@ -171,7 +171,7 @@ void CompanionTest::whereItsMethodCannotThereIsNone()
     lessons::Step step = footStep();
     step.scene = [](const sim::Values &values) {
         sim::Scene scene = footOnASpring(values);
-        scene.effects.push_back(std::make_shared<sim::Sticks>(std::vector<sim::Stick>{}, 1));
+        scene.effects.push_back(std::make_shared<sim::Sticks>(std::vector<sim::Stick>{{0, 0, 1.0}}, 1));
         return scene;
     };
     const LessonLibrary library = libraryOf(step);
