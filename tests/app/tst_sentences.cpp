@@ -1,4 +1,5 @@
 #include "app/model/sentences.h"
+#include "sim/effects/body_spring.h"
 
 #include <QTest>
 
@@ -78,6 +79,20 @@ private slots:
             << "Stopped at frame 7: the method needs too many steps for the next one. What is pulled hardest "
                "is foot 3. Try a larger tolerance, or a method whose steps all have one length.";
     }
+    void aStopNamesThePullAndBothItsEnds()
+    {
+        sim::Stop stop;
+        stop.frame = 7;
+        stop.phase = "kick";
+        stop.body = "foot3";
+        stop.otherBody = "body";
+        stop.effect = std::make_shared<sim::BodySpring>(std::vector<sim::Link>{}, 0.2);
+        QVERIFY(
+            app::sentenceFor(stop).endsWith("It began in “kick”. The spring foot 3 – body pulls hardest."));
+        stop.otherBody.clear();
+        QVERIFY(app::sentenceFor(stop).endsWith("The spring of foot 3 pulls hardest."));
+    }
+
     void stops()
     {
         QFETCH(int, reason);

@@ -1,5 +1,6 @@
 // A run that stops by itself: the card over the picture, and what mends it, with real widgets.
 
+#include "app/model/sentences.h"
 #include "app/ui/scene/scene_view.h"
 #include "app/ui/window/main_window.h"
 #include "app/ui/window/stop_notice.h"
@@ -80,11 +81,12 @@ private slots:
         QVERIFY(bench.notice.isVisible());
         QVERIFY2(bench.notice.sentence().contains(QString::number(stop.frame)),
                  qPrintable(bench.notice.sentence()));
-        QVERIFY(bench.notice.sentence().contains(QString::fromStdString(stop.body)));
-        QVERIFY(bench.notice.sentence().contains("spring"));
+        const QString body = bodyTitle(QString::fromStdString(stop.body));
+        QVERIFY(bench.notice.sentence().contains(body));
+        QVERIFY(bench.notice.sentence().contains("The spring " + body + " – ")); // and its other end
         QCOMPARE(bench.notice.accessibleName(), bench.notice.sentence());
         QVERIFY(bench.findsRemedies());
-        for (const char *start : {"Smaller step: 1/", "Another method: ", "More damping: damp 0"}) {
+        for (const char *start : {"Use a step of 1/", "Use TR-BDF2", "Damp more: damp 0"}) {
             QPushButton *button = bench.button(start);
             QVERIFY2(button && button->isVisible() && button->isEnabled(), start);
             QVERIFY2(button->toolTip().contains("Alt+"), qPrintable(button->toolTip()));
@@ -100,7 +102,7 @@ private slots:
     {
         QTest::addColumn<QString>("remedy");
         QTest::addColumn<bool>("byKey");
-        for (const char *remedy : {"Smaller step", "Another method", "More damping"}) {
+        for (const char *remedy : {"Use a step", "Use TR-BDF2", "Damp more"}) {
             QTest::addRow("%s, by mouse", remedy) << remedy << false;
             QTest::addRow("%s, by key", remedy) << remedy << true;
         }
@@ -133,6 +135,7 @@ private slots:
         QCOMPARE(bench.run().at().frame, stop.frame);
         QVERIFY(bench.run().script().input == input);
         QVERIFY(bench.notice.isHidden());
+        QVERIFY(bench.window.findChild<SceneView *>()->hasFocus());
         QVERIFY(bench.run().ghost() && bench.run().ghost()->stop());
         QCOMPARE(bench.run().ghost()->stop()->frame, stop.frame);
         QVERIFY(bench.session.ghostName().startsWith("before: "));
@@ -154,7 +157,7 @@ private slots:
         QVERIFY(bench.notice.isHidden());
         bench.session.goTo({end, 0});
         QVERIFY(bench.notice.isVisible() && !bench.notice.search().isSearching());
-        QVERIFY(bench.button("Smaller step"));
+        QVERIFY(bench.button("Use a step"));
         QVERIFY(sim::sameBits(bench.run().now(), state));
         bench.session.goTo({10, 0});
         bench.session.setParameter("feet", 5); // another run, with a future
@@ -169,7 +172,7 @@ private slots:
         bench.session.setParameter("damp", 1.0);
         bench.session.setMethod("explicit_euler");
         QVERIFY(bench.stops() && bench.findsRemedies());
-        QVERIFY(!bench.button("Smaller step") && !bench.button("More damping"));
+        QVERIFY(!bench.button("Use a step") && !bench.button("Damp more"));
         if (bench.notice.search().found().empty())
             QVERIFY(bench.notice.findChild<QLabel *>("caption")->isVisible());
     }

@@ -74,7 +74,6 @@ void StopNotice::showRemedies()
     delete m_buttons;
     m_buttons = new QWidget(this);
     layout()->addWidget(m_buttons);
-    m_buttons->setVisible(!m_search.found().empty());
     auto *row = new QHBoxLayout(m_buttons);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(8);
@@ -86,11 +85,17 @@ void StopNotice::showRemedies()
         button->setAccessibleDescription(remedyHelp(remedy));
         // Queued: using a remedy takes this button away.
         connect(
-            button, &QPushButton::clicked, this, [this, remedy] { m_session.use(remedy); },
-            Qt::QueuedConnection);
+            button, &QPushButton::clicked, this, [this, remedy] { use(remedy); }, Qt::QueuedConnection);
         row->addWidget(button);
     }
     row->addStretch();
+    m_buttons->setVisible(!m_search.found().empty()); // last: no child may come once its parent is seen
+}
+
+void StopNotice::use(const sim::Remedy &remedy)
+{
+    parentWidget()->setFocus(); // the keys go on where the run does
+    m_session.use(remedy);
 }
 
 void StopNotice::place()

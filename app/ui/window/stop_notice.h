@@ -5,7 +5,6 @@
 
 #include <QFrame>
 
-class QHBoxLayout;
 class QLabel;
 
 namespace app {
@@ -30,6 +29,7 @@ protected:
 private:
     void refresh();
     void showRemedies();
+    void use(const sim::Remedy &remedy);
     void place();
 
     Session &m_session;
