@@ -2,7 +2,9 @@
 
 #include <QLocale>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace app {
 
@@ -30,6 +32,8 @@ QString signedText(QString text)
 
 QString fixedNumber(double value, int decimals)
 {
+    if (std::abs(value) >= longest)
+        return roughNumber(value);
     return signedText(QString::number(value, 'f', decimals));
 }
 
@@ -41,6 +45,11 @@ QString writtenNumber(double value, int decimals)
     if (text.toDouble() != value)
         text = QString::number(value, 'g', QLocale::FloatingPointShortest);
     return signedText(text);
+}
+
+double shownLength(sim::Vec2 a)
+{
+    return std::min(std::hypot(a.x, a.y), std::numeric_limits<double>::max());
 }
 
 QString powerOfTen(int exponent)

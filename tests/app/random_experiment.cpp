@@ -18,6 +18,8 @@ const std::vector<QByteArray> extremes = {"0",     "-0",    "5e-324", "1e-300", 
 const std::vector<QByteArray> noNumbers = {"null",  "true",   "\"1\"", "[]",   "{}", "NaN",  "-Infinity",
                                            "1e999", "-1e999", "01",    "0x10", "1.", "\"\"", ""};
 
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
 QByteArray text(double number)
 {
     return QByteArray::number(number, 'g', 17);
@@ -70,8 +72,8 @@ private:
     QByteArray number(double low, double high)
     {
         if (errs()) {
-            const QByteArray past[] = {text(std::nextafter(high, 2e308)),
-                                       text(std::nextafter(low, -2e308)),
+            const QByteArray past[] = {text(std::nextafter(high, infinite)),
+                                       text(std::nextafter(low, -infinite)),
                                        text(high + 1.0),
                                        text(low - 1.0),
                                        m_draw.of(extremes),
