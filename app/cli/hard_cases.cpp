@@ -72,11 +72,12 @@ int hardCases(const HardCasesRequest &request)
                 say(Text::tr("Stopped before every case was run."));
                 return exitInterrupted;
             }
-            if (!request.asJson)
+            if (!request.asJson) {
                 print(hardLine(rows.back()));
+                std::fflush(stdout); // some take long, and those who wait read on
+            }
         }
         print(request.asJson ? QString() : QStringLiteral("\n"));
-        std::fflush(stdout); // those who wait read on
     }
     QJsonArray all;
     for (const HardRow &row : rows)

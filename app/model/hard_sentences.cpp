@@ -27,7 +27,7 @@ private:
     const sim::Error &m_error;
 };
 
-/// Why a case is not claimed.
+/// Why a case is not claimed; empty for any other id.
 QString claimSentence(const std::string &id, const Values &value)
 {
     if (id == "claim-one-by-one")
@@ -45,17 +45,17 @@ QString claimSentence(const std::string &id, const Values &value)
             .arg(value["tolerance"], value["stirred"]);
     if (id == "claim-grows")
         return Text::tr(
-                   "With steps of %1 frames its stiffest spring (%2) goes from %3 px to %4 px, and farther.")
+                   "At a step of h %1 its stiffest spring (%2) would go from %3 px to %4 px, and farther.")
             .arg(value["h"], value["k"], value["apart"], value["left"]);
     if (id == "claim-rings")
         return Text::tr(
-                   "It only turns round what is too stiff for its step: of %1 px, %2 px are left after %3 "
-                   "frames.")
-            .arg(value["apart"], value["left"], value["frames"]);
+                   "At a step of h %1 its stiffest spring (%2) would swing on: of %3 px, %4 px would be left "
+                   "after %5 frames.")
+            .arg(value["h"], value["k"], value["apart"], value["left"], value["frames"]);
     return {};
 }
 
-/// What failed.
+/// What failed; empty for any other id.
 QString failureSentence(const std::string &id, const Values &value)
 {
     if (id == "hard-not-finite")

@@ -131,10 +131,12 @@ std::vector<Slopes::Entry> ImplicitStep::changes(const Wanted &wanted, Kept kept
 {
     Slopes slopes(m_state.points());
     m_equations.flow().slopes(m_state, slopes);
+    const std::vector<Slopes::Entry> calm =
+        kept == Kept::calm ? calmed(slopes, m_state.points()) : std::vector<Slopes::Entry>();
+    const std::vector<Slopes::Entry> &given = kept == Kept::calm ? calm : slopes.entries();
     std::vector<Slopes::Entry> entries;
-    entries.reserve(slopes.entries().size());
-    for (const Slopes::Entry &entry :
-         kept == Kept::all ? slopes.entries() : calmed(slopes, m_state.points())) {
+    entries.reserve(given.size());
+    for (const Slopes::Entry &entry : given) {
         const int row = m_unknowns[static_cast<std::size_t>(entry.row)];
         const int column = m_unknowns[static_cast<std::size_t>(entry.column)];
         if (row >= 0 && column >= 0)
@@ -185,7 +187,7 @@ Numbers ImplicitStep::calmly(const Wanted &wanted, const Numbers &start, const N
     for (int i = 0; i < m_effort.calm; ++i) {
         const Numbers wrong = misses(wanted, u);
         const double most = wrong.abs().maxCoeff();
-        if (!(most >= least)) { // also where nothing was finite so far
+        if (std::isfinite(most) && !(most >= least)) { // also where nothing was finite so far
             least = most;
             best = u;
         }

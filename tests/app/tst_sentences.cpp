@@ -35,6 +35,17 @@ private slots:
                                                    "velocity. Choose another method.";
         QTest::newRow("a scene at rest") << "nothing-moves" << QStringList{"method", "published"}
                                          << "Nothing in this scene can move: leave at least one body free.";
+        QTest::newRow("a place that is no number")
+            << "input-not-finite" << QStringList{"event", "move", "frame", "7"}
+            << "The event move before frame 7 has a number that is infinite or none at all: give it a finite "
+               "one.";
+        QTest::newRow("a step that is too long")
+            << "claim-grows"
+            << QStringList{"method", "rk4", "h", "1", "k", "9", "apart", "100", "left", "300"}
+            << "At a step of h 1 its stiffest spring (9) would go from 100 px to 300 px, and farther.";
+        QTest::newRow("a body that is lost")
+            << "hard-not-finite" << QStringList{"frame", "3", "body", "foot0", "phase", "move"}
+            << "After frame 3 foot 0 is nowhere any more: \"move\" gave a number without an end.";
         QTest::newRow("a stick without an end")
             << "stick-without-end" << QStringList{"stick", "4", "end", "7", "points", "5"}
             << "Stick 4 ends at p7, and there is no such point: there are 5, and the first is p0.";
