@@ -23,7 +23,8 @@ QString withPower(double value)
 /// Without the sign of a number that is shown as 0.
 QString signedText(QString text)
 {
-    if (text.startsWith('-') && text.toDouble() == 0.0)
+    bool isNumber = false; // "-2·10⁹" is none to QString
+    if (text.startsWith('-') && text.toDouble(&isNumber) == 0.0 && isNumber)
         text.remove(0, 1);
     return text.replace('-', minus);
 }
