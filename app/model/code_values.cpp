@@ -107,6 +107,8 @@ QString numberAt(double value, double size, int more)
 {
     if (value == 0.0)
         return QStringLiteral("0");
+    if (!std::isfinite(value)) // past 1.8e308, or what came of that
+        return std::isnan(value) ? Text::tr("none") : Text::tr("too large");
     QString text;
     if (size < 0.0001 || size >= 1e7) {
         static const QRegularExpression padding(QStringLiteral("(?<=e)\\+|(?<=e[+-])0"));

@@ -4,7 +4,9 @@
 
 #include <QLocale>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace app {
 
@@ -16,7 +18,8 @@ constexpr double longest = 1e7; ///< from here on numbers are written with a pow
 /// Without the sign of a number that is shown as 0.
 QString signedText(QString text)
 {
-    if (text.startsWith('-') && text.toDouble() == 0.0)
+    bool isNumber = false; // "-2·10⁹" is none to QString
+    if (text.startsWith('-') && text.toDouble(&isNumber) == 0.0 && isNumber)
         text.remove(0, 1);
     return text.replace('-', minus);
 }
@@ -25,6 +28,8 @@ QString signedText(QString text)
 
 QString fixedNumber(double value, int decimals)
 {
+    if (std::abs(value) >= longest)
+        return roughNumber(value);
     return signedText(QString::number(value, 'f', decimals));
 }
 
@@ -36,6 +41,11 @@ QString writtenNumber(double value, int decimals)
     if (text.toDouble() != value)
         text = QString::number(value, 'g', QLocale::FloatingPointShortest);
     return signedText(text);
+}
+
+double shownLength(sim::Vec2 a)
+{
+    return std::min(std::hypot(a.x, a.y), std::numeric_limits<double>::max());
 }
 
 QString powerOfTen(int exponent)

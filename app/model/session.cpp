@@ -1,5 +1,6 @@
 #include "app/model/session.h"
 
+
 #include <QElapsedTimer>
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 // What a learner sees of the run, its ghost and its companion.
 
+#include "app/model/guides.h"
 #include "app/model/sentences.h"
 #include "app/model/session.h"
 #include "app/model/step_words.h"
@@ -21,14 +22,7 @@ Picture Session::pictureOf(const sim::Track &track, std::shared_ptr<const sim::S
 {
     Picture picture;
     picture.look = lookOf(segment);
-    if (step().guides)
-        picture.guides = step().guides(segment->scene, state, segment->values);
-    if (step().guidesOfRun) {
-        const sim::Cursor at = track.at();
-        const std::int64_t frame = at.phase > 0 ? at.frame + track.rowFrames() : at.frame;
-        const std::vector<lessons::Guide> more = step().guidesOfRun(track.script(), state, frame);
-        picture.guides.insert(picture.guides.end(), more.begin(), more.end());
-    }
+    picture.guides = guidesOf(step(), track, *segment, state);
     picture.segment = std::move(segment);
     picture.state = std::move(state);
     return picture;

@@ -14,7 +14,7 @@ namespace {
 /// Up to here a matrix with all its zeros is solved faster than one without.
 constexpr int mostDense = 64;
 /// From here on nets are solved by conjugate gradients.
-constexpr int leastConjugate = 1024;
+constexpr int leastConjugate = 256;
 /// A part of rounding: Newton's next correction makes good what is left.
 constexpr double tolerance = 1e-12;
 

@@ -1,6 +1,9 @@
 #include "random_trial.h"
 
+#include "app/model/code_values.h"
 #include "app/model/experiment.h"
+#include "app/model/guides.h"
+#include "app/model/numbers.h"
 #include "app/model/sentences.h"
 
 #include <QRegularExpression>
@@ -31,10 +34,10 @@ void require(bool holds, const QString &what)
 /// A refusal is one line that says where, and ends as a sentence.
 void checkRefusal(const QString &sentence, const QByteArray &text)
 {
-    static const QRegularExpression form("^x\\.json: line (\\d+): [^\\n\\r%]+\\.$");
+    static const QRegularExpression form(QStringLiteral("^x\\.json: line (\\d+): \\S.*\\.$"));
     const QRegularExpressionMatch match = form.match(sentence);
-    require(match.hasMatch() || sentence.contains('%'), "no sentence with its place: " + sentence);
-    require(!sentence.contains('\n') && sentence.endsWith('.'), "not one sentence: " + sentence);
+    require(match.hasMatch(), "no sentence with its place: " + sentence);
+    require(!sentence.contains('\n') && !sentence.contains('\r'), "more than a line: " + sentence);
     require(match.captured(1).toInt() <= text.count('\n') + 1, "no such line: " + sentence);
     require(!sentence.contains("does not fit together"), "nobody has words for this: " + sentence);
     require(sentence.size() < 1000, "too long: " + sentence);
@@ -146,14 +149,30 @@ private:
         const sim::State &state = m_track.now();
         const lessons::Look look = m_step.look(segment.scene, segment.values);
         require(int(look.bodies.size()) == state.points(), "some bodies have no look");
-        std::vector<lessons::Guide> guides;
-        if (m_step.guides)
-            guides = m_step.guides(segment.scene, state, segment.values);
-        for (const lessons::Guide &guide : guides)
-            checkFinite(guide.a.x + guide.a.y + guide.b.x + guide.b.y + guide.size, "a guide");
+        for (const lessons::Guide &guide : app::guidesOf(m_step, m_track, segment, state)) {
+            for (const double number : {guide.a.x, guide.a.y, guide.b.x, guide.b.y, guide.size})
+                checkFinite(number, "a guide");
+        }
+        for (int i = 0; i < state.points(); ++i)
+            checkFinite(app::shownLength(state.speed(i)), "a speed as it is shown");
+        checkValues(segment.scene.names[std::size_t(m_draw.below(state.points()))]);
         for (const lessons::Measure &measure : m_step.measures) {
             if (measure.of)
                 measure.of(segment.scene, state, nullptr, segment.values);
+        }
+    }
+
+    /// What stands on the lines of the code.
+    void checkValues(const std::string &body)
+    {
+        if (m_left <= 0)
+            return;
+        for (const sim::Moment &moment : m_track.moments(body)) {
+            for (const sim::Live &live : moment.live) {
+                const QString shown = app::shownValue(live.value);
+                require(!shown.contains("nan") && !shown.contains("inf"),
+                        QString::fromStdString(live.name) + " is shown as " + shown);
+            }
         }
     }
 

@@ -1,6 +1,8 @@
 #include "tests/app/listing_bench.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 using namespace listing_bench;
 
@@ -128,6 +130,8 @@ private slots:
         QTest::newRow("thousandths") << 0.002749 << "0.0027";
         QTest::newRow("huge") << 1.23e9 << "1.2e9";
         QTest::newRow("tiny") << -1.23e-7 << "−1.2e−7";
+        QTest::newRow("past all numbers") << std::numeric_limits<double>::infinity() << "too large";
+        QTest::newRow("no number") << std::nan("") << "none";
     }
     void numbersHaveThreeDigitsOrSoAndARealMinusSign()
     {

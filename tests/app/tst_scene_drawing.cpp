@@ -329,6 +329,11 @@ void SceneDrawingTest::namesAndNumbersAreReadable_data()
                              << "foot 0 at (310, 240), at rest";
     QTest::newRow("moving") << bodySentence("foot0", {310, -240}, {0, 2.3})
                             << "foot 0 at (310, −240), moving 2.3 px a frame";
+    QTest::newRow("as far as numbers reach")
+        << bodySentence("foot0", {1.7e308, -2e200}, {1e308, -1e308})
+        << "foot 0 at (1.7·10³⁰⁸, −2·10²⁰⁰), moving 1.4·10³⁰⁸ px a frame";
+    QTest::newRow("faster than numbers reach") << bodySentence("foot0", {0, 0}, {1.7e308, 1.7e308})
+                                               << "foot 0 at (0, 0), moving 1.8·10³⁰⁸ px a frame";
 }
 
 void SceneDrawingTest::namesAndNumbersAreReadable()

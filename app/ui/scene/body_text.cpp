@@ -24,7 +24,7 @@ QString bodySentence(const QString &name, sim::Vec2 at, sim::Vec2 speed)
 {
     const QString place =
         Text::tr("%1 at (%2, %3)").arg(bodyTitle(name), fixedNumber(at.x, 0), fixedNumber(at.y, 0));
-    const double fast = sim::length(speed);
+    const double fast = shownLength(speed);
     if (fast < still)
         return Text::tr("%1, at rest").arg(place);
     return Text::tr("%1, moving %2 px a frame").arg(place, fixedNumber(fast, 1));

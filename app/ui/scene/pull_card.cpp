@@ -1,5 +1,6 @@
 // The card of a stop inside a frame.
 
+#include "app/model/numbers.h"
 #include "app/model/sentences.h"
 #include "app/ui/scene/body_text.h"
 #include "app/ui/scene/label_places.h"
@@ -37,12 +38,12 @@ std::vector<Row> rowsOf(const Shown &shown, const Theme &theme)
     std::vector<Row> rows;
     for (const sim::Gathered &one : shown.gathered) {
         const sim::Vec2 pull = {one.acceleration(shown.selected, 0), one.acceleration(shown.selected, 1)};
-        rows.push_back({phrase(one.effect->title()), shownMagnitude(sim::length(pull)),
+        rows.push_back({phrase(one.effect->title()), shownMagnitude(shownLength(pull)),
                         theme.kindColor(one.effect->kind())});
     }
     if (shown.hasSum())
         rows.push_back(
-            {Text::tr("sum so far"), shownMagnitude(sim::length(shown.sumOnSelected())), theme.tokens().ink});
+            {Text::tr("sum so far"), shownMagnitude(shownLength(shown.sumOnSelected())), theme.tokens().ink});
     return rows;
 }
 

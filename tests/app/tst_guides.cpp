@@ -1,0 +1,55 @@
+// Which of a step's explaining lines are drawn.
+
+#include "app/model/guides.h"
+
+#include "app/model/experiment.h"
+
+#include <QTest>
+
+#include <cmath>
+
+using namespace app;
+
+class TestGuides : public QObject
+{
+    Q_OBJECT
+
+    const LessonLibrary m_library = LessonLibrary::load({LESSON_DIR});
+
+    /// What is drawn of a foot on a spring that stands at `x`, and how many guides its step has for that.
+    void guidesAt(double x, std::size_t &drawn, std::size_t &all) const
+    {
+        Experiment experiment = newExperiment("single_spring", "drag", m_library);
+        experiment.script.values.set("k", 1.5);
+        experiment.script.bodies["foot"] = {{x, 100.0}, {}};
+        const lessons::Step *step = m_library.lesson("single_spring")->step("drag");
+        const sim::Track run(experiment.script, 0);
+        const sim::Segment &segment = run.shown();
+        all = step->guides(segment.scene, run.now(), segment.values).size();
+        const std::vector<lessons::Guide> guides = guidesOf(*step, run, segment, run.now());
+        for (const lessons::Guide &guide : guides) {
+            for (const double number : {guide.a.x, guide.a.y, guide.b.x, guide.b.y, guide.size})
+                QVERIFY(std::isfinite(number));
+        }
+        drawn = guides.size();
+    }
+
+private slots:
+    void allAreDrawnWhereTheyAreNumbers()
+    {
+        std::size_t drawn = 0, all = 0;
+        guidesAt(300.0, drawn, all);
+        QVERIFY(all > 0);
+        QCOMPARE(drawn, all);
+    }
+
+    void aPullThatIsNoNumberIsNotDrawn()
+    {
+        std::size_t drawn = 0, all = 0;
+        guidesAt(1.7e308, drawn, all);
+        QCOMPARE(drawn + 1, all); // the centre is still there
+    }
+};
+
+QTEST_GUILESS_MAIN(TestGuides)
+#include "tst_guides.moc"

@@ -1,0 +1,131 @@
+// The matrix of a stiff cloth's step, solved by our conjugate gradients, spring by spring, and by Eigen's with a matrix
+// put together; both from the same slopes to the same tolerance, with the same division by the diagonal.
+
+#include "claims.h"
+#include "cloth.h"
+#include "support.h"
+
+#include "sim/flow.h"
+#include "sim/methods/conjugate_gradients.h"
+#include "sim/methods/methods.h"
+
+#include <benchmark/benchmark.h>
+
+#include <Eigen/IterativeLinearSolvers>
+#include <Eigen/SparseCholesky>
+
+namespace {
+
+constexpr int side = 64;
+constexpr double k = 1e6;
+constexpr double tolerance = 1e-10;
+
+struct System
+{
+    std::vector<sim::Slopes::Entry> entries;
+    Eigen::VectorXd right;
+};
+
+/// Of a cloth that is drawn out, each point somewhere near its place: no two rows are alike.
+System drawnOut()
+{
+    sim::Scene scene = cloth::hung(side, k, 1.0);
+    support::Dice dice(3);
+    const int points = side * side, free = points - side;
+    for (int i = 0; i < points; ++i)
+        scene.start.place(i, 1.5 * scene.start.at(i) + sim::Vec2{dice.real(-1, 1), dice.real(-1, 1)});
+    sim::Slopes slopes(points);
+    sim::Flow(scene, sim::Directions::apart).slopes(scene.start, slopes);
+    const auto number = [&](int row) { return row % points - side + (row < points ? 0 : free); };
+    System system;
+    for (const sim::Slopes::Entry &entry : slopes.entries()) {
+        if (entry.row % points >= side && entry.column % points >= side)
+            system.entries.push_back({number(entry.row), number(entry.column), -entry.value});
+    }
+    system.right.resize(2 * free);
+    for (double &value : system.right)
+        value = dice.real(-1.0, 1.0);
+    return system;
+}
+
+Eigen::SparseMatrix<double, Eigen::RowMajor> matrixOf(const System &system)
+{
+    std::vector<Eigen::Triplet<double>> all;
+    all.reserve(system.entries.size() + std::size_t(system.right.size()));
+    for (int i = 0; i < system.right.size(); ++i)
+        all.emplace_back(i, i, 1.0);
+    for (const sim::Slopes::Entry &entry : system.entries)
+        all.emplace_back(entry.row, entry.column, entry.value);
+    Eigen::SparseMatrix<double, Eigen::RowMajor> matrix(system.right.size(), system.right.size());
+    matrix.setFromTriplets(all.begin(), all.end());
+    return matrix;
+}
+
+void clothOurs(benchmark::State &run)
+{
+    const System system = drawnOut();
+    const Eigen::VectorXd ones = Eigen::VectorXd::Ones(system.right.size());
+    for (auto _ : run) {
+        const auto matrix = sim::SpringMatrix::of(system.entries, ones);
+        const sim::Conjugate found = sim::conjugateGradients(*matrix, sim::inTurn(system.right), tolerance);
+        Eigen::VectorXd x = sim::inColumns(found.x);
+        benchmark::DoNotOptimize(x.data());
+        run.counters["products"] = found.iterations;
+    }
+}
+
+void clothEigen(benchmark::State &run)
+{
+    const System system = drawnOut();
+    for (auto _ : run) {
+        const auto matrix = matrixOf(system);
+        // Both halves: what Eigen's documentation advises for speed.
+        Eigen::ConjugateGradient<Eigen::SparseMatrix<double, Eigen::RowMajor>, Eigen::Lower | Eigen::Upper>
+            solver;
+        solver.setTolerance(tolerance);
+        solver.compute(matrix);
+        Eigen::VectorXd x = solver.solve(system.right);
+        benchmark::DoNotOptimize(x.data());
+        run.counters["products"] = double(solver.iterations());
+    }
+}
+
+void clothCholesky(benchmark::State &run)
+{
+    const System system = drawnOut();
+    for (auto _ : run) {
+        const Eigen::SparseMatrix<double> matrix = matrixOf(system);
+        const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors(matrix);
+        Eigen::VectorXd x = factors.solve(system.right);
+        benchmark::DoNotOptimize(x.data());
+    }
+}
+
+/// A frame near rest, as most are.
+void clothFrame(benchmark::State &run)
+{
+    const sim::Scene scene = cloth::hung(side, k, 0.5);
+    const sim::MethodPtr method = sim::findMethod("backward_euler");
+    const sim::Pipeline pipeline = sim::compose(scene, *method, sim::StepSize::of(1.0));
+    sim::State state = scene.start;
+    method->prepare(state);
+    for (auto _ : run) {
+        for (const sim::Phase &phase : pipeline.phases)
+            phase.run(state);
+        benchmark::DoNotOptimize(state.position.data());
+    }
+}
+
+BENCHMARK(clothOurs)->Unit(benchmark::kMillisecond);
+BENCHMARK(clothEigen)->Unit(benchmark::kMillisecond);
+BENCHMARK(clothCholesky)->Unit(benchmark::kMillisecond);
+BENCHMARK(clothFrame)->Unit(benchmark::kMillisecond);
+
+const int claimed[] = {
+    bench::claim(
+        {"cloth of 64 x 64, k h^2 = 1e6: our conjugate gradients / Eigen's", "clothOurs", "clothEigen"}),
+    bench::claim(
+        {"the same: our conjugate gradients / Eigen's sparse Cholesky", "clothOurs", "clothCholesky"}),
+};
+
+}
