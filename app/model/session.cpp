@@ -1,6 +1,5 @@
 #include "app/model/session.h"
 
-
 #include <QElapsedTimer>
 
 #include <algorithm>

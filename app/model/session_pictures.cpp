@@ -13,7 +13,8 @@ namespace app {
 
 namespace {
 
-constexpr std::size_t keptLooks = 4; ///< of the run, its ghost, its companion, and what a change has just made
+constexpr std::size_t keptLooks =
+    4; ///< of the run, its ghost, its companion, and what a change has just made
 
 }
 

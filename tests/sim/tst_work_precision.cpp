@@ -220,7 +220,8 @@ private slots:
     {
         const Scene scene = threeSticks();
         StudyPlan plan = quickPlan(15);
-        plan.secondsPerRun = 600.0; // so that a busy machine does not choose a coarser finest run for one method
+        plan.secondsPerRun =
+            600.0; // so that a busy machine does not choose a coarser finest run for one method
         const Accuracy found = studyAccuracy(scriptOf(scene), plan, goOn);
         QVERIFY(found.horizon > 0);
         for (const AccuracyRow &row : found.rows) {

@@ -71,9 +71,10 @@ void StatusFigures::refresh()
     const bool isTimed = row && row->nsPerFrame > 0.0;
     put(time, isTimed ? tr("%1 a frame").arg(duration(row->nsPerFrame)) : QString());
     const bool isMeasured = row && row->outcome == sim::Outcome::measured;
-    put(error, isMeasured
-                   ? tr("%1 off over %2 frames").arg(pixels(row->error)).arg(m_study.accuracy()->framesCompared())
-                   : QString());
+    put(error,
+        isMeasured
+            ? tr("%1 off over %2 frames").arg(pixels(row->error)).arg(m_study.accuracy()->framesCompared())
+            : QString());
 }
 
 QString StatusFigures::workWords() const
