@@ -26,11 +26,12 @@ private slots:
         };
         row("the window without a display", {},
             "there is no display for the window; set DISPLAY, or use a verb that needs none: lessons, trace, "
-            "accuracy, screenshot.");
+            "accuracy, hardcases, screenshot.");
         row("a verb with a slip", {"tracee", "x"},
-            "there is no verb \"tracee\"; the verbs are lessons, trace, accuracy, screenshot.");
+            "there is no verb \"tracee\"; the verbs are lessons, trace, accuracy, hardcases, screenshot.");
         row("neither verb nor file", {"lesons"},
-            "there is no verb and no file \"lesons\"; the verbs are lessons, trace, accuracy, screenshot.");
+            "there is no verb and no file \"lesons\"; the verbs are lessons, trace, accuracy, hardcases, "
+            "screenshot.");
         row("an unknown option", {"--fast"}, "Unknown option 'fast'; springstep --help tells what there is.");
         row("an unknown option of a verb", {"lessons", "--xml"},
             "Unknown option 'xml'; springstep lessons --help tells what there is.");
@@ -152,7 +153,7 @@ private slots:
             }
         }
         QVERIFY(order > 0);
-        QCOMPARE(all["methods"].toArray().size(), 12);
+        QCOMPARE(all["methods"].toArray().size(), 13);
         QCOMPARE(all["methods"][0].toObject().keys(), QStringList({"id", "needs", "order"}));
         QCOMPARE(all["methods"][0]["id"].toString(), "published");
         QCOMPARE(all["methods"][0]["needs"].toArray(), QJsonArray{"groups"});
