@@ -203,6 +203,7 @@ void SceneDrawingTest::signsAtTheEdgeKeepApart_data()
     QTest::newRow("all in one direction") << QPointF(2000, 200) << 1;
     QTest::newRow("to all sides") << QPointF(275, 240) << 2;
     QTest::newRow("far beyond") << QPointF(4e5, -3e5) << 1;
+    QTest::newRow("so far that its square is no number") << QPointF(1e200, -1e200) << 1;
 }
 
 void SceneDrawingTest::signsAtTheEdgeKeepApart()
@@ -221,6 +222,7 @@ void SceneDrawingTest::signsAtTheEdgeKeepApart()
     int bodies = 0;
     for (std::size_t i = 0; i < markers.size(); ++i) {
         bodies += markers[i].bodies;
+        QVERIFY2(!markers[i].text.contains("inf"), qPrintable(markers[i].text));
         QVERIFY(free.adjusted(-1, -1, 1, 1).contains(markers[i].label));
         for (std::size_t j = 0; j < i; ++j)
             QVERIFY(!markers[i].label.intersects(markers[j].label));

@@ -1,5 +1,6 @@
 #include "app/ui/scene/edge_markers.h"
 
+#include "app/model/numbers.h"
 #include "app/model/sentences.h"
 #include "app/ui/scene/body_text.h"
 #include "app/ui/scene/label_places.h"
@@ -37,7 +38,7 @@ QPointF leaving(QRectF free, QPointF target)
 QString distanceText(double px)
 {
     if (px >= 1e5)
-        return Text::tr("%1 px").arg(QString::number(px, 'g', 2));
+        return Text::tr("%1\u2009px").arg(roughNumber(px));
     return Text::tr("%1\u2009px").arg(static_cast<qint64>(std::llround(px)));
 }
 
@@ -80,7 +81,7 @@ std::vector<EdgeMarker> edgeMarkers(const Shown &shown, const Camera &camera, QR
         marker.at = leaving(free, centre);
         const QPointF d = centre - marker.at;
         marker.direction = d / std::max(1e-9, std::hypot(d.x(), d.y()));
-        marker.away = sim::length(shown.state().at(i) - camera.back(marker.at));
+        marker.away = shownLength(shown.state().at(i) - camera.back(marker.at));
         const auto near = std::find_if(markers.begin(), markers.end(), [&](const EdgeMarker &other) {
             return std::hypot(other.at.x() - marker.at.x(), other.at.y() - marker.at.y()) < shared;
         });
