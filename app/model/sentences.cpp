@@ -124,7 +124,7 @@ QString sentenceFor(const sim::Stop &stop)
     said << (stop.body.empty()
                  ? Text::tr("Stopped at frame %1: in the next one a number is not finite.").arg(stop.frame)
                  : Text::tr(
-                       "Stopped at frame %1: in the next one %2 is too far or too fast for any number (not "
+                       "Stopped at frame %1: in the next one “%2” is too far or too fast for any number (not "
                        "finite).")
                        .arg(stop.frame)
                        .arg(name));

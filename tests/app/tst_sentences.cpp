@@ -69,11 +69,12 @@ private slots:
         QTest::addColumn<QString>("sentence");
         QTest::newRow("a number that is not finite")
             << int(sim::StopReason::notFinite) << "spring"
-            << "Stopped at frame 7: in the next one foot 3 is too far or too fast for any number (not "
+            << "Stopped at frame 7: in the next one “foot 3” is too far or too fast for any number (not "
                "finite). It began in “spring”.";
-        QTest::newRow("one that no phase made") << int(sim::StopReason::notFinite) << QString()
-                                                << "Stopped at frame 7: in the next one foot 3 is too far or "
-                                                   "too fast for any number (not finite).";
+        QTest::newRow("one that no phase made")
+            << int(sim::StopReason::notFinite) << QString()
+            << "Stopped at frame 7: in the next one “foot 3” is too far or "
+               "too fast for any number (not finite).";
         QTest::newRow("too many steps")
             << int(sim::StopReason::tooManySteps) << "steps of its own"
             << "Stopped at frame 7: the method needs too many steps for the next one. What is pulled hardest "

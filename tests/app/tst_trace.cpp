@@ -106,7 +106,8 @@ private slots:
         QVERIFY2(isOneLine(answer.err), qPrintable(answer.err));
         const auto match =
             QRegularExpression(
-                "\\AStopped at frame (\\d+): in the next one (foot \\d+|body) is too far or too fast for any "
+                "\\AStopped at frame (\\d+): in the next one “(foot \\d+|body)” is too far or too fast for "
+                "any "
                 "number \\(not finite\\). It began in “\\w+”. The spring (foot \\d+ – body|body – foot \\d+) "
                 "pulls hardest.\n\\z")
                 .match(answer.err);
