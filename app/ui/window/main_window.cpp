@@ -86,7 +86,7 @@ QWidget *MainWindow::centre()
     m_notice = new Notice(m_theme, centre);
     m_sceneBar = new SceneBar(m_session, m_theme, centre);
     m_scene = new SceneView(m_session, m_theme, centre);
-    m_scene->setMinimumSize(480, 320);
+    m_scene->setMinimumSize(480, 240);
     m_stopNotice = new StopNotice(m_session, m_theme, m_scene);
     m_transport = new TransportBar(m_session, m_theme, centre);
     m_timeline = new TimelineStrip(m_session, m_theme, centre);
