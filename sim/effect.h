@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -42,6 +43,16 @@ struct Live
     std::optional<std::variant<double, Vec2>> before = {}; ///< set when the line changes what it had
 };
 
+/// What the work of an effect on a point depends on, besides the effect's own numbers.
+enum class Sees {
+    tied,  ///< that point, and the points that Effect::ties() ties to it; nothing else of the State
+    scene, ///< anything in the State but the number of the frame
+    time,  ///< the number of the frame, too: what is random is a hash of it
+};
+
+/// Two points of which at least one feels the other.
+using Tie = std::pair<int, int>;
+
 /// Something that acts on points. Const and without memory of its own: all that changes is in the State.
 class Effect
 {
@@ -56,6 +67,13 @@ public:
     virtual std::vector<Region> regions(Directions directions) const = 0;
     /// How many pulls, or points, this effect computes among `points`.
     virtual int count(const State &state, Points points) const = 0;
+    /// What decides whether what has come to rest may sleep, and what can be computed apart from the rest.
+    virtual Sees sees() const { return Sees::time; }
+    /// Adds each two points that it ties together, once or more often. Only for one that sees what is tied.
+    virtual void ties(std::vector<Tie> &) const {}
+    /// Whether its own numbers are such that it can change nothing, wherever points are: gravity 0, a wall infinitely
+    /// far away. Such an effect is left out when a scene is composed.
+    virtual bool idle() const { return false; }
 };
 
 /// How accelerations change with places: the entries of that matrix of derivatives, in 1/frame^2. Entries for the

@@ -29,6 +29,9 @@ struct Phase
     double kicks = 0.0;            ///< frames for which it lets gathered accelerations act on velocities
     bool integrates = false;       ///< whether it is part of a step that forces and damping act in all along
     std::function<void(State &)> run;
+    /// Only where the phase works point by point, or on ties of effects that see what is tied: does the same for a
+    /// part of its points. All parts, in any order, come to what `run` does.
+    std::function<void(State &, Points)> runOn;
     /// Only where `run` may take long: does the same, and leaves off when nobody waits any more. Returns whether it is
     /// done; if not, the state is good for nothing.
     std::function<bool(State &, const GoesOn &)> runWhile;

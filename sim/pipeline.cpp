@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <sstream>
 
 namespace sim {
@@ -59,8 +60,13 @@ Pipeline compose(const Scene &scene, const Method &method, StepSize step)
     const bool adaptive = method.stepping() == Stepping::adaptive;
     if (adaptive != step.adaptive())
         throw Error(adaptive ? "needs-tolerance" : "needs-step", {{"method", method.id()}});
-    Pipeline pipeline{method.phases(scene, step), step};
-    checkFit(scene, method, pipeline.phases);
+    Scene acting = scene;
+    Pipeline pipeline{{}, step, {}};
+    const auto idle = [](const EffectPtr &effect) { return effect->idle(); };
+    std::copy_if(scene.effects.begin(), scene.effects.end(), std::back_inserter(pipeline.leftOut), idle);
+    std::erase_if(acting.effects, idle);
+    pipeline.phases = method.phases(acting, step);
+    checkFit(acting, method, pipeline.phases);
     if (pipeline.phases.empty())
         throw Error("nothing-moves", {{"method", method.id()}});
     return pipeline;

@@ -11,6 +11,7 @@ struct Pipeline
 {
     std::vector<Phase> phases;
     StepSize step;
+    std::vector<EffectPtr> leftOut; ///< listed, but idle: no phase computes them
 
     int phasesPerStep() const { return static_cast<int>(phases.size()); }
     int phasesPerRow() const { return phasesPerStep() * step.perRow; }
