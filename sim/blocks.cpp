@@ -65,13 +65,14 @@ std::vector<Run>::const_iterator runAt(const std::vector<Run> &runs, int point)
                             [](int at, const Run &run) { return at < run.points.end(); });
 }
 
-/// A constraint that ties goes through its list in an order of its own, so it has to see what it ties in one piece.
-bool wantsOnePiece(const Phase &phase)
+/// Whether `phase` can be divided, and a part costs no more than its share. A constraint that ties goes through its
+/// whole list for each part, in the list's own order.
+bool isDivisible(const Phase &phase)
 {
     std::vector<Tie> ties;
     if (dynamic_cast<const Constraint *>(phase.effect.get()))
         phase.effect->ties(ties);
-    return !ties.empty();
+    return phase.runOn && phase.points.count > 0 && ties.empty();
 }
 
 bool areLongEnough(const std::vector<Phase> &phases, const std::vector<Run> &runs, int shortest)
@@ -84,20 +85,15 @@ bool areLongEnough(const std::vector<Phase> &phases, const std::vector<Run> &run
     return points >= shortest * pieces;
 }
 
-/// Adds the pieces of phase number `phase` to `blocks`. Returns false where one block would need several, and may not.
-bool addPieces(const Phase &phase, int number, const std::vector<Run> &runs, std::vector<Block> &blocks)
+/// Adds the pieces of phase number `number` to `blocks`.
+void addPieces(const Phase &phase, int number, const std::vector<Run> &runs, std::vector<Block> &blocks)
 {
-    const bool onePiece = wantsOnePiece(phase);
     for (auto run = runAt(runs, phase.points.first);
          run != runs.end() && run->points.first < phase.points.end(); ++run) {
-        Block &block = blocks[run->block];
-        if (onePiece && !block.empty() && block.back().phase == number)
-            return false;
         const int first = std::max(run->points.first, phase.points.first);
         const int end = std::min(run->points.end(), phase.points.end());
-        block.push_back({number, {first, end - first}});
+        blocks[run->block].push_back({number, {first, end - first}});
     }
-    return true;
 }
 
 }
@@ -109,9 +105,7 @@ std::vector<Block> blocksOf(const Scene &scene, const std::vector<Phase> &phases
 
 std::vector<Block> blocksOf(const Scene &scene, const std::vector<Phase> &phases, BlockSize size)
 {
-    const bool apart = std::all_of(phases.begin(), phases.end(),
-                                   [](const Phase &phase) { return phase.runOn && phase.points.count > 0; });
-    if (!apart || scene.start.points() <= size.points)
+    if (scene.start.points() <= size.points || !std::all_of(phases.begin(), phases.end(), isDivisible))
         return {};
     const std::vector<Run> runs = runsOf(islandsOf(scene), size.points);
     if (!areLongEnough(phases, runs, size.shortest))
@@ -122,10 +116,8 @@ std::vector<Block> blocksOf(const Scene &scene, const std::vector<Phase> &phases
     if (last == 0)
         return {};
     std::vector<Block> blocks(last + 1);
-    for (std::size_t i = 0; i < phases.size(); ++i) {
-        if (!addPieces(phases[i], static_cast<int>(i), runs, blocks))
-            return {};
-    }
+    for (std::size_t i = 0; i < phases.size(); ++i)
+        addPieces(phases[i], static_cast<int>(i), runs, blocks);
     return blocks;
 }
 

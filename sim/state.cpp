@@ -48,8 +48,9 @@ std::size_t memoryOf(const State &state)
 
 int firstNotFinite(const State &state)
 {
-    // x - x is 0 for every finite x and NaN for the others: one pass that vectorises, then a search if needed.
-    const auto finite = [](const auto &numbers) { return ((numbers - numbers) == 0.0).all(); };
+    // x - x is 0 for every finite x and NaN for the others, and a sum keeps that: one pass that vectorises, then a
+    // search if needed.
+    const auto finite = [](const auto &numbers) { return (numbers - numbers).sum() == 0.0; };
     if (finite(state.position) && finite(state.velocity) && finite(state.acceleration) &&
         finite(state.angle) && finite(state.spin) && finite(state.turning) && finite(state.gait) &&
         finite(state.gaitSpeed))

@@ -27,10 +27,12 @@ public:
     void ReportRuns(const std::vector<Run> &runs) override
     {
         for (const Run &run : runs) {
-            if (run.aggregate_name == "median")
-                m_medians[run.run_name.function_name] = {run.GetAdjustedCPUTime() * 1e9 /
-                                                             benchmark::GetTimeUnitMultiplier(run.time_unit),
-                                                         run.report_label};
+            if (run.aggregate_name != "median")
+                continue;
+            const bool byTheWall = run.run_name.time_type == "real_time";
+            const double time = byTheWall ? run.GetAdjustedRealTime() : run.GetAdjustedCPUTime();
+            m_medians[run.run_name.function_name] = {
+                time * 1e9 / benchmark::GetTimeUnitMultiplier(run.time_unit), run.report_label};
         }
         ConsoleReporter::ReportRuns(runs);
     }

@@ -1,0 +1,95 @@
+// A crowd, one step: phase by phase over all points, in blocks of islands that stay in the cache, and in blocks that two
+// threads share. The threads are measured by the clock on the wall, the others by the processor's.
+
+#include "claims.h"
+#include "crowd.h"
+
+#include "sim/methods/methods.h"
+#include "sim/run_step.h"
+
+#include <benchmark/benchmark.h>
+
+namespace {
+
+/// A crowd by semi-implicit Euler, and where it is. A run begins anew every bench::crowd::frames frames.
+struct Crowd
+{
+    explicit Crowd(int creatures) : scene(bench::crowd::inTheRoom(creatures))
+    {
+        const sim::MethodPtr method = sim::findMethod("semi_implicit_euler");
+        method->prepare(scene.start);
+        pipeline = sim::compose(scene, *method, sim::StepSize::of(1.0));
+        state = scene.start;
+    }
+
+    void nextFrame()
+    {
+        if (state.frame == bench::crowd::frames)
+            state = scene.start;
+        ++state.frame;
+    }
+
+    sim::Scene scene;
+    sim::Pipeline pipeline;
+    sim::State state;
+};
+
+void byPhase(benchmark::State &run, int creatures)
+{
+    Crowd crowd(creatures);
+    for (auto _ : run) {
+        crowd.nextFrame();
+        for (const sim::Phase &phase : crowd.pipeline.phases)
+            phase.run(crowd.state);
+        benchmark::ClobberMemory();
+    }
+    run.SetItemsProcessed(run.iterations() * creatures);
+}
+
+void inBlocks(benchmark::State &run, int creatures, int threads)
+{
+    Crowd crowd(creatures);
+    sim::Crew crew(threads);
+    for (auto _ : run) {
+        crowd.nextFrame();
+        sim::runStep(crowd.pipeline, crowd.state, crew);
+        benchmark::ClobberMemory();
+    }
+    run.SetItemsProcessed(run.iterations() * creatures);
+    run.counters["blocks"] = static_cast<double>(crowd.pipeline.blocks.size());
+}
+
+/// How large a block should be.
+void bySize(benchmark::State &run, int creatures)
+{
+    Crowd crowd(creatures);
+    const int points = static_cast<int>(run.range(0));
+    crowd.pipeline.blocks = sim::blocksOf(crowd.scene, crowd.pipeline.phases, {points, 1});
+    for (auto _ : run) {
+        crowd.nextFrame();
+        sim::runStep(crowd.pipeline, crowd.state);
+        benchmark::ClobberMemory();
+    }
+}
+
+int registerAll()
+{
+    for (const int creatures : {100, 1'000, 10'000, 100'000}) {
+        const std::string count = std::to_string(creatures);
+        const std::string phases = "crowd_by_phase_" + count, blocks = "crowd_in_blocks_" + count;
+        const std::string one = "crowd_one_thread_" + count, two = "crowd_two_threads_" + count;
+        const auto name = [](const std::string &text) { return text.c_str(); };
+        benchmark::RegisterBenchmark(name(phases), byPhase, creatures);
+        benchmark::RegisterBenchmark(name(blocks), inBlocks, creatures, 1);
+        benchmark::RegisterBenchmark(name(one), inBlocks, creatures, 1)->UseRealTime();
+        benchmark::RegisterBenchmark(name(two), inBlocks, creatures, 2)->UseRealTime();
+        bench::claim({count + " creatures, in blocks / phase by phase", blocks, phases});
+        bench::claim({count + " creatures, two threads / one, by the clock on the wall", two, one});
+    }
+    benchmark::RegisterBenchmark("crowd_block_size", bySize, 10'000)->RangeMultiplier(2)->Range(128, 16'384);
+    return 0;
+}
+
+const int registered = registerAll();
+
+}
