@@ -61,7 +61,8 @@ private:
     template <class Visit>
     void forEach(const State &state, Points points, Visit &&visit) const;
 
-    std::vector<int> m_feet; ///< in order
+    std::vector<int> m_feet;    ///< in order
+    std::vector<Points> m_runs; ///< the same feet
     Soil m_soil;
 };
 

@@ -66,7 +66,11 @@ std::vector<Points> PhaseList::inert(Points points) const
         if (group.inertia == Inertia::none || first >= end)
             continue;
         const auto free = m_scene.start.inverseMass.segment(first, end - first) != 0.0;
-        if (free.any())
+        if (!free.any())
+            continue;
+        if (!runs.empty() && runs.back().end() == first)
+            runs.back().count += end - first;
+        else
             runs.push_back({first, end - first});
     }
     return runs;

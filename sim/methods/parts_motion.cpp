@@ -1,3 +1,4 @@
+#include "sim/free_points.h"
 #include "sim/methods/parts.h"
 
 namespace sim {
@@ -10,16 +11,40 @@ const char *half(double part, const char *whole, const char *halved)
     return part == 1.0 ? whole : halved;
 }
 
-/// Calls `visit(point)` for each point of `runs` that feels forces in `state`.
-template <class Visit>
-void forEachFree(const State &state, const std::vector<Points> &runs, Visit &&visit)
+void kickAll(State &state, Points run, double h)
 {
-    for (const Points &run : runs) {
-        for (int i = run.first; i < run.end(); ++i) {
-            if (state.feels(i))
-                visit(i);
-        }
-    }
+    const Columns v(state.velocity), a(state.acceleration);
+    replaceFree(state.inverseMass, run, state.velocity,
+                [=](int i) { return sim::kick(v.at(i), a.at(i), h); });
+}
+
+void moveAll(State &state, Points run, double h)
+{
+    const Columns x(state.position), v(state.velocity);
+    replaceFree(state.inverseMass, run, state.position,
+                [=](int i) { return sim::move(x.at(i), v.at(i), h); });
+}
+
+void kickSpinOfAll(State &state, Points run, double h)
+{
+    const double *spin = state.spin.data(), *turning = state.turning.data();
+    replaceFree(state.inverseMass, run, state.spin.data(),
+                [=](int i) { return kickSpin(spin[i], turning[i], h); });
+}
+
+void turnAll(State &state, Points run, double h)
+{
+    const double *angle = state.angle.data(), *spin = state.spin.data();
+    replaceFree(state.inverseMass, run, state.angle.data(),
+                [=](int i) { return turn(angle[i], spin[i], h); });
+}
+
+/// Gives all points of `run` the velocity with which they came to where they are.
+void takeVelocities(State &state, Points run, double h)
+{
+    const Columns x(state.position), before(state.previous);
+    replaceFree(state.inverseMass, run, state.velocity,
+                [=](int i) { return came(x.at(i), before.at(i), h); });
 }
 
 }
@@ -37,10 +62,8 @@ void PhaseList::kick(const Share &share, double part)
     Phase phase = ownPhase("kick", half(part, SIM_TEXT("kick"), SIM_TEXT("half kick")), share);
     phase.kicks = part * m_h;
     phase.run = [runs, h = part * m_h](State &state) {
-        forEachFree(state, runs, [&](int i) {
-            const Vec2 a = {state.acceleration(i, 0), state.acceleration(i, 1)};
-            state.push(i, sim::kick(state.speed(i), a, h));
-        });
+        for (const Points &run : runs)
+            kickAll(state, run, h);
     };
     phase.explain = [](const State &before, const State &after, int point) {
         return std::vector<Live>{{"v", after.speed(point), before.speed(point)}};
@@ -53,8 +76,8 @@ void PhaseList::kickSpins(const Share &share, double part)
     Phase phase = ownPhase("kick_spin", half(part, SIM_TEXT("kick"), SIM_TEXT("half kick")), share);
     phase.kicks = part * m_h;
     phase.run = [runs = inert(share.points), h = part * m_h](State &state) {
-        forEachFree(state, runs,
-                    [&](int i) { state.spin[i] = kickSpin(state.spin[i], state.turning[i], h); });
+        for (const Points &run : runs)
+            kickSpinOfAll(state, run, h);
     };
     phase.explain = [](const State &before, const State &after, int point) {
         return std::vector<Live>{{"spin", after.spin[point], before.spin[point]}};
@@ -77,7 +100,8 @@ void PhaseList::move(const Share &share, double part)
     phase.run = [runs, h = part * m_h, keep](State &state) {
         if (keep)
             keep(state);
-        forEachFree(state, runs, [&](int i) { state.place(i, sim::move(state.at(i), state.speed(i), h)); });
+        for (const Points &run : runs)
+            moveAll(state, run, h);
     };
     phase.explain = [](const State &before, const State &after, int point) {
         return std::vector<Live>{{"x", after.at(point), before.at(point)}};
@@ -90,7 +114,8 @@ void PhaseList::turnAngles(const Share &share, double part)
     Phase phase = ownPhase("turn", half(part, SIM_TEXT("turn"), SIM_TEXT("half turn")), share);
     phase.moves = true;
     phase.run = [runs = inert(share.points), h = part * m_h](State &state) {
-        forEachFree(state, runs, [&](int i) { state.angle[i] = turn(state.angle[i], state.spin[i], h); });
+        for (const Points &run : runs)
+            turnAll(state, run, h);
     };
     phase.explain = [](const State &before, const State &after, int point) {
         return std::vector<Live>{{"angle", after.angle[point], before.angle[point]}};
@@ -121,10 +146,8 @@ void PhaseList::velocities(const Share &share)
         return;
     Phase phase = ownPhase("came", SIM_TEXT("new velocity"), share);
     phase.run = [runs, h = m_h](State &state) {
-        forEachFree(state, runs, [&](int i) {
-            const Vec2 before = {state.previous(i, 0), state.previous(i, 1)};
-            state.push(i, came(state.at(i), before, h));
-        });
+        for (const Points &run : runs)
+            takeVelocities(state, run, h);
     };
     phase.explain = [](const State &before, const State &after, int point) {
         return std::vector<Live>{{"v", after.speed(point), before.speed(point)}};
