@@ -2,6 +2,7 @@
 
 #include "sim/carry_over.h"
 #include "sim/guilt.h"
+#include "sim/run_step.h"
 
 #include <algorithm>
 #include <cmath>
@@ -128,7 +129,7 @@ bool Track::seek(Cursor target, const GoesOn &goesOn)
     // Inside a row the numbers are looked at only where the cursor stops: where they are no good, the rest of the
     // row tells whether the run ends here.
     while (next == Next::goesOn && (m_at < target || (m_at.phase > 0 && failureOf(m_now))))
-        next = runPhase(goesOn);
+        next = runOn(target, goesOn);
     if (next == Next::isLeftOff)
         restore(std::prev(m_kept.upper_bound(m_at.frame))->first);
     else if (next == Next::ends)
@@ -212,16 +213,29 @@ void Track::applyHand(State &state, const Scene &scene, const Event &event) cons
     }
 }
 
-Track::Next Track::runPhase(const GoesOn &goesOn)
+Track::Next Track::runOn(Cursor target, const GoesOn &goesOn)
 {
     if (m_at.phase == 0) {
         begin(m_now, m_at.frame + rowFrames());
         m_segment = segmentFor(m_at.frame + rowFrames());
     }
     const Pipeline &pipeline = m_segment->pipeline;
-    if (!run(pipeline.phaseAt(m_at.phase), m_now, goesOn))
+    const int step = pipeline.phasesPerStep();
+    const bool whole = m_at.phase % step == 0 && Cursor{m_at.frame, m_at.phase + step} <= target;
+    if (!(whole ? runWhole(pipeline, m_now, goesOn) : run(pipeline.phaseAt(m_at.phase), m_now, goesOn)))
         return Next::isLeftOff;
-    return ++m_at.phase < pipeline.phasesPerRow() ? Next::goesOn : endRow(goesOn);
+    m_at.phase += whole ? step : 1;
+    return m_at.phase < pipeline.phasesPerRow() ? Next::goesOn : endRow(goesOn);
+}
+
+bool Track::runWhole(const Pipeline &pipeline, State &state, const GoesOn &goesOn) const
+{
+    if (!pipeline.blocks.empty()) {
+        runStep(pipeline, state, m_crew);
+        return !goesOn || goesOn();
+    }
+    return std::all_of(pipeline.phases.begin(), pipeline.phases.end(),
+                       [&](const Phase &phase) { return run(phase, state, goesOn); });
 }
 
 Track::Next Track::endRow(const GoesOn &goesOn)
@@ -284,8 +298,8 @@ std::optional<State> Track::rowState(std::int64_t frame, const GoesOn &goesOn) c
     for (std::int64_t end = kept->first + rowFrames(); end <= frame; end += rowFrames()) {
         begin(state, end);
         const std::shared_ptr<const Segment> segment = segmentFor(end);
-        for (int phase = 0; phase < segment->pipeline.phasesPerRow(); ++phase) {
-            if (!run(segment->pipeline.phaseAt(phase), state, goesOn))
+        for (int step = 0; step < segment->pipeline.step.perRow; ++step) {
+            if (!runWhole(segment->pipeline, state, goesOn))
                 return {};
         }
     }
