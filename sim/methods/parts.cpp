@@ -13,6 +13,24 @@ bool runsInOrder(const EffectPtr &effect)
     return !dynamic_cast<const Driver *>(effect.get());
 }
 
+/// Lets `phase` begin with `work` of the method's own.
+template <class Work>
+void precede(Phase &phase, const Work &work)
+{
+    phase.run = [work, run = phase.run](State &state) {
+        work(state);
+        run(state);
+    };
+    if (phase.prelude) {
+        phase.prelude = [work, prelude = phase.prelude](State &state) {
+            work(state);
+            prelude(state);
+        };
+    } else {
+        phase.prelude = work;
+    }
+}
+
 }
 
 PhaseList::PhaseList(const Scene &scene, Directions directions, double h)
@@ -191,11 +209,10 @@ void PhaseList::gather(const Share &share)
     // Nothing is gathered yet from where the step begins, or from where the last trial place was left.
     Phase &first = m_phases[m_gathers ? before : 0];
     m_gathers = true;
-    first.run = [run = first.run](State &state) {
+    precede(first, [](State &state) {
         state.acceleration.setZero();
         state.turning.setZero();
-        run(state);
-    };
+    });
 }
 
 void PhaseList::damping(const Share &share, double part)
@@ -251,13 +268,8 @@ void PhaseList::comeFrom(const Share &share)
 
 std::vector<Phase> PhaseList::take()
 {
-    if (m_keep && m_keepBefore < m_phases.size()) {
-        Phase &first = m_phases[m_keepBefore];
-        first.run = [keep = m_keep, run = first.run](State &state) {
-            keep(state);
-            run(state);
-        };
-    }
+    if (m_keep && m_keepBefore < m_phases.size())
+        precede(m_phases[m_keepBefore], m_keep);
     return std::move(m_phases);
 }
 
