@@ -26,6 +26,13 @@ QString phrase(const std::string &text)
     return QCoreApplication::translate("sim", text.c_str());
 }
 
+QString capitalised(QString text)
+{
+    if (!text.isEmpty())
+        text[0] = text[0].toUpper();
+    return text;
+}
+
 QString bodyTitle(const QString &name)
 {
     QStringList parts;

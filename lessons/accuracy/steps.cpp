@@ -1,9 +1,11 @@
 #include "steps.h"
 
+#include "lessons/api/acting.h"
 #include "lessons/api/creature.h"
 #include "lessons/api/parameters.h"
 #include "measures.h"
 #include "scenes.h"
+#include "sim/effects/walls.h"
 #include "tries.h"
 
 #include <QCoreApplication>
@@ -159,7 +161,12 @@ Step bounceStep()
     step.method = "rk4";
     step.tries = bounceTries(exact, step.presets());
     step.scene = accuracy::bounce::setUp;
-    step.look = [](const sim::Scene &, const sim::Values &values) { return ballLook(values); };
+    step.look = [](const sim::Scene &scene, const sim::Values &values) {
+        Look look = ballLook(values);
+        if (!effectOf<sim::Walls>(scene))
+            look.room.reset();
+        return look;
+    };
     step.guidesOfRun = [exact](const sim::Script &script, const sim::State &state, std::int64_t frame) {
         return exactMarks(*exact, ballLook(script.values), script, state, frame);
     };

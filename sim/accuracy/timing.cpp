@@ -2,6 +2,7 @@
 
 #include "sim/accuracy/cpu_clock.h"
 #include "sim/accuracy/run.h"
+#include "sim/accuracy/samples.h"
 
 #include <memory>
 #include <utility>
@@ -102,15 +103,6 @@ struct Sampled
         return 1e9 * total / (static_cast<double>(frames) * repeats);
     }
 };
-
-/// The value that `share` of `sorted` are below, between two of them by proportion.
-double quantile(const std::vector<double> &sorted, double share)
-{
-    const double at = share * static_cast<double>(sorted.size() - 1);
-    const auto below = static_cast<std::size_t>(at);
-    const std::size_t above = std::min(below + 1, sorted.size() - 1);
-    return sorted[below] + (at - static_cast<double>(below)) * (sorted[above] - sorted[below]);
-}
 
 void note(Sampled &sampled)
 {
