@@ -3,6 +3,7 @@
 #include "sim/accuracy/cpu_clock.h"
 #include "sim/accuracy/run.h"
 #include "sim/accuracy/samples.h"
+#include "sim/flush.h"
 
 #include <memory>
 #include <utility>
@@ -32,7 +33,7 @@ public:
             m_start = scene.start;
             m_pipeline = compose(scene, *script.method, script.step);
         } else {
-            m_track = std::make_unique<Track>(script, 0);
+            m_track = std::make_unique<Track>(script, 0, Sleeping::never);
         }
     }
 
@@ -65,6 +66,7 @@ public:
 private:
     void runTo(std::int64_t end, State &state, std::int64_t done) const
     {
+        const FlushTiny flush;
         const int rowFrames = m_pipeline.step.rowFrames;
         for (std::int64_t frame = done + rowFrames; frame <= end; frame += rowFrames) {
             state.frame = frame;

@@ -3,6 +3,7 @@
 #include "sim/accuracy/run.h"
 #include "sim/effects/body_spring.h"
 #include "sim/effects/damping.h"
+#include "sim/flush.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,6 +63,7 @@ Eigen::Matrix4d matrixOf(const Stiffest &stiffest, const MethodPtr &method, doub
     method->prepare(scene.start);
     const Pipeline pipeline = compose(scene, *method, StepSize::of(h));
     Eigen::Matrix4d matrix;
+    const FlushTiny flush;
     for (int column = 0; column < 4; ++column) {
         State state = scene.start;
         (column < 2 ? state.position : state.velocity)(column % 2, 0) = 1.0;
