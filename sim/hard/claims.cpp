@@ -158,6 +158,8 @@ Claim claimOf(const HardCase &hard, const MethodPtr &method, const RunSize &size
     const bool byTolerance = method->stepLimit() == StepLimit::tolerance;
     if (byTolerance && hard.asksFor(Ask::noRoom))
         return no("claim-no-room", *method, {});
+    if (hard.stickError && size.h > hard.brief.h && !byTolerance)
+        return no("claim-longer-step", *method, {{"h", text(size.h)}, {"most", text(hard.brief.h)}});
     if (!hard.stiffest)
         return {true, {}};
     return byTolerance ? claimByTolerance(hard, *method, size) : claimByStep(hard, method, size);
