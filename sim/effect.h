@@ -45,7 +45,7 @@ struct Live
 
 /// What the work of an effect on a point depends on, besides the effect's own numbers.
 enum class Sees {
-    tied,  ///< that point, and the points that Effect::ties() ties to it; nothing else of the State
+    tied, ///< that point, and those that Effect::ties() ties to it, straight or by way of others; nothing else
     scene, ///< anything in the State but the number of the frame
     time,  ///< the number of the frame, too: what is random is a hash of it
 };
@@ -69,6 +69,8 @@ public:
     virtual int count(const State &state, Points points) const = 0;
     /// What decides whether what has come to rest may sleep, and what can be computed apart from the rest.
     virtual Sees sees() const { return Sees::time; }
+    /// Whether in `state`, and as long as nothing comes in from outside, it does not look at the number of the frame.
+    virtual bool isTimeless(const State &) const { return sees() != Sees::time; }
     /// Adds each two points that it ties together, once or more often. Only for one that sees what is tied.
     virtual void ties(std::vector<Tie> &) const {}
     /// Whether its own numbers are such that it can change nothing, wherever points are: gravity 0, a wall infinitely
@@ -180,7 +182,7 @@ public:
 };
 
 /// Moves points to where a condition wants them, after they moved by themselves. What it moves gets its velocity
-/// from the way it came in the whole step.
+/// from the way it came in the whole step: so one that moves nothing is not idle, as it decides what velocities are.
 class Constraint : public Effect
 {
 public:

@@ -47,6 +47,16 @@ void takeVelocities(State &state, Points run, double h)
                 [=](int i) { return came(x.at(i), before.at(i), h); });
 }
 
+/// Calls `visit(run)` for each of `runs` as far as it is among `points`.
+template <class Visit>
+void forEachRun(const std::vector<Points> &runs, Points points, Visit &&visit)
+{
+    for (const Points &run : runs) {
+        if (const Points part = common(run, points); part.count > 0)
+            visit(part);
+    }
+}
+
 }
 
 void PhaseList::kick(const Share &share, double part)
@@ -61,10 +71,9 @@ void PhaseList::kick(const Share &share, double part)
         return;
     Phase phase = ownPhase("kick", half(part, SIM_TEXT("kick"), SIM_TEXT("half kick")), share);
     phase.kicks = part * m_h;
-    phase.run = [runs, h = part * m_h](State &state) {
-        for (const Points &run : runs)
-            kickAll(state, run, h);
-    };
+    setWork(phase, [runs, h = part * m_h](State &state, Points points) {
+        forEachRun(runs, points, [&](Points run) { kickAll(state, run, h); });
+    });
     phase.explain = [](const State &before, const State &after, int point) {
         return std::vector<Live>{{"v", after.speed(point), before.speed(point)}};
     };
@@ -75,10 +84,9 @@ void PhaseList::kickSpins(const Share &share, double part)
 {
     Phase phase = ownPhase("kick_spin", half(part, SIM_TEXT("kick"), SIM_TEXT("half kick")), share);
     phase.kicks = part * m_h;
-    phase.run = [runs = inert(share.points), h = part * m_h](State &state) {
-        for (const Points &run : runs)
-            kickSpinOfAll(state, run, h);
-    };
+    setWork(phase, [runs = inert(share.points), h = part * m_h](State &state, Points points) {
+        forEachRun(runs, points, [&](Points run) { kickSpinOfAll(state, run, h); });
+    });
     phase.explain = [](const State &before, const State &after, int point) {
         return std::vector<Live>{{"spin", after.spin[point], before.spin[point]}};
     };
@@ -96,13 +104,11 @@ void PhaseList::move(const Share &share, double part)
     }
     Phase phase = ownPhase("move", half(part, SIM_TEXT("move"), SIM_TEXT("half move")), share);
     phase.moves = true;
-    const std::function<void(State &)> keep = remembering(share);
-    phase.run = [runs, h = part * m_h, keep](State &state) {
-        if (keep)
-            keep(state);
-        for (const Points &run : runs)
-            moveAll(state, run, h);
-    };
+    setWork(phase, [runs, h = part * m_h](State &state, Points points) {
+        forEachRun(runs, points, [&](Points run) { moveAll(state, run, h); });
+    });
+    if (const auto keep = remembering(share))
+        setWorkBefore(phase, keep);
     phase.explain = [](const State &before, const State &after, int point) {
         return std::vector<Live>{{"x", after.at(point), before.at(point)}};
     };
@@ -113,10 +119,9 @@ void PhaseList::turnAngles(const Share &share, double part)
 {
     Phase phase = ownPhase("turn", half(part, SIM_TEXT("turn"), SIM_TEXT("half turn")), share);
     phase.moves = true;
-    phase.run = [runs = inert(share.points), h = part * m_h](State &state) {
-        for (const Points &run : runs)
-            turnAll(state, run, h);
-    };
+    setWork(phase, [runs = inert(share.points), h = part * m_h](State &state, Points points) {
+        forEachRun(runs, points, [&](Points run) { turnAll(state, run, h); });
+    });
     phase.explain = [](const State &before, const State &after, int point) {
         return std::vector<Live>{{"angle", after.angle[point], before.angle[point]}};
     };
@@ -127,9 +132,9 @@ void PhaseList::constraints(const Share &share)
 {
     forEach<Constraint>(share, [&](const std::shared_ptr<const Constraint> &constraint) {
         Phase phase = phaseOf(constraint, share);
-        phase.run = [constraint, points = share.points, way = m_directions, h = m_h](State &state) {
+        setWork(phase, [constraint, way = m_directions, h = m_h](State &state, Points points) {
             constraint->enforce(state, points, way, h);
-        };
+        });
         phase.explain = [constraint](const State &before, const State &after, int point) {
             return constraint->explain(before, after, point);
         };
@@ -145,10 +150,9 @@ void PhaseList::velocities(const Share &share)
     if (runs.empty() || spins())
         return;
     Phase phase = ownPhase("came", SIM_TEXT("new velocity"), share);
-    phase.run = [runs, h = m_h](State &state) {
-        for (const Points &run : runs)
-            takeVelocities(state, run, h);
-    };
+    setWork(phase, [runs, h = m_h](State &state, Points points) {
+        forEachRun(runs, points, [&](Points run) { takeVelocities(state, run, h); });
+    });
     phase.explain = [](const State &before, const State &after, int point) {
         return std::vector<Live>{{"v", after.speed(point), before.speed(point)}};
     };
@@ -159,7 +163,7 @@ void PhaseList::contacts(const Share &share)
 {
     forEach<Contact>(share, [&](const std::shared_ptr<const Contact> &contact) {
         Phase phase = phaseOf(contact, share);
-        phase.run = [contact, points = share.points](State &state) { contact->resolve(state, points); };
+        setWork(phase, [contact](State &state, Points points) { contact->resolve(state, points); });
         phase.explain = [](const State &before, const State &after, int point) {
             return changeOf(before, after, point);
         };

@@ -89,6 +89,8 @@ private slots:
     void aHandThatIsNowhereIsRefused();
     void aHandThatIsNowhereLeavesTheRunAsItWas();
     void withoutThatRefusalAllIsNowhere();
+    void aStartThatIsNowhereIsRefused_data();
+    void aStartThatIsNowhereIsRefused();
     void pointsInOnePlaceHaveADirection();
     void windWithoutADistanceTurnsNoFartherThanTheWind();
     void aSpineWithoutALengthHasAWidth();
@@ -154,6 +156,31 @@ void TestSafeguards::withoutThatRefusalAllIsNowhere()
         phase.run(state);
     QCOMPARE(firstNotFinite(state), 0);
     QVERIFY(!std::isfinite(state.at(1).x)); // and what is tied to it
+}
+
+void TestSafeguards::aStartThatIsNowhereIsRefused_data()
+{
+    aHandThatIsNowhereIsRefused_data();
+}
+
+void TestSafeguards::aStartThatIsNowhereIsRefused()
+{
+    QFETCH(double, number);
+    const auto refusal = [](const BodyStart &start) {
+        Script script = support::script(support::sample("heavy pair"), "semi_implicit_euler");
+        const std::string name = script.build(script.values).names.at(1);
+        script.bodies[name] = start;
+        try {
+            Track(script, 0);
+        } catch (const Error &error) {
+            return error.id() + (error.values().at("body") == name ? ", by name" : "");
+        }
+        return std::string();
+    };
+    QCOMPARE(refusal({{number, 200.0}, {}}), std::string("start-not-finite, by name"));
+    QCOMPARE(refusal({{270.0, number}, {}}), std::string("start-not-finite, by name"));
+    QCOMPARE(refusal({{270.0, 200.0}, Vec2{number, 0.0}}), std::string("start-not-finite, by name"));
+    QCOMPARE(refusal({{270.0, 200.0}, Vec2{1.0, 0.0}}), std::string());
 }
 
 void TestSafeguards::pointsInOnePlaceHaveADirection()

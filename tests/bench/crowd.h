@@ -1,0 +1,29 @@
+#pragma once
+
+#include "crowd_numbers.h"
+
+#include "sim/effects/links.h"
+#include "sim/scene.h"
+
+#include <vector>
+
+/// Many creatures of the lesson gravity_walls in one room: a body and five feet each, radial springs both ways,
+/// gravity, damping, walls. They pass through each other. What the limits and the peers compute, too.
+namespace bench::crowd {
+
+/// Which point is foot `foot` of a creature, or its body where `foot` is -1. All bodies come first, then the first
+/// foot of all creatures, then the second foot of all...
+constexpr int pointOf(int creatures, int creature, int foot)
+{
+    return (foot + 1) * creatures + creature;
+}
+
+/// The springs, foot by foot: to each foot of all creatures from their bodies, then the other way.
+std::vector<sim::Link> springs(int creatures);
+
+/// Scattered over the room, at rest.
+sim::Scene inTheRoom(int creatures);
+/// The same creatures with springs and damping alone: neither gravity nor walls are listed.
+sim::Scene inTheAir(int creatures);
+
+}
