@@ -120,6 +120,14 @@ public:
     /// moment adds that to the other end's row at once, whether or not it is among `movers`.
     virtual void add(const State &state, Points movers, double scale, Directions directions,
                      Eigen::ArrayX2d &into) const = 0;
+    /// The same in parts that are taken in ascending order and leave out no point that is tied to one of theirs: in
+    /// sum they come to what add() does with all of those points. So a part may add what both ends of a tie feel that
+    /// leads to an earlier part, and leave to later ones what leads there.
+    virtual void addPart(const State &state, Points part, double scale, Directions directions,
+                         Eigen::ArrayX2d &into) const
+    {
+        add(state, part, scale, directions, into);
+    }
     /// Adds `scale` times the derivatives of what add() adds. Returns false, and adds nothing, for a force that has
     /// none.
     virtual bool addSlopes(const State &, Points, double, Directions, Slopes &) const { return false; }

@@ -71,6 +71,31 @@ std::vector<LinkBand> bandsOf(const std::vector<Link> &links)
     return bands;
 }
 
+/// Whether each link of `run` has the same end higher than the other.
+bool leadsOneWay(const LinkRun &run)
+{
+    const Link first = run.link(0), last = run.link(run.count - 1);
+    return (first.mover > first.anchor && last.mover > last.anchor) ||
+           (first.mover < first.anchor && last.mover < last.anchor);
+}
+
+void addLinks(const Stroke &stroke, std::vector<Link> &into)
+{
+    for (int i = 0; i < stroke.run.count; ++i)
+        into.push_back(stroke.run.link(i));
+    for (int i = 0; stroke.bothWays && i < stroke.run.count; ++i)
+        into.push_back({stroke.run.link(i).anchor, stroke.run.link(i).mover});
+}
+
+/// Whether the links of each mover come in the order of their high ends. `links` are ordered by mover.
+bool partsAscend(const std::vector<Link> &links)
+{
+    const auto high = [](const Link &link) { return std::max(link.mover, link.anchor); };
+    return std::adjacent_find(links.begin(), links.end(), [&](const Link &a, const Link &b) {
+               return a.mover == b.mover && high(a) > high(b);
+           }) == links.end();
+}
+
 /// What a run is found by. Steps of a single link say nothing.
 using Key = std::array<int, 5>;
 
@@ -191,8 +216,29 @@ private:
 }
 
 LinkRuns::LinkRuns(const std::vector<Link> &links)
-    : m_bands(bandsOf(links)), m_strokes(Order(m_bands).strokes())
+    : m_bands(bandsOf(links)), m_strokes(Order(m_bands).strokes()), m_parts(partsOf(links))
 {
+}
+
+std::vector<LinkRuns::Part> LinkRuns::partsOf(const std::vector<Link> &links) const
+{
+    std::vector<Part> parts;
+    for (const Stroke &stroke : m_strokes) {
+        const LinkRun &run = stroke.run;
+        if (!leadsOneWay(run))
+            return {};
+        const bool up = run.mover > run.anchor;
+        parts.push_back({stroke, up ? RunEnd{run.mover, run.moverStep} : RunEnd{run.anchor, run.anchorStep}});
+    }
+    std::stable_sort(parts.begin(), parts.end(),
+                     [](const Part &a, const Part &b) { return a.high.first < b.high.first; });
+    std::vector<Link> taken;
+    for (const Part &part : parts)
+        addLinks(part.stroke, taken);
+    std::stable_sort(taken.begin(), taken.end(),
+                     [](const Link &a, const Link &b) { return a.mover < b.mover; });
+    const bool sameOrder = std::equal(taken.begin(), taken.end(), links.begin(), links.end());
+    return sameOrder && partsAscend(links) ? parts : std::vector<Part>();
 }
 
 std::vector<LinkBand>::const_iterator LinkRuns::from(int point) const
@@ -201,12 +247,25 @@ std::vector<LinkBand>::const_iterator LinkRuns::from(int point) const
                                 [point](const LinkBand &band) { return band.movers.end() <= point; });
 }
 
-LinkRun LinkRuns::part(const LinkRun &run, Points movers)
+std::vector<LinkRuns::Part>::const_iterator LinkRuns::partFrom(int point) const
 {
-    const int skipped = std::max(0, movers.first - run.mover);
-    const int left = std::max(0, run.mover + run.count - movers.end());
-    const Link first = run.link(skipped);
-    return {first.mover, first.anchor, run.count - skipped - left, run.moverStep, run.anchorStep};
+    return std::partition_point(m_parts.begin(), m_parts.end(),
+                                [point](const Part &part) { return part.high.first <= point - longestRun; });
+}
+
+LinkRun LinkRuns::clipped(const LinkRun &run, RunEnd end, Points points)
+{
+    LinkRun left = run;
+    if (end.step == 0) {
+        left.count = points.contains(end.first) ? run.count : 0;
+        return left;
+    }
+    const int skipped = std::max(0, points.first - end.first);
+    const int over = std::max(0, end.first + run.count - points.end());
+    left.mover = run.link(skipped).mover;
+    left.anchor = run.link(skipped).anchor;
+    left.count = run.count - skipped - over;
+    return left;
 }
 
 }

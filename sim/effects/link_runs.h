@@ -11,6 +11,7 @@ struct Link
 {
     int mover = 0;
     int anchor = 0;
+    friend bool operator==(const Link &, const Link &) = default;
 };
 
 /// So many links are computed in one go: what they come to fits the nearest cache.
@@ -45,12 +46,67 @@ struct LinkBand
     std::vector<LinkRun> runs;
 };
 
-/// Links as runs. Both lists hold every link once.
+/// Which links a call takes.
+enum class Take {
+    movers, ///< those of the movers it is given, as Force::add() does
+    part,   ///< those of a part, as Force::addPart() does
+};
+
+/// One of the two rows of points of a run.
+struct RunEnd
+{
+    int first = 0; ///< of the first link
+    int step = 0;  ///< from one link to the next, 0 or 1
+};
+
+/// Links as runs. Each of the lists holds every link once.
 class LinkRuns
 {
 public:
     /// `links`: ordered by mover.
     explicit LinkRuns(const std::vector<Link> &links);
+
+    /// All links, those that answer each other together where the order of each point's pulls allows it.
+    const std::vector<Stroke> &strokes() const { return m_strokes; }
+
+    /// Calls `visit(stroke)` for the links of `movers`.
+    template <class Visit>
+    void forEach(Points movers, Visit &&visit) const
+    {
+        if (areAll(movers)) {
+            for (const Stroke &stroke : m_strokes)
+                visit(stroke);
+            return;
+        }
+        for (auto band = from(movers.first); band != m_bands.end() && band->movers.first < movers.end();
+             ++band) {
+            for (const LinkRun &run : band->runs)
+                visit(Stroke{clipped(run, {run.mover, run.moverStep}, movers), false});
+        }
+    }
+
+    /// The same in parts that are taken in ascending order: calls `visit(stroke)` for the links between points of
+    /// `part` and points of it or of earlier ones.
+    template <class Visit>
+    void forEachPart(Points part, Visit &&visit) const
+    {
+        if (m_parts.empty()) {
+            forEach(part, visit); // the order of some point's pulls does not allow it
+            return;
+        }
+        for (auto one = partFrom(part.first); one != m_parts.end() && one->high.first < part.end(); ++one) {
+            const LinkRun run = clipped(one->stroke.run, one->high, part);
+            if (run.count > 0)
+                visit(Stroke{run, one->stroke.bothWays});
+        }
+    }
+
+private:
+    struct Part
+    {
+        Stroke stroke;
+        RunEnd high;
+    };
 
     /// Whether `movers` are all points that any link moves.
     bool areAll(Points movers) const
@@ -58,26 +114,15 @@ public:
         return m_bands.empty() ||
                (movers.first <= m_bands.front().movers.first && movers.end() >= m_bands.back().movers.end());
     }
-    /// All links, those that answer each other together where the order of each point's pulls allows it.
-    const std::vector<Stroke> &strokes() const { return m_strokes; }
-
-    /// Calls `visit(run)` for the runs of `movers` only.
-    template <class Visit>
-    void forEach(Points movers, Visit &&visit) const
-    {
-        for (auto band = from(movers.first); band != m_bands.end() && band->movers.first < movers.end();
-             ++band) {
-            for (const LinkRun &run : band->runs)
-                visit(run.moverStep == 0 ? run : part(run, movers));
-        }
-    }
-
-private:
     std::vector<LinkBand>::const_iterator from(int point) const;
-    static LinkRun part(const LinkRun &run, Points movers);
+    std::vector<Part>::const_iterator partFrom(int point) const;
+    /// What is left of `run` where its ends `end` are among `points`.
+    static LinkRun clipped(const LinkRun &run, RunEnd end, Points points);
+    std::vector<Part> partsOf(const std::vector<Link> &links) const;
 
     std::vector<LinkBand> m_bands; ///< in the order of their movers
     std::vector<Stroke> m_strokes;
+    std::vector<Part> m_parts; ///< the strokes in the order of their high ends; empty where that will not do
 };
 
 }

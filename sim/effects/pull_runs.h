@@ -147,23 +147,21 @@ void addStroke(const Stroke &stroke, const Places &at, const PullSum &sum, const
         addRow(rows.anchors, run.anchor, run.anchorStep, run.count, sum);
 }
 
-/// Adds `scale` times each pull of `movers` to its row of `into`, run by run: the batch loop of every force between two
+/// Adds `scale` times each pull of `points` to its row of `into`, run by run: the batch loop of every force between two
 /// points. `both(mover, anchor)` computes them from places alone, several links at once; `pull(link)` those of runs in
 /// which two points are in one place. The pulls of one point are added in the order of its links.
 template <class Both, class Pull>
-void addPullRuns(const Links &links, const State &state, Points movers, double scale, Eigen::ArrayX2d &into,
-                 const Both &both, const Pull &pull)
+void addPullRuns(const Links &links, Take take, const State &state, Points points, double scale,
+                 Eigen::ArrayX2d &into, const Both &both, const Pull &pull)
 {
     const Places at = {state.position.data(), state.position.data() + state.position.rows()};
     const PullSum sum = {state.inverseMass.data(), scale, into.data(), into.data() + into.rows()};
     runFast([&] {
-        const LinkRuns &runs = links.runs();
-        if (runs.areAll(movers)) {
-            for (const Stroke &stroke : runs.strokes())
-                addStroke(stroke, at, sum, both, pull);
-            return;
-        }
-        runs.forEach(movers, [&](const LinkRun &run) { addStroke({run, false}, at, sum, both, pull); });
+        const auto add = [&](const Stroke &stroke) { addStroke(stroke, at, sum, both, pull); };
+        if (take == Take::part)
+            links.runs().forEachPart(points, add);
+        else
+            links.runs().forEach(points, add);
     });
 }
 
@@ -172,7 +170,7 @@ template <class Both>
 void addPullRuns(const Links &links, const State &state, Points movers, double scale, Eigen::ArrayX2d &into,
                  const Both &both)
 {
-    addPullRuns(links, state, movers, scale, into, both,
+    addPullRuns(links, Take::movers, state, movers, scale, into, both,
                 [&](const Link &link) { return both(state.at(link.mover), state.at(link.anchor)).mover; });
 }
 

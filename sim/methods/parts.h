@@ -89,6 +89,8 @@ struct Adding
     AddTorque torque = nullptr;
     Region forceShown;
     Region torqueShown;
+    /// The same as `force` for one of the parts of Phase::runOn; null: by `force` itself.
+    AddForce forcePart = nullptr;
 };
 
 /// Adds every force to State::acceleration and every torque to State::turning.

@@ -219,6 +219,38 @@ private slots:
         }
     }
 
+    void partsInAscendingOrderComeToTheSameBits_data() { addLayoutRows(); }
+    void partsInAscendingOrderComeToTheSameBits()
+    {
+        QFETCH(int, index);
+        const Layout given = layout(index);
+        const RadialSpring radial(given.links, k, rest);
+        for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+            const State state = stateOf(given.points, seed);
+            Dice dice(seed);
+            Eigen::ArrayX2d sum = state.acceleration;
+            for (int first = 0; first < given.points;) {
+                const int count =
+                    std::min(given.points - first, dice.whole(1, dice.chance(0.5) ? 3 : given.points));
+                radial.addPart(state, {first, count}, scale, Directions::apart, sum);
+                first += count;
+            }
+            QVERIFY(sameBits(sum, linkByLink(given.links, state, {0, given.points}, radialPull)));
+        }
+    }
+
+    void partsTakeThePairsOfACrowdTogether()
+    {
+        const Links links(crowd(600, 5));
+        int together = 0, alone = 0;
+        for (const Points part : {Points{100, 200}, Points{700, 200}, Points{1300, 200}})
+            links.runs().forEachPart(part, [&](const Stroke &stroke) {
+                (stroke.bothWays ? together : alone) += stroke.run.count;
+            });
+        QCOMPARE(together, 400); // bodies have no link below them; two feet each have one
+        QCOMPARE(alone, 0);
+    }
+
     void everyLinkIsTakenOnceAndInItsPointsOrder_data() { addLayoutRows(); }
     void everyLinkIsTakenOnceAndInItsPointsOrder()
     {
