@@ -62,9 +62,11 @@ private slots:
     void whatIsMeasuredByTheClockIsReadByTheClock()
     {
         const Results results =
-            resultsOf(median("a/4/real_time", 2.0) + "," + median("b/4/iterations:7", 2.0));
+            resultsOf(median("a/4/real_time", 2.0) + "," + median("b/4/iterations:7", 2.0) + "," +
+                      median("c/4/iterations:7/manual_time", 2.0));
         QCOMPARE(results.medians.at("a/4").nanoseconds, 6.0);
         QCOMPARE(results.medians.at("b/4").nanoseconds, 2.0);
+        QCOMPARE(results.medians.at("c/4").nanoseconds, 6.0);
     }
 
     void aRatioIsToldAgainstWhatWasAskedFor_data()
@@ -129,6 +131,12 @@ private slots:
             QString::fromStdString(table(results, {}, {{"work", "a", "point", {"10", "20"}, {10.0, 20.0}}}));
         QVERIFY2(text.contains("4.00 ns, 3.00 ns"), qPrintable(text));
         QVERIFY2(text.contains("4 %"), qPrintable(text));
+    }
+
+    void aCounterThatIsNoNumberHarmsNothing()
+    {
+        const QByteArray run = R"({"run_name": "a", "aggregate_name": "cv", "cpu_time": 1, "px_apart": NaN})";
+        QCOMPARE(resultsOf(run + "," + median("a", 2.0)).medians.at("a").nanoseconds, 2.0);
     }
 
     void theMachineIsOnTop()
