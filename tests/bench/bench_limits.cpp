@@ -1,8 +1,8 @@
 // What one reaches by hand, for the processor at hand alone: limit_*.h, and the loop of plain_crowd.h. Each is first
 // compared with what the pipeline computes: a limit that does something else is none.
 
+#include "by_hand.h"
 #include "cloth.h"
-#include "limits.h"
 #include "support.h"
 #include "tree_scenes.h"
 
@@ -13,8 +13,9 @@ using namespace bench;
 constexpr int soon = 20; ///< frames
 
 const benchmark::internal::Benchmark *const entered[] = {
-    crowd::enter({"creatures_limit", crowd::inTheRoom, limits::creatures, 1e-9, limits::missing()}),
-    crowd::enter({"creatures_in_air_loop", crowd::inTheAir, limits::creaturesInAir, 1e-9, limits::missing()}),
+    crowd::enter({"creatures_limit", crowd::inTheRoom, by_hand::creatures, 1e-9, by_hand::missing()}),
+    crowd::enter(
+        {"creatures_in_air_loop", crowd::inTheAir, by_hand::creaturesInAir, 1e-9, by_hand::missing()}),
 };
 
 /// Whether `limit` can run here, and is where the pipeline is after some frames; says why not.
@@ -33,7 +34,7 @@ bool isRight(benchmark::State &run, const Limit &limit, const sim::State &right)
 
 bool isAble(benchmark::State &run)
 {
-    const std::string missing = limits::missing();
+    const std::string missing = by_hand::missing();
     if (!missing.empty())
         run.SkipWithError(missing.c_str());
     return missing.empty();
@@ -45,7 +46,7 @@ void clothLimit(benchmark::State &run)
         return;
     const int side = static_cast<int>(run.range(0));
     const sim::Scene scene = cloth::hung(side, cloth::soft, cloth::calm);
-    limits::Cloth limit(scene, side, {cloth::soft, cloth::spacing, cloth::weight, cloth::calm});
+    by_hand::Cloth limit(scene, side, {cloth::soft, cloth::spacing, cloth::weight, cloth::calm});
     for (int i = 0; i < soon; ++i)
         limit.frame();
     if (!isRight(run, limit, support::plainRun(scene, "semi_implicit_euler", 1.0, soon)))
@@ -63,7 +64,7 @@ void treeLimit(benchmark::State &run)
         return;
     const int forks = static_cast<int>(run.range(0));
     const sim::Scene scene = trees::inTheWind(trees::full(forks), sim::TreeFormula::corrected);
-    limits::Tree limit(forks);
+    by_hand::Tree limit(forks);
     std::int64_t number = 0;
     while (number < soon)
         limit.frame(++number);

@@ -22,14 +22,26 @@ double toNanoseconds(const QString &unit)
 /// Without what tells only how it was measured.
 std::string nameOf(const QJsonObject &run)
 {
-    static const QRegularExpression how("/(iterations:\\d+|real_time|min_time:[^/]*|process_time)");
+    static const QRegularExpression how(
+        "/(iterations:\\d+|real_time|manual_time|min_time:[^/]*|process_time)");
     return run["run_name"].toString().remove(how).toStdString();
 }
 
-double timeOf(const QJsonObject &run)
+/// Of what it measures, "time" or "coefficient".
+double timeOf(const QJsonObject &run, const char *what)
 {
-    const bool byClock = run["run_name"].toString().contains("/real_time");
-    return run[byClock ? "real_time" : "cpu_time"].toDouble() * toNanoseconds(run["time_unit"].toString());
+    const QString name = run["run_name"].toString();
+    const bool isReal = name.contains("/real_time") || name.contains("/manual_time");
+    return run[QLatin1String(isReal ? "real_" : "cpu_") + QLatin1String(what)].toDouble() *
+           toNanoseconds(run["time_unit"].toString());
+}
+
+/// Google Benchmark writes NaN where a counter is 0 each time; JSON knows no such number.
+QByteArray withoutNan(QByteArray json)
+{
+    for (const char *number : {": NaN", ": -NaN", ": Infinity", ": -Infinity"})
+        json.replace(number, ": null");
+    return json;
 }
 
 void addRun(const QJsonObject &run, Results &results)
@@ -39,12 +51,9 @@ void addRun(const QJsonObject &run, Results &results)
     if (run["error_occurred"].toBool())
         results.refused[name] = text(run["error_message"]);
     else if (kind == "median" || (kind.isEmpty() && !results.medians.count(name)))
-        results.medians[name] = {timeOf(run), text(run["label"])};
+        results.medians[name] = {timeOf(run, "time"), text(run["label"])};
     else if (kind == "BigO")
-        results.growths[name] = {text(run["big_o"]),
-                                 run["cpu_coefficient"].toDouble() *
-                                     toNanoseconds(run["time_unit"].toString()),
-                                 results.growths[name].off};
+        results.growths[name] = {text(run["big_o"]), timeOf(run, "coefficient"), results.growths[name].off};
     else if (kind == "RMS")
         results.growths[name].off = run["rms"].toDouble();
 }
@@ -54,7 +63,7 @@ void addRun(const QJsonObject &run, Results &results)
 std::string addResults(const QByteArray &json, Results &results)
 {
     QJsonParseError error{};
-    const QJsonObject file = QJsonDocument::fromJson(json, &error).object();
+    const QJsonObject file = QJsonDocument::fromJson(withoutNan(json), &error).object();
     if (error.error != QJsonParseError::NoError)
         return error.errorString().toStdString();
     if (!file["benchmarks"].isArray())

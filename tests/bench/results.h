@@ -11,9 +11,8 @@ namespace bench {
 /// The median of the runs of a benchmark.
 struct Measured
 {
-    double nanoseconds =
-        0.0;           ///< one iteration: of processor time, or by the clock where that is what it measures
-    std::string label; ///< as the benchmark set it
+    double nanoseconds = 0.0; ///< one iteration: of processor time, or what it measures in place of that
+    std::string label;        ///< as the benchmark set it
 };
 using Measurements =
     std::map<std::string, Measured>; ///< by the benchmark's name with its argument: "creatures/100"

@@ -71,14 +71,16 @@ std::string drawn(const std::vector<Cells> &lines, const std::string &alignment)
         all += "|";
         for (std::size_t i = 0; i < widths.size(); ++i) {
             const std::string space(widths[i] - widthOf(lines[row][i]), ' ');
-            all += " " + (alignment[i] == 'r' ? space + lines[row][i] : lines[row][i] + space) + " |";
+            all.append(" ")
+                .append(alignment[i] == 'r' ? space + lines[row][i] : lines[row][i] + space)
+                .append(" |");
         }
         all += "\n";
         if (row > 0)
             continue;
         all += "|";
         for (std::size_t i = 0; i < widths.size(); ++i)
-            all += " " + std::string(widths[i] - 1, '-') + (alignment[i] == 'r' ? ":" : "-") + " |";
+            all.append(" ").append(widths[i] - 1, '-').append(alignment[i] == 'r' ? ": |" : "- |");
         all += "\n";
     }
     return all;
@@ -165,11 +167,11 @@ std::string table(const Results &results, const std::vector<Row> &rows,
     }
     std::string all = machineLine(results);
     if (lines.size() > 1)
-        all += "\n" + drawn(lines, "rrrlllrr");
+        all.append("\n").append(drawn(lines, "rrrlllrr"));
     if (growth.size() > 1)
-        all += "\n" + drawn(growth, "lrllll");
+        all.append("\n").append(drawn(growth, "lrllll"));
     for (const auto &[name, why] : results.refused)
-        all += "\n" + name + " did not run: " + why + "\n";
+        all.append("\n").append(name).append(" did not run: ").append(why).append("\n");
     return all;
 }
 

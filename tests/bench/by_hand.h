@@ -5,7 +5,7 @@
 #include "limit_tree.h"
 
 /// What is written by hand as fast as we can, set up from the scenes that the pipeline runs.
-namespace bench::limits {
+namespace bench::by_hand {
 
 /// Why this machine cannot run them; empty if it can.
 std::string missing();

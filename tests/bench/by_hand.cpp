@@ -1,4 +1,4 @@
-#include "limits.h"
+#include "by_hand.h"
 
 #include "limit_creatures.h"
 #include "plain_crowd.h"
@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace bench::limits {
+namespace bench::by_hand {
 
 namespace {
 
