@@ -100,6 +100,8 @@ private slots:
     void slopesThatPushAreLeftOut();
     void slopesThatPullStayAsTheyAre();
     void aSolutionThatIsNotFoundIsNotLookedForForEver();
+    void whereEveryWayLeadsOutOfTheNumbersStandingStillIsNoAnswer_data();
+    void whereEveryWayLeadsOutOfTheNumbersStandingStillIsNoAnswer();
 };
 
 void TestSafeguards::aHandThatIsNowhereIsRefused_data()
@@ -263,6 +265,32 @@ void TestSafeguards::aSolutionThatIsNotFoundIsNotLookedForForEver()
     for (const double k : {0.1, 1e4, 1e9})
         QVERIFY(burstApart(k, 7, 0.001, {}).evaluations <= most);
     QVERIFY(burstApart(1e4, 12, 0.0, {1000, 0}).evaluations > 1000); // without the bound
+}
+
+void TestSafeguards::whereEveryWayLeadsOutOfTheNumbersStandingStillIsNoAnswer_data()
+{
+    QTest::addColumn<double>("k");
+    QTest::addColumn<double>("speed");
+    QTest::addColumn<bool>("isLost");
+    QTest::newRow("a pull without an end") << 1e308 << 0.0 << true;
+    QTest::newRow("a throw without an end") << 1e6 << 1e307 << true;
+    QTest::newRow("stiff, and thrown far") << 1e6 << 1e9 << false;
+}
+
+void TestSafeguards::whereEveryWayLeadsOutOfTheNumbersStandingStillIsNoAnswer()
+{
+    QFETCH(double, k);
+    QFETCH(double, speed);
+    QFETCH(bool, isLost);
+    Scene scene =
+        hard::creature(hard::valuesOf({{"k", k}, {"damp", 0.9}, {"radius", 50}, {"feet", 1}, {"out", 100}}));
+    scene.start.push(scene.find("foot0"), {speed, 0.0});
+    findMethod("backward_euler")->prepare(scene.start);
+    const Equations equations(scene, Directions::apart);
+    State state = scene.start;
+    ImplicitStep step(equations, state);
+    const Numbers u = step.solve(step.motion.x, step.motion.v, 1.0);
+    QCOMPARE(!u.isFinite().all(), isLost);
 }
 
 QTEST_GUILESS_MAIN(TestSafeguards)
