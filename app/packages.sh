@@ -21,6 +21,8 @@ test_packages=(
 bench_packages=(
     "libboost-dev            tests/bench: Boost's odeint"
     "libsundials-dev         tests/bench: SUNDIALS' CVODE"
+    "libbox2d-dev            tests/bench: Box2D, a physics engine, on the same springs"
+    "libchipmunk-dev         tests/bench: Chipmunk, likewise"
 )
 format_packages=(
     "clang-format-14         checks the layout of the code"

@@ -33,21 +33,30 @@ struct Heading
     Vec2 out;
 };
 
-/// The direction of the distance `d` from point `from` to point `to`. Points closer than 1e-150 px count as in one
-/// place: the square of a smaller distance loses digits and then vanishes, so its direction would not have length 1.
+/// Closer than this, in px, points count as in one place: the square of a smaller distance loses digits and then
+/// vanishes, so its direction would not have length 1.
+constexpr double inOnePlace = 1e-150;
+
+/// The direction of the distance `d` from point `from` to point `to`. The first function is all of it for points that
+/// are not in one place: without a branch, so that a batch of them is computed in one go.
 // Shown lines are short.
 // clang-format off
 inline
 //! [direction]
-Heading direction(
-    Vec2 d, int from, int to)
+Heading direction(Vec2 d)
 {
     double square = d.x * d.x + d.y * d.y;
     double length = std::sqrt(square);
-    if (length < 1e-150) // in one place
-        return {length, partingDirection(from, to)};
     Vec2 out = d / length;
     return {length, out};
+}
+inline Heading direction(
+    Vec2 d, int from, int to)
+{
+    Heading found = direction(d);
+    if (found.length < inOnePlace)
+        found.out = partingDirection(from, to);
+    return found;
 }
 //! [direction]
 // clang-format on

@@ -69,6 +69,8 @@ public:
     virtual int count(const State &state, Points points) const = 0;
     /// What decides whether what has come to rest may sleep, and what can be computed apart from the rest.
     virtual Sees sees() const { return Sees::time; }
+    /// Whether in `state`, and as long as nothing comes in from outside, it does not look at the number of the frame.
+    virtual bool isTimeless(const State &) const { return sees() != Sees::time; }
     /// Adds each two points that it ties together, once or more often. Only for one that sees what is tied.
     virtual void ties(std::vector<Tie> &) const {}
     /// Whether its own numbers are such that it can change nothing, wherever points are: gravity 0, a wall infinitely
@@ -118,6 +120,14 @@ public:
     /// moment adds that to the other end's row at once, whether or not it is among `movers`.
     virtual void add(const State &state, Points movers, double scale, Directions directions,
                      Eigen::ArrayX2d &into) const = 0;
+    /// The same in parts that are taken in ascending order and leave out no point that is tied to one of theirs: in
+    /// sum they come to what add() does with all of those points. So a part may add what both ends of a tie feel that
+    /// leads to an earlier part, and leave to later ones what leads there.
+    virtual void addPart(const State &state, Points part, double scale, Directions directions,
+                         Eigen::ArrayX2d &into) const
+    {
+        add(state, part, scale, directions, into);
+    }
     /// Adds `scale` times the derivatives of what add() adds. Returns false, and adds nothing, for a force that has
     /// none.
     virtual bool addSlopes(const State &, Points, double, Directions, Slopes &) const { return false; }
@@ -180,7 +190,7 @@ public:
 };
 
 /// Moves points to where a condition wants them, after they moved by themselves. What it moves gets its velocity
-/// from the way it came in the whole step.
+/// from the way it came in the whole step: so one that moves nothing is not idle, as it decides what velocities are.
 class Constraint : public Effect
 {
 public:

@@ -29,6 +29,9 @@ struct Phase
     double kicks = 0.0;            ///< frames for which it lets gathered accelerations act on velocities
     bool integrates = false;       ///< whether it is part of a step that forces and damping act in all along
     std::function<void(State &)> run;
+    /// What of `run` is the method's own and comes before the effect's part: sums that begin at nothing, places that
+    /// are kept. Running it once more before `run` changes nothing. Null where there is none.
+    std::function<void(State &)> prelude;
     /// Only where the phase works point by point, or on ties of effects that see what is tied: does the same for a
     /// part of its points. Parts that no tie leads out of come to what `run` does, in any order; one of several runs of
     /// points is run by run, in order, and as one run where a constraint ties.

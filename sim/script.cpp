@@ -35,6 +35,8 @@ Scene sceneOf(const Script &script, const Values &values)
 {
     Scene scene = script.build(values);
     for (const auto &[name, start] : script.bodies) {
+        if (!isFinite(start.x) || (start.v && !isFinite(*start.v)))
+            throw Error("start-not-finite", {{"body", name}});
         const int point = scene.find(name);
         if (point < 0)
             continue;

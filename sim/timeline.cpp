@@ -126,6 +126,11 @@ bool Timeline::replace(Script script)
     return forked;
 }
 
+bool Timeline::isOver() const
+{
+    return m_track.isOver() && at().frame >= computed() && (!m_ghost || m_ghost->isOver());
+}
+
 bool Timeline::hasPending() const
 {
     if (at().phase != 0 || computed() > at().frame)

@@ -43,6 +43,9 @@ public:
     /// @throws Error when its scene and method do not fit; nothing has changed then
     bool replace(Script script);
 
+    /// Whether playing on from the cursor shows nothing new for ever: all that was computed is past, and the run and
+    /// its ghost are over or asleep.
+    bool isOver() const;
     /// Whether input waits for the row at the cursor that has not been computed since.
     bool hasPending() const;
     /// The parameters in force for the row at the cursor.

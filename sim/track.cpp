@@ -1,24 +1,16 @@
 #include "sim/track.h"
 
-#include "sim/carry_over.h"
+#include "sim/flush.h"
 #include "sim/guilt.h"
+#include "sim/row_start.h"
 #include "sim/run_step.h"
 
 #include <algorithm>
-#include <cmath>
-#include <iterator>
 #include <limits>
 
 namespace sim {
 
 namespace {
-
-/// The memory of a kept state, with the map's node, the pointer's counters and the allocator's headers.
-std::size_t costOf(const State &state)
-{
-    constexpr std::size_t bookkeeping = 192;
-    return memoryOf(state) + bookkeeping;
-}
 
 struct Failure
 {
@@ -51,62 +43,23 @@ bool run(const Phase &phase, State &state, const GoesOn &goesOn)
     return !goesOn || goesOn();
 }
 
-/// What a method has computed ahead holds as long as nothing comes in from outside.
-void forgetAhead(State &state)
-{
-    state.ahead.from = state.ahead.to = 0.0;
-    state.resting.setZero();
 }
 
-}
-
-Track::Track(Script script, std::size_t budget) : m_script(std::move(script)), m_budget(budget)
+Track::Track(Script script, std::size_t budget, Sleeping sleeping)
+    : m_script(std::move(script)), m_segments(m_script), m_sleeping(sleeping),
+      m_history(budget, m_script.step.rowFrames)
 {
-    m_changes = changesOf(m_script);
     check(m_script, 0);
-    m_segment = segmentFor(0);
+    m_segment = segmentAt(0);
     m_now = m_segment->scene.start;
-    keep();
-}
-
-std::vector<Track::Change> Track::changesOf(const Script &script)
-{
-    std::vector<Change> changes = {{0, script.values}};
-    const std::int64_t rowFrames = script.step.rowFrames;
-    for (const Event &event : script.input) {
-        const Set *set = std::get_if<Set>(&event.what);
-        if (!set)
-            continue;
-        const std::int64_t row = std::max<std::int64_t>(1, (event.frame + rowFrames - 1) / rowFrames);
-        if (changes.back().frame != row * rowFrames)
-            changes.push_back({row * rowFrames, changes.back().values});
-        changes.back().values.set(set->parameter, set->value);
-    }
-    return changes;
+    m_history.keep(m_now);
 }
 
 void Track::check(const Script &script, std::int64_t frame)
 {
     for (const Event &event : script.input)
         checkFinite(event);
-    for (const Change &change : changesOf(script)) {
-        if (change.frame >= frame)
-            compose(sceneOf(script, change.values), *script.method, script.step);
-    }
-}
-
-std::shared_ptr<const Segment> Track::segmentFor(std::int64_t rowEnd) const
-{
-    const auto past = std::upper_bound(m_changes.begin(), m_changes.end(), rowEnd,
-                                       [](std::int64_t frame, const Change &c) { return frame < c.frame; });
-    const Change &change = *std::prev(past);
-    if (m_cachedFrom != change.frame) {
-        Segment segment{change.values, sceneOf(m_script, change.values), {}};
-        segment.pipeline = compose(segment.scene, *m_script.method, m_script.step);
-        m_cached = std::make_shared<const Segment>(std::move(segment));
-        m_cachedFrom = change.frame;
-    }
-    return m_cached;
+    Segments(script).check(script, frame);
 }
 
 void Track::seek(Cursor target)
@@ -116,22 +69,28 @@ void Track::seek(Cursor target)
 
 bool Track::seek(Cursor target, const GoesOn &goesOn)
 {
+    const FlushTiny flush;
     target.frame = std::max<std::int64_t>(0, target.frame) / rowFrames() * rowFrames();
     target.phase = std::max(0, target.phase);
     if (m_stop && target.frame > m_stop->frame)
         target = {m_stop->frame, 0};
     else if (m_stop && target.frame == m_stop->frame)
         target.phase = std::min(target.phase, m_stop->phases);
-    const auto kept = std::prev(m_kept.upper_bound(target.frame));
-    if (target < m_at || kept->first > m_at.frame)
-        restore(kept->first);
+    if (target < m_at)
+        restore(target.frame);
+    else if (m_at.phase == 0)
+        sleepOn(target.frame);
+    if (knownBefore(target.frame) > m_at.frame)
+        restore(target.frame);
     Next next = Next::goesOn;
     // Inside a row the numbers are looked at only where the cursor stops: where they are no good, the rest of the
     // row tells whether the run ends here.
-    while (next == Next::goesOn && (m_at < target || (m_at.phase > 0 && failureOf(m_now))))
-        next = runOn(target, goesOn);
+    while (next == Next::goesOn && (m_at < target || (m_at.phase > 0 && failureOf(m_now)))) {
+        if (m_at.phase > 0 || !sleepOn(target.frame))
+            next = runOn(target, goesOn);
+    }
     if (next == Next::isLeftOff)
-        restore(std::prev(m_kept.upper_bound(m_at.frame))->first);
+        restore(m_at.frame);
     else if (next == Next::ends)
         return seek(target, goesOn); // now that the end is known
     return next != Next::isLeftOff;
@@ -139,85 +98,37 @@ bool Track::seek(Cursor target, const GoesOn &goesOn)
 
 void Track::restore(std::int64_t frame)
 {
-    m_now = *m_kept.at(frame);
-    m_at = {frame, 0};
-    m_segment = segmentFor(frame);
+    m_now = known(frame);
+    m_at = {m_now.frame, 0};
+    m_segment = segmentAt(m_now.frame);
+    m_computed = std::max(m_computed, m_at.frame);
+}
+
+std::int64_t Track::knownBefore(std::int64_t frame) const
+{
+    const std::int64_t kept = m_history.before(frame);
+    const Sleep *sleep = m_history.sleepBefore(frame);
+    const std::int64_t row = frame / rowFrames() * rowFrames();
+    return sleep ? std::max(kept, std::min(row, lastOf(*sleep))) : kept;
+}
+
+State Track::known(std::int64_t frame) const
+{
+    const std::int64_t nearest = knownBefore(frame);
+    const Sleep *sleep = sleepAt(nearest);
+    return sleep ? sleep->at(nearest) : m_history.at(nearest);
 }
 
 void Track::begin(State &state, std::int64_t rowEnd) const
 {
-    const std::shared_ptr<const Segment> before = segmentFor(rowEnd - rowFrames());
-    const std::shared_ptr<const Segment> segment = segmentFor(rowEnd);
-    if (before != segment)
-        state = carryOver(state, before->scene, segment->scene);
-    if (state.hold.point >= 0)
-        forgetAhead(state);
-    const std::int64_t rowStart = rowEnd - rowFrames();
-    state.frame = rowEnd;
-    state.outside.gust.reset();
-    state.outside.newTargets.clear();
-    const bool first = rowStart == 0;
-    auto event = std::upper_bound(m_script.input.begin(), m_script.input.end(), first ? -1 : rowStart,
-                                  [](std::int64_t frame, const Event &e) { return frame < e.frame; });
-    for (; event != m_script.input.end() && event->frame <= rowEnd; ++event) {
-        apply(state, segment->scene, *event);
-        forgetAhead(state);
-    }
-    const int held = state.hold.point;
-    if (held < 0)
-        return;
-    if (segment->scene.start.feels(held) && segment->scene.hasInertia(held))
-        state.push(held, (1.0 / rowFrames()) * (state.hold.hand - state.at(held)));
-    state.place(held, state.hold.hand);
-}
-
-void Track::apply(State &state, const Scene &scene, const Event &event) const
-{
-    if (const auto *pointer = std::get_if<Pointer>(&event.what)) {
-        state.outside.pointer = pointer->at;
-        state.outside.pointerDown = pointer->down;
-    } else if (const auto *target = std::get_if<Target>(&event.what)) {
-        state.outside.target = target->at;
-        state.outside.newTargets.push_back(target->at);
-    } else if (const auto *gust = std::get_if<Gust>(&event.what)) {
-        state.outside.gust = gust->degrees;
-    } else if (const auto *key = std::get_if<Key>(&event.what)) {
-        state.outside.keys.*key->key = key->down;
-    } else {
-        applyHand(state, scene, event);
-    }
-}
-
-void Track::applyHand(State &state, const Scene &scene, const Event &event) const
-{
-    const auto letGo = [&] {
-        const int held = state.hold.point;
-        if (held < 0)
-            return;
-        state.place(held, state.hold.hand);
-        state.inverseMass[held] = scene.start.inverseMass[held];
-        state.hold = {};
-    };
-    if (const Grab *grab = std::get_if<Grab>(&event.what)) {
-        letGo();
-        const int point = scene.find(grab->body);
-        if (point < 0)
-            return;
-        state.hold = {point, state.at(point)};
-        state.inverseMass[point] = 0.0;
-    } else if (const Move *move = std::get_if<Move>(&event.what)) {
-        if (state.hold.point >= 0)
-            state.hold.hand = move->to;
-    } else if (std::holds_alternative<Release>(event.what)) {
-        letGo();
-    }
+    beginRow(state, m_script, segmentAt(rowEnd - rowFrames()), segmentAt(rowEnd), rowEnd);
 }
 
 Track::Next Track::runOn(Cursor target, const GoesOn &goesOn)
 {
     if (m_at.phase == 0) {
         begin(m_now, m_at.frame + rowFrames());
-        m_segment = segmentFor(m_at.frame + rowFrames());
+        m_segment = segmentAt(m_at.frame + rowFrames());
     }
     const Pipeline &pipeline = m_segment->pipeline;
     const int step = pipeline.phasesPerStep();
@@ -244,7 +155,10 @@ Track::Next Track::endRow(const GoesOn &goesOn)
         return stopHere(goesOn);
     m_at = {m_at.frame + rowFrames(), 0};
     m_computed = std::max(m_computed, m_at.frame);
-    keep();
+    if (!sleep()) {
+        m_history.keep(m_now);
+        fallAsleep();
+    }
     return Next::goesOn;
 }
 
@@ -254,7 +168,7 @@ Track::Next Track::stopHere(const GoesOn &goesOn)
     const std::optional<State> good = rowState(last, goesOn);
     if (!good)
         return Next::isLeftOff;
-    const std::shared_ptr<const Segment> segment = segmentFor(last + rowFrames());
+    const std::shared_ptr<const Segment> segment = segmentAt(last + rowFrames());
     Stop stop;
     stop.frame = last;
     State state = *good;
@@ -287,61 +201,97 @@ Track::Next Track::stopHere(const GoesOn &goesOn)
     m_stop = stop;
     m_now = *good;
     m_at = {last, 0};
-    m_segment = segmentFor(last);
+    m_segment = segmentAt(last);
     return Next::ends;
+}
+
+bool Track::runRow(State &state, std::int64_t rowEnd, const GoesOn &goesOn) const
+{
+    begin(state, rowEnd);
+    const std::shared_ptr<const Segment> segment = segmentAt(rowEnd);
+    for (int step = 0; step < segment->pipeline.step.perRow; ++step) {
+        if (!runWhole(segment->pipeline, state, goesOn))
+            return false;
+    }
+    return true;
 }
 
 std::optional<State> Track::rowState(std::int64_t frame, const GoesOn &goesOn) const
 {
-    const auto kept = std::prev(m_kept.upper_bound(frame));
-    State state = *kept->second;
-    for (std::int64_t end = kept->first + rowFrames(); end <= frame; end += rowFrames()) {
-        begin(state, end);
-        const std::shared_ptr<const Segment> segment = segmentFor(end);
-        for (int step = 0; step < segment->pipeline.step.perRow; ++step) {
-            if (!runWhole(segment->pipeline, state, goesOn))
-                return {};
-        }
+    const FlushTiny flush;
+    State state = known(frame);
+    while (state.frame + rowFrames() <= frame) {
+        if (!runRow(state, state.frame + rowFrames(), goesOn))
+            return {};
     }
     return state;
 }
 
-void Track::keep()
+const Sleep *Track::sleepAt(std::int64_t frame) const
 {
-    const std::int64_t row = m_at.frame / rowFrames();
-    if (row % m_spacing != 0 || (m_budget == 0 && row > 0))
-        return;
-    if (m_kept.try_emplace(m_at.frame, std::make_shared<const State>(m_now)).second)
-        m_keptBytes += costOf(m_now);
-    thin();
+    const Sleep *sleep = m_history.sleepBefore(frame);
+    return sleep && frame <= lastOf(*sleep) ? sleep : nullptr;
 }
 
-void Track::thin()
+std::int64_t Track::lastOf(const Sleep &sleep) const
 {
-    while (m_kept.size() > 1 && m_keptBytes > m_budget) {
-        m_spacing *= 2;
-        std::erase_if(m_kept, [this](const auto &kept) {
-            const bool goes = kept.first / rowFrames() % m_spacing != 0;
-            m_keptBytes -= goes ? costOf(*kept.second) : 0;
-            return goes;
-        });
+    const std::optional<std::int64_t> wakes = nextInput(m_script, sleep.from());
+    return wakes ? *wakes - rowFrames() : std::numeric_limits<std::int64_t>::max();
+}
+
+bool Track::isOver() const
+{
+    if (m_stop && m_at.frame == m_stop->frame)
+        return true;
+    const Sleep *sleep = this->sleep();
+    return m_at.phase == 0 && sleep && sleep->isStill() && !nextInput(m_script, sleep->from());
+}
+
+void Track::fallAsleep()
+{
+    if (m_sleeping == Sleeping::never)
+        return;
+    const std::optional<SleepWatch::Again> again = m_watch.look(m_now, rowFrames());
+    if (!again || nextInput(m_script, again->since).value_or(m_at.frame + 1) <= m_at.frame ||
+        keepsAwake(m_segment->pipeline, m_now))
+        return;
+    std::vector<std::shared_ptr<const State>> round = {std::make_shared<const State>(m_now)};
+    State state = m_now;
+    for (std::int64_t frame = again->since + rowFrames(); frame < m_at.frame; frame += rowFrames()) {
+        runRow(state, state.frame + rowFrames(), {});
+        round.push_back(std::make_shared<const State>(state));
     }
+    m_history.add(Sleep(std::move(round), rowFrames(), again->evaluations));
+}
+
+bool Track::sleepOn(std::int64_t frame)
+{
+    const Sleep *sleep = sleepAt(m_at.frame);
+    const std::int64_t to = sleep ? std::min(frame, lastOf(*sleep)) : m_at.frame;
+    if (to <= m_at.frame)
+        return false;
+    sleep->take(m_now, to);
+    m_at = {to, 0};
+    m_segment = segmentAt(to);
+    m_computed = std::max(m_computed, to);
+    return true;
 }
 
 void Track::setBudget(std::size_t budget)
 {
-    m_budget = budget;
-    thin();
+    m_history.setBudget(budget);
 }
 
 State Track::begunAfter(State end, std::int64_t frame) const
 {
+    const FlushTiny flush;
     begin(end, frame + rowFrames());
     return end;
 }
 
 State Track::preview(std::shared_ptr<const Segment> &segment) const
 {
+    const FlushTiny flush;
     State state = m_now;
     segment = m_segment;
     if (m_at.phase == 0) {
@@ -353,13 +303,14 @@ State Track::preview(std::shared_ptr<const Segment> &segment) const
 
 std::vector<Moment> Track::moments(const std::string &body) const
 {
+    const FlushTiny flush;
     const bool between = m_at.phase == 0;
     if (between && m_at.frame == 0)
         return {};
     const std::int64_t rowStart = between ? m_at.frame - rowFrames() : m_at.frame;
     State state = stateAt(rowStart);
     begin(state, rowStart + rowFrames());
-    const std::shared_ptr<const Segment> segment = segmentFor(rowStart + rowFrames());
+    const std::shared_ptr<const Segment> segment = segmentAt(rowStart + rowFrames());
     const Pipeline &pipeline = segment->pipeline;
     const int point = segment->scene.find(body);
     if (point < 0)
@@ -385,15 +336,12 @@ std::vector<Moment> Track::moments(const std::string &body) const
 void Track::replaceInput(std::vector<Event> input, std::int64_t frame)
 {
     m_script.input = std::move(input);
-    m_changes = changesOf(m_script);
-    m_cachedFrom = -1;
-    while (m_kept.rbegin()->first >= frame) { // from the end: a hand edits there, many times a second
-        m_keptBytes -= costOf(*m_kept.rbegin()->second);
-        m_kept.erase(std::prev(m_kept.end()));
-    }
+    m_segments = Segments(m_script);
+    m_history.forget(frame);
+    m_watch.forget(frame);
     m_computed = std::min(m_computed, m_at.frame);
     m_stop.reset();
-    m_segment = segmentFor(m_at.frame);
+    m_segment = segmentAt(m_at.frame);
 }
 
 }

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "sim/crew.h"
-#include "sim/script.h"
+#include "sim/history.h"
+#include "sim/segments.h"
 
 #include <compare>
 #include <cstddef>
-#include <map>
 #include <memory>
 #include <optional>
 
@@ -17,14 +17,6 @@ struct Cursor
     std::int64_t frame = 0;
     int phase = 0;
     friend auto operator<=>(const Cursor &, const Cursor &) = default;
-};
-
-/// A stretch of a run in which no parameter changes: the scene, composed.
-struct Segment
-{
-    Values values;
-    Scene scene;
-    Pipeline pipeline;
 };
 
 /// What keeps a run from its next frame.
@@ -57,17 +49,19 @@ struct Moment
 
 /// One run of a script, and a cursor in it. Going back is exact: the nearest kept state is restored and the rest
 /// is computed again. Kept states take at most `budget` bytes: when they are full, every second one is dropped.
+/// What has come to rest sleeps: rows that can only be the same again are not computed, and what they cost does not
+/// depend on their number. That changes no bit of the run.
 class Track
 {
 public:
     /// With a budget of 0 only the start is kept.
     /// @throws Error when scene and method do not fit, with any of the values that the input sets
-    Track(Script script, std::size_t budget);
+    Track(Script script, std::size_t budget, Sleeping sleeping = Sleeping::allowed);
 
     const Script &script() const { return m_script; }
     const State &now() const { return m_now; }
     Cursor at() const { return m_at; }
-    /// The last frame that was ever computed.
+    /// The last frame that was ever computed, or slept through.
     std::int64_t computed() const { return m_computed; }
     const std::optional<Stop> &stop() const { return m_stop; }
     int rowFrames() const { return m_script.step.rowFrames; }
@@ -76,7 +70,7 @@ public:
     const Segment &shown() const { return *m_segment; }
     std::shared_ptr<const Segment> shownPtr() const { return m_segment; }
     /// The segment whose phases run next.
-    std::shared_ptr<const Segment> next() const { return segmentFor(m_at.frame + rowFrames()); }
+    std::shared_ptr<const Segment> next() const { return segmentAt(m_at.frame + rowFrames()); }
     int phasesPerRow() const { return next()->pipeline.phasesPerRow(); }
 
     /// Goes to `target`. A frame between two rows is rounded down to a row; a phase past the row's last leads to
@@ -97,6 +91,11 @@ public:
     /// Replaces the input, which may differ from `frame` on only, and forgets what was computed from there. The
     /// cursor must stand between two rows, before `frame`.
     void replaceInput(std::vector<Event> input, std::int64_t frame);
+    /// The sleep that the cursor is in; null while the run is awake.
+    const Sleep *sleep() const { return sleepAt(m_at.frame); }
+    /// Whether the cursor stands between two rows where nothing is to be seen any more, however long the run goes on: it
+    /// sleeps without moving (see Sleep::isStill()) and no input is to come, or it has come to its end.
+    bool isOver() const;
     /// Limits the kept states to `budget` bytes from now on.
     void setBudget(std::size_t budget);
     /// The state at the end of row `frame`, which was computed before.
@@ -104,24 +103,22 @@ public:
     /// `end`, the state at the end of row `frame`, after the input that the next row begins with.
     State begunAfter(State end, std::int64_t frame) const;
     /// The segment that it belongs to.
-    std::shared_ptr<const Segment> segmentAt(std::int64_t frame) const { return segmentFor(frame); }
-    std::size_t keptBytes() const { return m_keptBytes; }
-    std::size_t keptStates() const { return m_kept.size(); }
+    std::shared_ptr<const Segment> segmentAt(std::int64_t frame) const
+    {
+        return m_segments.at(m_script, frame);
+    }
+    std::size_t keptBytes() const { return m_history.bytes(); }
+    std::size_t keptStates() const { return m_history.states(); }
+    /// The memory of what sleeps: the states of one round each.
+    std::size_t sleepBytes() const { return m_history.sleepBytes(); }
 
 private:
-    struct Change
-    {
-        std::int64_t frame;
-        Values values;
-    };
-    static std::vector<Change> changesOf(const Script &script);
-
-    std::shared_ptr<const Segment> segmentFor(std::int64_t rowEnd) const;
     void restore(std::int64_t frame);
+    /// The nearest known state at the end of a row that is not after `frame`.
+    State known(std::int64_t frame) const;
+    std::int64_t knownBefore(std::int64_t frame) const;
     /// Takes `state`, at the end of a row, into the row that ends at `rowEnd`: applies its input.
     void begin(State &state, std::int64_t rowEnd) const;
-    void apply(State &state, const Scene &scene, const Event &event) const;
-    void applyHand(State &state, const Scene &scene, const Event &event) const;
     /// Whether the run goes on.
     enum class Next { goesOn, ends, isLeftOff };
     /// Runs the next step if `target` is not inside it, else the next phase.
@@ -129,29 +126,33 @@ private:
     /// One step on a state that is at the beginning of one. Returns false when `goesOn` said no on the way.
     bool runWhole(const Pipeline &pipeline, State &state, const GoesOn &goesOn) const;
     Next endRow(const GoesOn &goesOn);
+    /// Takes `state`, at the end of the row before, through the row that ends at `rowEnd`. Returns whether it is done.
+    bool runRow(State &state, std::int64_t rowEnd, const GoesOn &goesOn) const;
     /// Goes back to the last good row, and finds out what failed after it.
     Next stopHere(const GoesOn &goesOn);
-    /// The state at the end of a row that was computed before, computed again from the nearest kept one. Empty when
+    /// The state at the end of a row that was computed before, computed again from the nearest known one. Empty when
     /// `goesOn` said no on the way.
     std::optional<State> rowState(std::int64_t frame, const GoesOn &goesOn) const;
-    void keep();
-    void thin();
+
+    const Sleep *sleepAt(std::int64_t frame) const;
+    /// The last frame that `sleep` reaches: the next input ends it.
+    std::int64_t lastOf(const Sleep &sleep) const;
+    /// At the end of a row: whether the run has come to rest.
+    void fallAsleep();
+    /// Sleeps on, up to `frame` if nothing wakes it before. Returns whether it got anywhere.
+    bool sleepOn(std::int64_t frame);
 
     Script m_script;
-    std::vector<Change>
-        m_changes; ///< values in force from a row's end on, by frame; the first is the start's
-    mutable std::shared_ptr<const Segment> m_cached; ///< the segment last asked for
-    mutable std::int64_t m_cachedFrom = -1;
+    Segments m_segments;
+    Sleeping m_sleeping;
     std::shared_ptr<const Segment> m_segment;
     State m_now;
     Cursor m_at;
     std::int64_t m_computed = 0;
     std::optional<Stop> m_stop;
-    std::map<std::int64_t, std::shared_ptr<const State>> m_kept; ///< by frame; 0 is never dropped
-    std::size_t m_keptBytes = 0;
-    std::size_t m_budget;
-    std::int64_t m_spacing = 1; ///< rows between two kept states
-    mutable Crew m_crew;        ///< for steps that are large enough to share
+    History m_history;
+    SleepWatch m_watch;
+    mutable Crew m_crew; ///< for steps that are large enough to share
 };
 
 }

@@ -88,6 +88,7 @@ ScreenshotRequest requestFrom(const QCommandLineParser &parser)
     request.dark = isDark(parser.value("theme"));
     request.measuring = isMeasuring(parser.value("mode"));
     request.energy = parser.isSet("energy");
+    request.effects = parser.isSet("effects");
     readStability(parser.value("stability"), request);
     return request;
 }
@@ -104,6 +105,7 @@ void addScreenshotOptions(QCommandLineParser &parser)
         {"theme", Text::tr("light or dark (default light)."), "THEME", "light"},
         {"mode", Text::tr("learn or measure (default learn)."), "MODE", "learn"},
         {"energy", Text::tr("Show where energy went, below the picture.")},
+        {"effects", Text::tr("Show what each effect costs.")},
         {"stability", Text::tr("gauge, reasons, or a map: step or damping (default gauge)."), "WHAT",
          "gauge"},
     });

@@ -37,13 +37,6 @@ void append(std::vector<CodeLine> &lines, SourceBook &book, const sim::Region &r
         lines.push_back({line, QString::fromStdString(region.file)});
 }
 
-QString capitalised(QString text)
-{
-    if (!text.isEmpty())
-        text[0] = text[0].toUpper();
-    return text;
-}
-
 bool groupsDiffer(const sim::Pipeline &pipeline, const std::vector<int> &phases, const sim::Phase &phase)
 {
     return std::none_of(phases.begin(), phases.end(), [&](int other) {

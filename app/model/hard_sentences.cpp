@@ -47,6 +47,9 @@ QString claimSentence(const std::string &id, const Values &value)
         return Text::tr(
                    "At a step of h %1 its stiffest spring (%2) would go from %3 px to %4 px, and farther.")
             .arg(value["h"], value["k"], value["apart"], value["left"]);
+    if (id == "claim-longer-step")
+        return Text::tr("Its sticks are measured by steps of h %1: at %2 they err more.")
+            .arg(value["most"], value["h"]);
     if (id == "claim-rings")
         return Text::tr(
                    "At a step of h %1 its stiffest spring (%2) would swing on: of %3 px, %4 px would be left "

@@ -26,6 +26,13 @@ QString phrase(const std::string &text)
     return QCoreApplication::translate("sim", text.c_str());
 }
 
+QString capitalised(QString text)
+{
+    if (!text.isEmpty())
+        text[0] = text[0].toUpper();
+    return text;
+}
+
 QString bodyTitle(const QString &name)
 {
     QStringList parts;
@@ -89,6 +96,9 @@ QString sentenceFor(const sim::Error &error)
                    "The event %1 before frame %2 has a number that is infinite or none at all: give it a "
                    "finite one.")
             .arg(value(error, "event"), value(error, "frame"));
+    if (error.id() == "start-not-finite")
+        return Text::tr("The start of %1 has a number that is infinite or none at all: give it a finite one.")
+            .arg(bodyTitle(value(error, "body")));
     if (const QString hard = hardSentence(error); !hard.isEmpty())
         return hard;
     return Text::tr("This does not fit together: %1.").arg(QString::fromUtf8(error.what()));

@@ -11,6 +11,8 @@ namespace app {
 
 /// A text of sim (marked SIM_TEXT) in the learner's language.
 QString phrase(const std::string &text);
+/// `text` with a capital letter first, as the first word of a line.
+QString capitalised(QString text);
 
 /// What people call the body that files call `name`: "foot 0" for "foot0", "creature 1, foot 0" for
 /// "creature1.foot0".

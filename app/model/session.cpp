@@ -10,11 +10,13 @@ namespace {
 
 /// What a run costs is measured no more often than this.
 constexpr qint64 measureAgainMilliseconds = 500;
+constexpr int mostDeeds = 200; ///< that can be undone
 
 }
 
 Session::Session(const LessonLibrary &library, QObject *parent) : QObject(parent), m_library(library)
 {
+    m_deeds.setUndoLimit(mostDeeds);
     connect(&m_player, &Player::due, this, &Session::advance);
     // The first who hears of it: whoever draws the moment draws the companion, too.
     connect(this, &Session::moved, this, &Session::bringCompanionLater);
@@ -52,6 +54,7 @@ void Session::openStep(const QString &lessonId, const QString &stepId)
             if (entry.id != lessonId || entry.steps[j].id != stepId)
                 continue;
             leave();
+            m_deeds.clear();
             m_lesson = i;
             m_step = j;
             const auto left = m_left.find(keyOf(lessonId, stepId));
@@ -84,6 +87,7 @@ void Session::open(const Experiment &experiment)
     sim::Timeline trial(experiment.script); // throws before anything has changed
     openStep(experiment.lesson, experiment.step);
     start(experiment.script, {});
+    m_deeds.clear();
 }
 
 Experiment Session::experiment() const

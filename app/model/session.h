@@ -10,6 +10,7 @@
 
 #include <QElapsedTimer>
 #include <QObject>
+#include <QUndoStack>
 
 #include <deque>
 #include <map>
@@ -25,6 +26,14 @@ struct Picture
     sim::State state;
     std::shared_ptr<const lessons::Look> look; ///< one and the same for all states of a segment
     std::vector<lessons::Guide> guides;
+};
+
+/// Something that a learner did to the run, in words.
+struct Deed
+{
+    QString what;         ///< as undoing calls it: "Springs off", "Damping"
+    QString before;       ///< what the run as it was is called beside the new one, after "before: "
+    QString gesture = {}; ///< deeds in a row with the same one are undone together; empty: it stands alone
 };
 
 /// The open step of a lesson and its run: all that the window shows and does. The widgets change nothing but
@@ -98,6 +107,12 @@ public:
     /// itself nothing can be mended from there on: then the change holds from the start on, and the session goes to that
     /// frame again. The run as it was becomes the ghost, and all that the learner did is kept.
     void use(const sim::Remedy &remedy);
+    /// All effects of the scene, in order: those that are switched off, too.
+    std::vector<sim::EffectPtr> listedEffects() const;
+    bool isOff(const QString &effect) const;
+    /// Switches the effects with this id off or on again, from the start of the run on. An id that the scene does not
+    /// list changes nothing; where nothing would move without it, that is said.
+    void setEffect(const QString &id, bool on);
     /// The parameter of the step that damps, if it has one.
     std::optional<sim::DampRange> damping() const;
     void grab(const QString &body);
@@ -112,6 +127,13 @@ public:
     void letUp();
     /// The step as it was when it was first opened, with a preset's values. Goes on playing if it played.
     void startWith(const lessons::Preset &preset);
+
+    // Undo: all that was changed since the step was opened, and comes back with the very bits it had
+    const QUndoStack &deeds() const { return m_deeds; }
+    void undo();
+    void redo();
+    /// What follows is another gesture, even if it goes on with the same thing.
+    void endGesture() { ++m_gesture; }
 
     // What is shown
     Picture picture() const;
@@ -147,11 +169,16 @@ signals:
     void said(const QString &sentence);
 
 private:
+    class RunChange; ///< a deed that can be undone
+
     struct Left
     {
         sim::Script script;
         sim::Cursor at;
     };
+
+    /// What changes a timeline, and returns whether the run as it was became the ghost.
+    using Edit = std::function<bool(sim::Timeline &)>;
 
     struct Looked
     {
@@ -161,23 +188,29 @@ private:
 
     Picture pictureOf(const sim::Track &track, std::shared_ptr<const sim::Segment> segment,
                       sim::State state) const;
-    std::shared_ptr<const lessons::Look> lookOf(const std::shared_ptr<const sim::Segment> &segment) const;
+    std::shared_ptr<const lessons::Look> lookOf(const sim::Script &script,
+                                                const std::shared_ptr<const sim::Segment> &segment) const;
     void setStep(sim::StepSize step);
     void runAgain(const sim::Remedy &remedy);
     void leave();
     void start(sim::Script script, sim::Cursor at);
     /// The step's run with these values and no input of a learner's, by the first of `methods` that can. Goes on
     /// playing if it played.
-    void startAnew(const sim::Values &values, const std::vector<sim::MethodPtr> &methods);
+    void startAnew(const Deed &deed, const sim::Values &values, const std::vector<sim::MethodPtr> &methods);
     void advance(int frames);
     /// Takes the companion to the cursor. Returns whether it is there.
     bool bringCompanion();
     void bringCompanionLater();
     void approach();
-    /// Runs `change` on the timeline. If a ghost came from it, it is called `before`; a refusal is said, and
-    /// changes nothing.
-    template <class Change>
-    void edit(const QString &before, Change &&change);
+    /// Runs `change` on the timeline. If a ghost came from it, that is called `ghost`; a refusal is said, and
+    /// changes nothing. Returns whether it was done.
+    bool change(const QString &ghost, const Edit &edit);
+    /// The same, and what was done can be undone.
+    void edit(const Deed &deed, const Edit &edit);
+    /// Keeps what was done to `before`, so that it can be undone.
+    void remember(const Deed &deed, sim::Script before);
+    /// Puts a script of this step in place of the one in use, at the same frame where it can.
+    void restore(const sim::Script &script, const QString &ghost);
     void checkTries();
     QString keyOf(const QString &lesson, const QString &step) const { return lesson + '/' + step; }
 
@@ -202,6 +235,8 @@ private:
     mutable std::deque<Looked> m_looks; ///< the looks last made: of the run, its ghost and what is to come
     QElapsedTimer m_sinceMeasured;      ///< since a budget was last looked at
     std::map<QString, Left> m_left;     ///< steps that were open before, as they were left
+    QUndoStack m_deeds;
+    int m_gesture = 0; ///< the number of the gesture under way
 };
 
 }

@@ -27,6 +27,12 @@ QString written(const sim::Script &script, const sim::Method &method)
     return script.method->id() == method.id() ? stepTitle(script.step) : phrase(script.method->title());
 }
 
+/// A body that was taken, carried and let go.
+Deed handDeed()
+{
+    return {Session::tr("Your hand"), Session::tr("your hand"), QStringLiteral(":hand")};
+}
+
 }
 
 double Session::parameter(const QString &id) const
@@ -34,22 +40,29 @@ double Session::parameter(const QString &id) const
     return m_timeline->values()[id.toStdString()];
 }
 
-template <class Change>
-void Session::edit(const QString &before, Change &&change)
+bool Session::change(const QString &ghost, const Edit &edit)
 {
     m_goingTo.reset();
     bool forked = false;
     try {
-        forked = change(*m_timeline);
+        forked = edit(*m_timeline);
     } catch (const sim::Error &error) {
         emit said(sentenceFor(error));
-        return;
+        return false;
     }
     if (forked)
-        m_ghostName = before;
+        m_ghostName = ghost;
     checkTries();
     emit runChanged();
     emit moved();
+    return true;
+}
+
+void Session::edit(const Deed &deed, const Edit &edit)
+{
+    sim::Script before = m_timeline->script();
+    if (change(tr("before: %1").arg(deed.before), edit))
+        remember(deed, std::move(before));
 }
 
 void Session::setParameter(const QString &id, double value)
@@ -66,17 +79,24 @@ void Session::setParameter(const QString &id, double value)
     if (declared->opens) {
         sim::Values values = step().presets();
         values.set(id.toStdString(), value);
-        startAnew(values, {m_timeline->script().method, sim::findMethod(step().method.toStdString())});
+        startAnew({declared->name, {}, {}}, values,
+                  {m_timeline->script().method, sim::findMethod(step().method.toStdString())});
         return;
     }
-    edit(tr("before: %1").arg(written(id, was)),
+    edit({declared->name, written(id, was), id},
          [&](sim::Timeline &timeline) { return timeline.set(id.toStdString(), value); });
 }
 
 void Session::resetParameters()
 {
-    for (const lessons::Parameter &one : step().parameters)
+    const std::vector<lessons::Parameter> &all = step().parameters;
+    if (std::all_of(all.begin(), all.end(),
+                    [this](const auto &one) { return parameter(one.id) == one.preset; }))
+        return;
+    m_deeds.beginMacro(tr("Reset all"));
+    for (const lessons::Parameter &one : all)
         setParameter(one.id, one.preset);
+    m_deeds.endMacro();
 }
 
 void Session::setMethod(const QString &id)
@@ -94,9 +114,10 @@ void Session::use(const sim::MethodPtr &method, sim::StepSize step)
     const sim::Script &now = m_timeline->script();
     const sim::MethodPtr wasMethod = now.method;
     const sim::StepSize was = now.step;
-    if (method->id() == wasMethod->id() && step == was)
+    const bool sameMethod = method->id() == wasMethod->id();
+    if (sameMethod && step == was)
         return;
-    edit(tr("before: %1").arg(written(now, *method)), [&](sim::Timeline &timeline) {
+    edit({sameMethod ? tr("Step") : tr("Method"), written(now, *method)}, [&](sim::Timeline &timeline) {
         sim::Script script = timeline.script();
         script.method = method;
         script.step = step;
@@ -136,7 +157,7 @@ void Session::runAgain(const sim::Remedy &remedy)
                             ? written(damping, parameter(damping))
                             : written(m_timeline->script(), *remedy.method);
     m_timeline->seek({}); // the way to that frame may be long: goTo() takes it in slices
-    edit(tr("before: %1").arg(was), [&](sim::Timeline &timeline) {
+    edit({tr("What mends"), was}, [&](sim::Timeline &timeline) {
         const sim::StepSize step = timeline.script().step;
         const bool forked = timeline.replace(sim::mended(timeline.script(), remedy));
         if (step.adaptive() != timeline.script().step.adaptive())
@@ -175,15 +196,14 @@ void Session::grab(const QString &body)
         return;
     select(body);
     m_holding = true;
-    edit(tr("before: your hand"),
-         [&](sim::Timeline &timeline) { return timeline.hand(sim::Grab{body.toStdString()}); });
+    edit(handDeed(), [&](sim::Timeline &timeline) { return timeline.hand(sim::Grab{body.toStdString()}); });
 }
 
 void Session::moveHand(sim::Vec2 to)
 {
     if (!m_holding || !std::isfinite(to.x) || !std::isfinite(to.y))
         return;
-    edit(tr("before: your hand"), [&](sim::Timeline &timeline) { return timeline.hand(sim::Move{to}); });
+    edit(handDeed(), [&](sim::Timeline &timeline) { return timeline.hand(sim::Move{to}); });
 }
 
 void Session::letGo()
@@ -191,7 +211,8 @@ void Session::letGo()
     if (!m_holding)
         return;
     m_holding = false;
-    edit(tr("before: your hand"), [](sim::Timeline &timeline) { return timeline.hand(sim::Release{}); });
+    edit(handDeed(), [](sim::Timeline &timeline) { return timeline.hand(sim::Release{}); });
+    endGesture();
 }
 
 void Session::point(sim::Vec2 at, bool down)
@@ -199,16 +220,18 @@ void Session::point(sim::Vec2 at, bool down)
     if (!step().can(lessons::Does::pointer) || !std::isfinite(at.x) || !std::isfinite(at.y))
         return;
     m_pointerDown = down ? std::optional(at) : std::nullopt;
-    edit(tr("before: the pointer"), [&](sim::Timeline &timeline) {
+    edit({tr("Pointer"), tr("the pointer"), QStringLiteral(":pointer")}, [&](sim::Timeline &timeline) {
         return timeline.hand(sim::Pointer{at, down});
     });
+    if (!down)
+        endGesture();
 }
 
 void Session::aim(sim::Vec2 target)
 {
     if (!step().can(lessons::Does::target) || !std::isfinite(target.x) || !std::isfinite(target.y))
         return;
-    edit(tr("before: the target"),
+    edit({tr("Target"), tr("the target")},
          [&](sim::Timeline &timeline) { return timeline.hand(sim::Target{target}); });
 }
 
@@ -217,7 +240,11 @@ void Session::steer(bool sim::Keys::*key, bool down)
     if (!step().can(lessons::Does::keys) || m_keys.*key == down)
         return;
     m_keys.*key = down;
-    edit(tr("before: the keys"), [&](sim::Timeline &timeline) { return timeline.hand(sim::Key{key, down}); });
+    edit({tr("Arrow keys"), tr("the keys"), QStringLiteral(":keys")}, [&](sim::Timeline &timeline) {
+        return timeline.hand(sim::Key{key, down});
+    });
+    if (m_keys == sim::Keys{})
+        endGesture();
 }
 
 void Session::letUp()
@@ -233,12 +260,14 @@ void Session::startWith(const lessons::Preset &preset)
     sim::Values values = step().presets();
     for (const auto &[id, value] : preset.values)
         values.set(id.toStdString(), value);
-    startAnew(values, {sim::findMethod(step().method.toStdString())});
+    startAnew({preset.title, {}, {}}, values, {sim::findMethod(step().method.toStdString())});
 }
 
-void Session::startAnew(const sim::Values &values, const std::vector<sim::MethodPtr> &methods)
+void Session::startAnew(const Deed &deed, const sim::Values &values,
+                        const std::vector<sim::MethodPtr> &methods)
 {
     const bool played = isPlaying();
+    sim::Script before = m_timeline->script();
     pause();
     for (const sim::MethodPtr &method : methods) {
         try {
@@ -247,6 +276,7 @@ void Session::startAnew(const sim::Values &values, const std::vector<sim::Method
             emit said(sentenceFor(error));
             continue; // another method may be able to
         }
+        remember(deed, std::move(before));
         if (played)
             play();
         return;

@@ -1,6 +1,7 @@
 // What a learner sees of the run, its ghost and its companion.
 
 #include "app/model/guides.h"
+#include "app/model/links_shown.h"
 #include "app/model/sentences.h"
 #include "app/model/session.h"
 #include "app/model/step_words.h"
@@ -22,21 +23,24 @@ Picture Session::pictureOf(const sim::Track &track, std::shared_ptr<const sim::S
                            sim::State state) const
 {
     Picture picture;
-    picture.look = lookOf(segment);
+    picture.look = lookOf(track.script(), segment);
     picture.guides = guidesOf(step(), track, *segment, state);
     picture.segment = std::move(segment);
     picture.state = std::move(state);
     return picture;
 }
 
-std::shared_ptr<const lessons::Look> Session::lookOf(const std::shared_ptr<const sim::Segment> &segment) const
+std::shared_ptr<const lessons::Look> Session::lookOf(const sim::Script &script,
+                                                     const std::shared_ptr<const sim::Segment> &segment) const
 {
     for (const Looked &made : m_looks) {
         if (made.segment.lock() == segment)
             return made.look;
     }
-    m_looks.push_back(
-        {segment, std::make_shared<const lessons::Look>(step().look(segment->scene, segment->values))});
+    lessons::Look look = step().look(segment->scene, segment->values);
+    if (!script.effectsOff.empty())
+        dropLinks(look, script.build(segment->values).effects, segment->scene.effects);
+    m_looks.push_back({segment, std::make_shared<const lessons::Look>(std::move(look))});
     if (m_looks.size() > keptLooks)
         m_looks.pop_front();
     return m_looks.back().look;

@@ -129,7 +129,9 @@ void Session::rewind()
 void Session::startAfresh()
 {
     pause();
+    sim::Script before = m_timeline->script();
     start(step().script(), {});
+    remember({tr("Start afresh"), {}}, std::move(before));
 }
 
 void Session::advance(int frames)

@@ -12,8 +12,8 @@ class AccuracyLesson : public QObject, public lessons::Lesson
 public:
     std::vector<lessons::Step> steps() const override
     {
-        return {accuracy::bigStep(),   accuracy::energyStep(), accuracy::halveStep(),
-                accuracy::adaptStep(), accuracy::bounceStep(), accuracy::budgetStep()};
+        return {accuracy::bigStep(),    accuracy::energyStep(), accuracy::halveStep(), accuracy::adaptStep(),
+                accuracy::bounceStep(), accuracy::budgetStep(), accuracy::crowdStep()};
     }
 };
 

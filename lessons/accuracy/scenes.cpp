@@ -6,6 +6,10 @@
 #include "sim/effects/point_spring.h"
 #include "sim/effects/radial_spring.h"
 #include "sim/effects/walls.h"
+#include "sim/random.h"
+
+#include <algorithm>
+#include <cmath>
 
 // Learners read these functions in a narrow panel.
 // clang-format off
@@ -164,6 +168,84 @@ Scene setUp(const Values &values)
     return scene;
 }
 //! [budget]
+
+}
+
+namespace crowd {
+
+namespace {
+
+constexpr double enough = 15.0; ///< creatures that find place in the room of the other lessons
+
+/// How many times as wide and as high as that room is.
+double widening(int count)
+{
+    return std::max(1.0, std::sqrt(count / enough));
+}
+
+}
+
+Room roomFor(int count)
+{
+    const double half = 250.0 * widening(count);
+    return {270.0 - half, 270.0 + half, 380.0, 1.0};
+}
+
+double heightFor(int count)
+{
+    return 360.0 * widening(count);
+}
+
+//! [crowd]
+Scene setUp(const Values &values)
+{
+    int count = values.whole("creatures");
+    Scene scene = crowdByParts(count, feet);
+    Room room = roomFor(count);
+    double high = heightFor(count);
+    const auto seed = values.seed;
+    const auto one = [&](int frame, int i) {
+        return uniform(seed, frame, i);
+    };
+    // all bodies come first
+    for (int i = 0; i < count; ++i) {
+        double right = one(0, 2 * i);
+        double up = one(0, 2 * i + 1);
+        double wide = room.right - room.left;
+        scene.start.place(i,
+            {room.left + 60 + right * (wide - 120),
+             room.floor - 60 - up * (high - 120)});
+    }
+    // then all first feet, all second feet...
+    std::vector<Link> links;
+    for (int f = 1; f <= feet; ++f) {
+        for (int i = 0; i < count; ++i) {
+            int foot = f * count + i;
+            double right = one(f, 2 * i);
+            double down = one(f, 2 * i + 1);
+            scene.start.place(foot,
+                scene.start.at(i) +
+                Vec2{100 * right - 50,
+                     100 * down - 50});
+            links.push_back({foot, i});
+            links.push_back({i, foot});
+        }
+    }
+    double k = values["k"];
+    double radius = values["radius"];
+    add<RadialSpring>(scene, links, k, radius);
+
+    double gravity = values["gravity"];
+    add<Gravity>(scene, gravity);
+
+    double damp = values["damp"];
+    add<Damping>(scene, damp);
+
+    room.bounce = values["bounce"];
+    add<Walls>(scene, room, halfWidths(scene));
+    return scene;
+}
+//! [crowd]
 
 }
 

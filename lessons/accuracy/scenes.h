@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/effects/walls.h"
 #include "sim/scene.h"
 #include "sim/values.h"
 
@@ -30,6 +31,15 @@ namespace bounce {
 sim::Scene setUp(const sim::Values &values);
 }
 namespace budget {
+sim::Scene setUp(const sim::Values &values);
+}
+namespace crowd {
+/// Each of its creatures has so many feet.
+constexpr int feet = 5;
+/// A room on a floor at 380 px that leaves each of `count` creatures as much place, from the one as from the
+/// other, and how high it is filled with them, in px.
+sim::Room roomFor(int count);
+double heightFor(int count);
 sim::Scene setUp(const sim::Values &values);
 }
 

@@ -1,9 +1,11 @@
 #include "steps.h"
 
+#include "lessons/api/acting.h"
 #include "lessons/api/creature.h"
 #include "lessons/api/parameters.h"
 #include "measures.h"
 #include "scenes.h"
+#include "sim/effects/walls.h"
 #include "tries.h"
 
 #include <QCoreApplication>
@@ -39,6 +41,38 @@ Look ballLook(const sim::Values &values)
     look.bodies = {{BodyLook::Shape::body, ballRadius}};
     look.room = sim::Room{values["left"], values["right"], values["floor"], values["bounce"]};
     return look;
+}
+
+/// The picture grows with the crowd.
+Look crowdInRoom(const sim::Scene &scene, int count)
+{
+    Look look = crowdByPartsLook(scene, count);
+    const sim::Room room = crowd::roomFor(count);
+    const double border = 20.0;
+    const double high = crowd::heightFor(count) + border;
+    look.room = room;
+    look.stage = {room.left - border, room.floor - high, room.right - room.left + 2.0 * border,
+                  high + border};
+    return look;
+}
+
+Parameter creatures()
+{
+    Parameter parameter = {"creatures",
+                           Text::tr("Creatures"),
+                           {},
+                           {},
+                           Text::tr("How many creatures there are."),
+                           200.0,
+                           1.0,
+                           100'000.0,
+                           1.0,
+                           100'000.0,
+                           0,
+                           {},
+                           true};
+    parameter.scale = Scale::decades;
+    return parameter;
 }
 
 Exact newExact()
@@ -159,7 +193,12 @@ Step bounceStep()
     step.method = "rk4";
     step.tries = bounceTries(exact, step.presets());
     step.scene = accuracy::bounce::setUp;
-    step.look = [](const sim::Scene &, const sim::Values &values) { return ballLook(values); };
+    step.look = [](const sim::Scene &scene, const sim::Values &values) {
+        Look look = ballLook(values);
+        if (!effectOf<sim::Walls>(scene))
+            look.room.reset();
+        return look;
+    };
     step.guidesOfRun = [exact](const sim::Script &script, const sim::State &state, std::int64_t frame) {
         return exactMarks(*exact, ballLook(script.values), script, state, frame);
     };
@@ -187,6 +226,33 @@ Step budgetStep()
     step.tries = budgetTries(step.presets());
     step.scene = budget::setUp;
     step.measures.push_back(computationsMeasure());
+    return step;
+}
+
+Step crowdStep()
+{
+    Step step = lessons::stepCalled("accuracy", "crowd", Text::tr("A crowd"));
+    step.addParameters(
+        {creatures(), lessons::gravity(), lessons::bounce(), stiffness(0.2), damping(0.85), radius()});
+    step.narration = Text::tr(
+        "**Twice as many creatures are twice the work.** They do not feel each other, so each is the same "
+        "again: "
+        "6 points, and 10 pulls in every step. Such a cost is called **linear**. It is the best that one can "
+        "hope for: were everybody to feel everybody, twice as many would be four times the work.\n\n"
+        "At 30 frames a second there are 33 ms for each frame. Where that is not enough, the run plays "
+        "slower, and "
+        "stays the same run.\n\n"
+        "Each **effect** in the list has its price, and one that is not in it costs nothing. Neither does "
+        "one "
+        "that can change nothing, as a gravity of 0: it is left out.\n\n"
+        "**Equal things lie side by side** in memory: all bodies, all first feet, all second feet. So the "
+        "processor works on several creatures at once.");
+    step.method = "semi_implicit_euler";
+    step.tries = crowdTries();
+    step.scene = crowd::setUp;
+    step.look = [](const sim::Scene &scene, const sim::Values &values) {
+        return crowdInRoom(scene, values.whole("creatures"));
+    };
     return step;
 }
 

@@ -10,5 +10,6 @@ lessons::Step halveStep();
 lessons::Step adaptStep();
 lessons::Step bounceStep();
 lessons::Step budgetStep();
+lessons::Step crowdStep();
 
 }

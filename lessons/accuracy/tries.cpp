@@ -208,4 +208,27 @@ std::vector<Try> budgetTries(const Values &presets)
     };
 }
 
+std::vector<Try> crowdTries()
+{
+    constexpr std::int64_t someTime = 60; ///< frames
+    return {
+        {Text::tr("Set **Creatures** to 10 000 and play on for 60 frames. Then to 20 000: does it take twice "
+                  "as long?"),
+         [](const Timeline &run) {
+             return run.values()["creatures"] >= 20'000.0 && framesSinceSet(run, "creatures") >= someTime;
+         }},
+        {Text::tr(
+             "Set **Gravity** to 0 and play on for 60 frames. It is left out now; look for its line in the "
+             "code."),
+         [](const Timeline &run) {
+             return run.values()["gravity"] == 0.0 && framesSinceSet(run, "gravity") >= someTime;
+         }},
+        {Text::tr("Set **Bounce** to 0 and wait until all lie still."),
+         [](const Timeline &run) {
+             const bool mayBe = isSetTo(run, "bounce", 0.0) && hasCome(run, 1);
+             return mayBe && (run.now().velocity.abs() <= stillness).all() && isStill(run);
+         }},
+    };
+}
+
 }

@@ -14,5 +14,6 @@ std::vector<lessons::Try> halveTries(const Exact &exact, const sim::Values &pres
 std::vector<lessons::Try> adaptTries(const Exact &exact, const sim::Values &presets);
 std::vector<lessons::Try> bounceTries(const Exact &exact, const sim::Values &presets);
 std::vector<lessons::Try> budgetTries(const sim::Values &presets);
+std::vector<lessons::Try> crowdTries();
 
 }

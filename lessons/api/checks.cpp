@@ -1,5 +1,7 @@
 #include "lessons/api/checks.h"
 
+#include "sim/flush.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -62,6 +64,7 @@ bool isStill(const sim::Timeline &timeline)
 {
     if (timeline.at().phase > 0 || timeline.stop())
         return false;
+    const sim::FlushTiny flush;
     std::shared_ptr<const sim::Segment> segment;
     sim::State state = timeline.track().preview(segment);
     Eigen::ArrayX2d before = timeline.now().position;

@@ -80,6 +80,22 @@ sim::Scene crowd(int creatures, int feet)
     return scene;
 }
 
+sim::Scene crowdByParts(int creatures, int feet)
+{
+    sim::Scene scene = pointsInTheMiddle(creatures * (feet + 1));
+    scene.names.reserve(static_cast<std::size_t>(scene.start.points()));
+    const auto namePart = [&](const std::string &part) {
+        for (int creature = 0; creature < creatures; ++creature)
+            scene.names.push_back("creature" + std::to_string(creature) + part);
+    };
+    namePart(".body");
+    for (int i = 0; i < feet; ++i)
+        namePart(".foot" + std::to_string(i));
+    scene.groups.push_back({SIM_TEXT("feet"), {creatures, creatures * feet}});
+    scene.groups.push_back({SIM_TEXT("bodies"), {0, creatures}});
+    return scene;
+}
+
 void placeFeet(sim::Scene &scene, const std::vector<sim::Vec2> &places)
 {
     const int feet = scene.start.points() - 1;
@@ -129,6 +145,14 @@ Look creatureLookWithLegs(const sim::Scene &scene)
             look.legs.push_back({i, foot});
         firstFoot = i + 1;
     }
+    return look;
+}
+
+Look crowdByPartsLook(const sim::Scene &scene, int creatures)
+{
+    Look look = creatureLook(scene);
+    for (int foot = creatures; foot < scene.start.points(); ++foot)
+        look.legs.push_back({foot % creatures, foot});
     return look;
 }
 

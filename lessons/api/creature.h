@@ -31,6 +31,10 @@ sim::Scene creatureWithFeetOnHandle(int feet);
 /// "creature1.foot0"... Each moves its feet, then its body, before the next creature moves.
 sim::Scene crowd(int creatures, int feet);
 
+/// The same creatures in another order: all bodies, then all first feet, all second feet and so on, so that what
+/// creatures have alike lies side by side. All feet move, then all bodies.
+sim::Scene crowdByParts(int creatures, int feet);
+
 /// One point, "foot", at (270, 200), and no body.
 sim::Scene loneFoot();
 
@@ -55,5 +59,7 @@ bool isBody(const std::string &name);
 /// Feet and bodies as discs; with legs, a line from the body to each of its feet.
 Look creatureLook(const sim::Scene &scene);
 Look creatureLookWithLegs(const sim::Scene &scene);
+/// The same, with legs, for a scene of crowdByParts().
+Look crowdByPartsLook(const sim::Scene &scene, int creatures);
 
 }

@@ -11,6 +11,12 @@ enum class Role {
     keptSpeed, ///< the share of its speed that everything keeps each frame: less of it is more damping
 };
 
+/// How the slider's way is divided.
+enum class Scale {
+    even,    ///< the same way for the same difference
+    decades, ///< the same way from 1 to 10 as from 10 to 100; sliderMin is a power of ten
+};
+
 /// A number (or a choice) that a learner sets. Declared once: panel, range, tooltip, file and command line all
 /// read this.
 struct Parameter
@@ -33,6 +39,7 @@ struct Parameter
     QStringList choiceHelps = {};  ///< one sentence each; may be empty
     /// Another value is another experiment: the run begins anew with it, as Step::opening has it.
     bool opens = false;
+    Scale scale = Scale::even;
 
     bool isWhole() const { return whole; }
 };

@@ -1,5 +1,6 @@
 #include "looks.h"
 
+#include "lessons/api/acting.h"
 #include "sim/effects/motor.h"
 #include "swimmer.h"
 
@@ -80,9 +81,11 @@ Look bodyLook(const sim::Scene &scene, const sim::Values &values)
     return look;
 }
 
-std::vector<Guide> targetAndPull(const sim::Scene &, const sim::State &state, const sim::Values &values)
+std::vector<Guide> targetAndPull(const sim::Scene &scene, const sim::State &state, const sim::Values &values)
 {
     const sim::Vec2 target = state.outside.target;
+    if (!effectOf<sim::Motor>(scene))
+        return {{Guide::Shape::cross, target, {}, 0.0, {}}};
     const sim::Vec2 pull = sim::motor(state.at(lead), target, values["k"], values["dt"]).pull;
     return {{Guide::Shape::cross, target, {}, 0.0, {}},
             {Guide::Shape::arrow, state.at(lead), pull, 0.0, Text::tr("motor")}};

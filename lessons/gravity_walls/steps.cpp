@@ -1,8 +1,10 @@
 #include "steps.h"
 
+#include "lessons/api/acting.h"
 #include "lessons/api/creature.h"
 #include "lessons/api/parameters.h"
 #include "scenes.h"
+#include "sim/effects/walls.h"
 #include "tries.h"
 
 #include <QCoreApplication>
@@ -18,10 +20,11 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(GravityWalls)
 };
 
-Look inTheRoom(const sim::Scene &scene, const sim::Values &values)
+Look inTheRoom(const sim::Scene &scene, const sim::Values &)
 {
     Look look = creatureLookWithLegs(scene);
-    look.room = sim::Room{values["left"], values["right"], values["floor"], values["bounce"]};
+    if (const auto *walls = effectOf<sim::Walls>(scene))
+        look.room = walls->room();
     return look;
 }
 

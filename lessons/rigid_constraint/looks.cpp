@@ -1,6 +1,8 @@
 #include "looks.h"
 
 #include "figure.h"
+#include "lessons/api/acting.h"
+#include "sim/effects/room_limits.h"
 
 #include <QCoreApplication>
 
@@ -48,7 +50,8 @@ Look pointedLook(const sim::Scene &scene, const sim::Values &)
 Look boxLook(const sim::Scene &scene, const sim::Values &values)
 {
     Look look = stickLook(scene);
-    look.room = sim::Room{values["left"], values["right"], values["floor"], 0.0};
+    if (effectOf<sim::RoomLimits>(scene))
+        look.room = sim::Room{values["left"], values["right"], values["floor"], 0.0};
     return look;
 }
 

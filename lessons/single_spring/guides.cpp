@@ -1,5 +1,6 @@
 #include "guides.h"
 
+#include "lessons/api/acting.h"
 #include "scenes.h"
 #include "sim/direction.h"
 #include "sim/effects/offset_spring.h"
@@ -47,18 +48,24 @@ std::vector<Guide> pullToCome(const sim::Scene &, const sim::State &state, const
             guide(Guide::Shape::arrow, state.at(foot), pull, 0.0, Text::tr("pull to come"))};
 }
 
-std::vector<Guide> centreCross(const sim::Scene &, const sim::State &, const sim::Values &values)
+std::vector<Guide> centreCross(const sim::Scene &scene, const sim::State &, const sim::Values &values)
 {
+    if (!lessons::acts(scene, sim::Kind::spring))
+        return {};
     return {guide(Guide::Shape::cross, centreOf(values))};
 }
 
-std::vector<Guide> offsetCross(const sim::Scene &, const sim::State &state, const sim::Values &values)
+std::vector<Guide> offsetCross(const sim::Scene &scene, const sim::State &state, const sim::Values &values)
 {
+    if (!lessons::acts(scene, sim::Kind::spring))
+        return {};
     return {guide(Guide::Shape::cross, sim::offsetTarget(state.at(body), values["offset"]))};
 }
 
-std::vector<Guide> ringAndAngle(const sim::Scene &, const sim::State &state, const sim::Values &values)
+std::vector<Guide> ringAndAngle(const sim::Scene &scene, const sim::State &state, const sim::Values &values)
 {
+    if (!lessons::acts(scene, sim::Kind::spring))
+        return {};
     const sim::Vec2 centre = state.at(body);
     const sim::Vec2 end = state.at(foot);
     const sim::Vec2 corner = {end.x, centre.y};

@@ -66,9 +66,9 @@ std::vector<Guide> trunkEnd(const sim::Scene &scene, const sim::State &state, co
     return {{Guide::Shape::cross, end, {}, 0.0, label}};
 }
 
-std::vector<Guide> windFromPointer(const sim::Scene &, const sim::State &state, const sim::Values &)
+std::vector<Guide> windFromPointer(const sim::Scene &scene, const sim::State &state, const sim::Values &)
 {
-    if (!pressed(state))
+    if (!pressed(state) || !lessons::acts(scene, sim::Kind::wind))
         return {};
     return {wind(*pressed(state))};
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "lessons/api/acting.h"
 #include "lessons/api/step.h"
 #include "sim/effects/torsion.h"
 
@@ -11,16 +12,7 @@ double bendOf(const sim::Scene &scene, const sim::State &state, int branch);
 /// The largest of them, without its sign.
 double largestBend(const sim::Scene &scene, const sim::State &state);
 
-/// The scene's effect of this type, or null where it is switched off or not listed.
-template <class Effect>
-const Effect *effectOf(const sim::Scene &scene)
-{
-    for (const sim::EffectPtr &effect : scene.effects) {
-        if (const auto *found = dynamic_cast<const Effect *>(effect.get()))
-            return found;
-    }
-    return nullptr;
-}
+using lessons::effectOf;
 
 /// Where branch `branch` ends, px; where it begins in a scene without joints.
 sim::Vec2 endOf(const sim::Scene &scene, const sim::State &state, int branch);

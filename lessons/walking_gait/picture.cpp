@@ -1,7 +1,10 @@
 #include "picture.h"
 
+#include "lessons/api/acting.h"
 #include "lessons/api/creature.h"
+#include "sim/effects/ground.h"
 #include "sim/effects/leg_spring.h"
+#include "sim/effects/walls.h"
 
 #include <QCoreApplication>
 
@@ -18,6 +21,8 @@ struct Text
 {
     Q_DECLARE_TR_FUNCTIONS(WalkingGait)
 };
+
+constexpr double noFloor = 1e4; ///< px: far below the picture
 
 /// A foot's place is its lowest point; the disc that is drawn has its middle there. So the ground is drawn where
 /// the disc ends.
@@ -82,7 +87,8 @@ Look curvedLegs(const Scene &scene, const Values &values)
 Look onGround(const Scene &scene, const Values &values)
 {
     Look look = withFeet(curvedLegs(scene, values));
-    look.ground = groundLine(values);
+    if (effectOf<sim::Ground>(scene))
+        look.ground = groundLine(values);
     look.follow = scene.start.points() - 1;
     return look;
 }
@@ -90,13 +96,17 @@ Look onGround(const Scene &scene, const Values &values)
 Look inRoom(const Scene &scene, const Values &values)
 {
     Look look = withFeet(curvedLegs(scene, values));
-    look.room = sim::Room{values["left"], values["right"], groundLine(values), 0.0};
+    const bool hasGround = effectOf<sim::Ground>(scene);
+    if (effectOf<sim::Walls>(scene))
+        look.room = sim::Room{values["left"], values["right"], hasGround ? groundLine(values) : noFloor, 0.0};
+    else if (hasGround)
+        look.ground = groundLine(values);
     return look;
 }
 
-bool stands(const Scene &, const State &state, const Values &values, int point)
+bool stands(const Scene &scene, const State &state, const Values &values, int point)
 {
-    return state.feels(point) && state.at(point).y >= values["ground"];
+    return effectOf<sim::Ground>(scene) && state.feels(point) && state.at(point).y >= values["ground"];
 }
 
 Guides boneLines(const Scene &scene, const State &state, const Values &)

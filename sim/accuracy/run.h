@@ -91,7 +91,7 @@ private:
 template <class Visit>
 RunResult runFrames(const Script &script, std::int64_t frames, double seconds, Watch &watch, Visit &&visit)
 {
-    Track track(script, 0);
+    Track track(script, 0, Sleeping::never); // what a frame costs is measured on the way
     Patience patience(seconds, watch);
     const GoesOn goesOn = patience.asked();
     const double computedBefore = computedSeconds();

@@ -2,6 +2,8 @@
 
 #include "sim/accuracy/cpu_clock.h"
 #include "sim/accuracy/run.h"
+#include "sim/accuracy/samples.h"
+#include "sim/flush.h"
 
 #include <memory>
 #include <utility>
@@ -31,7 +33,7 @@ public:
             m_start = scene.start;
             m_pipeline = compose(scene, *script.method, script.step);
         } else {
-            m_track = std::make_unique<Track>(script, 0);
+            m_track = std::make_unique<Track>(script, 0, Sleeping::never);
         }
     }
 
@@ -64,6 +66,7 @@ public:
 private:
     void runTo(std::int64_t end, State &state, std::int64_t done) const
     {
+        const FlushTiny flush;
         const int rowFrames = m_pipeline.step.rowFrames;
         for (std::int64_t frame = done + rowFrames; frame <= end; frame += rowFrames) {
             state.frame = frame;
@@ -102,15 +105,6 @@ struct Sampled
         return 1e9 * total / (static_cast<double>(frames) * repeats);
     }
 };
-
-/// The value that `share` of `sorted` are below, between two of them by proportion.
-double quantile(const std::vector<double> &sorted, double share)
-{
-    const double at = share * static_cast<double>(sorted.size() - 1);
-    const auto below = static_cast<std::size_t>(at);
-    const std::size_t above = std::min(below + 1, sorted.size() - 1);
-    return sorted[below] + (at - static_cast<double>(below)) * (sorted[above] - sorted[below]);
-}
 
 void note(Sampled &sampled)
 {

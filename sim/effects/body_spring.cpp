@@ -1,5 +1,6 @@
 #include "sim/effects/body_spring.h"
 
+#include "sim/effects/pull_runs.h"
 #include "sim/effects/spring.h"
 
 namespace sim {
@@ -11,8 +12,10 @@ std::vector<Region> BodySpring::regions(Directions) const
 
 void BodySpring::add(const State &state, Points movers, double scale, Directions, Eigen::ArrayX2d &into) const
 {
-    addPulls(m_links, state, movers, scale, into,
-             [&](const Link &link) { return spring(state.at(link.mover), state.at(link.anchor), m_k).pull; });
+    const auto both = [k = m_k](Vec2 mover, Vec2 anchor) {
+        return BothPulls{spring(mover, anchor, k).pull, spring(anchor, mover, k).pull};
+    };
+    addPullRuns(m_links, state, movers, scale, into, both);
 }
 
 bool BodySpring::addSlopes(const State &state, Points movers, double scale, Directions, Slopes &into) const

@@ -1,5 +1,7 @@
 #include "sim/effects/damping.h"
 
+#include "sim/free_points.h"
+
 #include <cmath>
 
 namespace sim {
@@ -16,6 +18,10 @@ double kept(double damp, double h)
 //! [damping]
 
 }
+
+Damping::Damping(double damp) : m_damp(damp), m_keepInOne(kept(damp, 1.0)) {}
+
+Damping::Damping(double damp, Points only) : m_damp(damp), m_keepInOne(kept(damp, 1.0)), m_only(only) {}
 
 std::vector<Region> Damping::regions(Directions) const
 {
@@ -42,16 +48,13 @@ int Damping::count(const State &state, Points points) const
 
 void Damping::slow(State &state, Points points, double h) const
 {
-    const double keep = kept(m_damp, h);
-    const bool spins = state.spin.rows() > 0;
+    const double share = keep(h);
     points = shareOf(points);
-    for (int i = points.first; i < points.end(); ++i) {
-        if (!state.feels(i))
-            continue;
-        state.push(i, damp(state.speed(i), keep));
-        if (spins)
-            state.spin[i] = dampSpin(state.spin[i], keep);
-    }
+    replaceFree(state.inverseMass, points, state.velocity,
+                [share, v = Columns(state.velocity)](int i) { return damp(v.at(i), share); });
+    if (state.spin.rows() > 0)
+        replaceFree(state.inverseMass, points, state.spin.data(),
+                    [share, spin = state.spin.data()](int i) { return dampSpin(spin[i], share); });
 }
 
 std::optional<double> Damping::rate(int point) const
@@ -75,7 +78,7 @@ std::vector<Live> Damping::explain(const State &before, const State &after, int 
 
 double Damping::keep(double h) const
 {
-    return kept(m_damp, h);
+    return h == 1.0 ? m_keepInOne : kept(m_damp, h);
 }
 
 }

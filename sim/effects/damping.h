@@ -33,9 +33,9 @@ class Damping : public Drag
 {
 public:
     /// `damp` from 0 (stops at once) to 1 (no drag), per frame.
-    explicit Damping(double damp) : m_damp(damp) {}
+    explicit Damping(double damp);
     /// The same for some points only.
-    Damping(double damp, Points only) : m_damp(damp), m_only(only) {}
+    Damping(double damp, Points only);
 
     std::string id() const override { return "damping"; }
     std::string title() const override { return SIM_TEXT("damping"); }
@@ -43,6 +43,7 @@ public:
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
     Sees sees() const override { return Sees::tied; }
+    bool idle() const override { return m_damp == 1.0; }
     void slow(State &state, Points points, double h) const override;
     std::optional<double> rate(int point) const override;
     std::vector<Live> explain(const State &before, const State &after, int point, double h) const override;
@@ -53,6 +54,7 @@ private:
     Points shareOf(Points points) const;
 
     double m_damp;
+    double m_keepInOne; ///< keep(1): most steps are one frame, and a power takes longer than all the rest
     Points m_only = {0, std::numeric_limits<int>::max()};
 };
 

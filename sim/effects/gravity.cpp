@@ -1,5 +1,7 @@
 #include "sim/effects/gravity.h"
 
+#include "sim/free_points.h"
+
 namespace sim {
 
 namespace {
@@ -28,10 +30,9 @@ int Gravity::count(const State &state, Points points) const
 
 void Gravity::add(const State &state, Points movers, double scale, Directions, Eigen::ArrayX2d &into) const
 {
-    for (int i = movers.first; i < movers.end(); ++i) {
-        if (state.feels(i))
-            into(i, 1) += scale * fall(m_gravity).y;
-    }
+    double *down = into.data() + into.rows(); // the column of y
+    replaceFree(state.inverseMass, movers, down,
+                [=, gravity = m_gravity](int i) { return down[i] + scale * fall(gravity).y; });
 }
 
 bool Gravity::addSlopes(const State &, Points, double, Directions, Slopes &) const

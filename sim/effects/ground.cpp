@@ -1,5 +1,7 @@
 #include "sim/effects/ground.h"
 
+#include "sim/free_points.h"
+
 #include <algorithm>
 
 namespace sim {
@@ -7,6 +9,12 @@ namespace sim {
 Ground::Ground(std::vector<int> feet, Soil soil) : m_feet(std::move(feet)), m_soil(soil)
 {
     std::sort(m_feet.begin(), m_feet.end());
+    for (const int foot : m_feet) {
+        if (!m_runs.empty() && m_runs.back().end() == foot)
+            ++m_runs.back().count;
+        else
+            m_runs.push_back({foot, 1});
+    }
 }
 
 std::vector<Region> Ground::regions(Directions) const
@@ -42,11 +50,10 @@ std::vector<Surface> Ground::surfaces(int point) const
 
 void Ground::resolve(State &state, Points points) const
 {
-    forEach(state, points, [&](int foot) {
-        const Motion after = sim::ground(state.at(foot), state.speed(foot), m_soil);
-        state.place(foot, after.x);
-        state.push(foot, after.v);
-    });
+    const Columns x(state.position), v(state.velocity);
+    for (const Points &run : m_runs)
+        replaceFreeMotion(state, common(run, points),
+                          [=, soil = m_soil](int foot) { return sim::ground(x.at(foot), v.at(foot), soil); });
 }
 
 }

@@ -2,6 +2,7 @@
 
 #include "sim/effects/walls.h"
 
+#include <cmath>
 #include <vector>
 
 namespace sim {
@@ -53,6 +54,7 @@ public:
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
     Sees sees() const override { return Sees::tied; }
+    bool idle() const override { return std::isinf(m_soil.ground) && m_soil.ground > 0.0; }
     void resolve(State &state, Points points) const override;
     std::vector<Surface> surfaces(int point) const override;
 
@@ -62,7 +64,8 @@ private:
     template <class Visit>
     void forEach(const State &state, Points points, Visit &&visit) const;
 
-    std::vector<int> m_feet; ///< in order
+    std::vector<int> m_feet;    ///< in order
+    std::vector<Points> m_runs; ///< the same feet
     Soil m_soil;
 };
 

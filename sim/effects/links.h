@@ -1,41 +1,19 @@
 #pragma once
 
-#include "sim/effect.h"
+#include "sim/effects/link_runs.h"
 #include "sim/effects/slope.h"
 
 #include <algorithm>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace sim {
-
-/// One directed link: `mover` is pulled, `anchor` is what it is pulled to (or by).
-struct Link
-{
-    int mover = 0;
-    int anchor = 0;
-};
 
 /// Links ordered by mover, and among one mover's in the order given: the order in which its pulls are added up.
 class Links
 {
 public:
-    explicit Links(std::vector<Link> links) : m_links(std::move(links))
-    {
-        std::stable_sort(m_links.begin(), m_links.end(),
-                         [](const Link &a, const Link &b) { return a.mover < b.mover; });
-        std::vector<std::pair<int, int>> ends;
-        for (const Link &link : m_links)
-            ends.emplace_back(link.mover, link.anchor);
-        std::sort(ends.begin(), ends.end());
-        const auto many = [&](int mover, int anchor) {
-            const auto found = std::equal_range(ends.begin(), ends.end(), std::pair(mover, anchor));
-            return found.second - found.first;
-        };
-        for (const Link &link : m_links)
-            m_answered.push_back(many(link.mover, link.anchor) == many(link.anchor, link.mover));
-    }
+    explicit Links(std::vector<Link> links);
 
     /// Calls `visit(link)` for each link whose mover is in `movers` and feels forces.
     template <class Visit>
@@ -97,13 +75,16 @@ public:
         return true;
     }
 
+    const LinkRuns &runs() const { return m_runs; }
+
 private:
     std::vector<Link> m_links;
+    LinkRuns m_runs;
     std::vector<char> m_answered; ///< whether as many links go the other way, one entry a link
 };
 
-/// Adds `scale * pull(link)` for each link of `movers`, link after link: the batch loop of every force between
-/// two points.
+/// Adds `scale * pull(link)` for each link of `movers`, link after link: for pulls that are not computed
+/// run by run; see addPullRuns().
 template <class Pull>
 void addPulls(const Links &links, const State &state, Points movers, double scale, Eigen::ArrayX2d &into,
               Pull &&pull)

@@ -1,5 +1,6 @@
 #include "sim/effects/offset_spring.h"
 
+#include "sim/effects/pull_runs.h"
 #include "sim/effects/spring.h"
 
 namespace sim {
@@ -12,9 +13,11 @@ std::vector<Region> OffsetSpring::regions(Directions) const
 void OffsetSpring::add(const State &state, Points movers, double scale, Directions,
                        Eigen::ArrayX2d &into) const
 {
-    addPulls(m_links, state, movers, scale, into, [&](const Link &link) {
-        return spring(state.at(link.mover), offsetTarget(state.at(link.anchor), m_offset), m_k).pull;
-    });
+    const auto both = [k = m_k, offset = m_offset](Vec2 mover, Vec2 anchor) {
+        return BothPulls{spring(mover, offsetTarget(anchor, offset), k).pull,
+                         spring(anchor, offsetTarget(mover, offset), k).pull};
+    };
+    addPullRuns(m_links, state, movers, scale, into, both);
 }
 
 bool OffsetSpring::addSlopes(const State &state, Points movers, double scale, Directions, Slopes &into) const

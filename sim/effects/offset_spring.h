@@ -35,6 +35,7 @@ public:
     int count(const State &state, Points points) const override { return m_links.count(state, points); }
     Sees sees() const override { return Sees::tied; }
     void ties(std::vector<Tie> &into) const override { m_links.ties(into); }
+    bool idle() const override { return m_k == 0.0; }
     void add(const State &state, Points movers, double scale, Directions directions,
              Eigen::ArrayX2d &into) const override;
     bool addSlopes(const State &state, Points movers, double scale, Directions directions,

@@ -1,6 +1,14 @@
 #include "sim/effects/radial_spring.h"
 
+#include "sim/effects/pull_runs.h"
+
 namespace sim {
+
+template <class HeadingOf>
+Vec2 RadialSpring::pullOf(const State &state, const Link &link, HeadingOf direction) const
+{
+    return radialSpring(state.at(link.mover), state.at(link.anchor), m_k, m_radius, direction).end.pull;
+}
 
 std::vector<Region> RadialSpring::regions(Directions directions) const
 {
@@ -13,16 +21,38 @@ std::vector<Region> RadialSpring::regions(Directions directions) const
 void RadialSpring::add(const State &state, Points movers, double scale, Directions directions,
                        Eigen::ArrayX2d &into) const
 {
-    const auto addAll = [&](auto headingOf) {
-        addPulls(m_links, state, movers, scale, into, [&](const Link &link) {
-            const auto heading = [&](Vec2 d) { return headingOf(d, link); };
-            return radialSpring(state.at(link.mover), state.at(link.anchor), m_k, m_radius, heading).end.pull;
-        });
-    };
-    if (directions == Directions::published)
-        addAll([](Vec2 d, const Link &) { return publishedDirection(d).out; });
+    if (directions == Directions::apart) {
+        addRuns(Take::movers, state, movers, scale, into);
+        return;
+    }
+    addPulls(m_links, state, movers, scale, into, [&](const Link &link) {
+        return pullOf(state, link, [](Vec2 d) { return publishedDirection(d).out; });
+    });
+}
+
+void RadialSpring::addPart(const State &state, Points part, double scale, Directions directions,
+                           Eigen::ArrayX2d &into) const
+{
+    if (directions == Directions::apart)
+        addRuns(Take::part, state, part, scale, into);
     else
-        addAll([](Vec2 d, const Link &link) { return direction(d, link.anchor, link.mover).out; });
+        add(state, part, scale, directions, into);
+}
+
+void RadialSpring::addRuns(Take take, const State &state, Points points, double scale,
+                           Eigen::ArrayX2d &into) const
+{
+    // The way back is the same way turned round, so what takes long is computed once.
+    const auto both = [k = m_k, radius = m_radius](Vec2 mover, Vec2 anchor) {
+        Heading way;
+        const auto there = [&](Vec2 d) { return (way = direction(d)).out; };
+        const auto back = [&](Vec2) { return Vec2{-way.out.x, -way.out.y}; };
+        const Vec2 pull = radialSpring(mover, anchor, k, radius, there).end.pull;
+        return BothPulls{pull, radialSpring(anchor, mover, k, radius, back).end.pull, way.length};
+    };
+    addPullRuns(m_links, take, state, points, scale, into, both, [&](const Link &link) {
+        return pullOf(state, link, [&](Vec2 d) { return direction(d, link.anchor, link.mover).out; });
+    });
 }
 
 bool RadialSpring::addSlopes(const State &state, Points movers, double scale, Directions, Slopes &into) const

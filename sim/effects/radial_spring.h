@@ -51,8 +51,11 @@ public:
     int count(const State &state, Points points) const override { return m_links.count(state, points); }
     Sees sees() const override { return Sees::tied; }
     void ties(std::vector<Tie> &into) const override { m_links.ties(into); }
+    bool idle() const override { return m_k == 0.0; }
     void add(const State &state, Points movers, double scale, Directions directions,
              Eigen::ArrayX2d &into) const override;
+    void addPart(const State &state, Points part, double scale, Directions directions,
+                 Eigen::ArrayX2d &into) const override;
     bool addSlopes(const State &state, Points movers, double scale, Directions directions,
                    Slopes &into) const override;
     std::optional<double> energy(const State &state) const override;
@@ -60,6 +63,10 @@ public:
     std::vector<Live> explain(const State &state, int mover, Directions directions) const override;
 
 private:
+    template <class HeadingOf>
+    Vec2 pullOf(const State &state, const Link &link, HeadingOf direction) const;
+    void addRuns(Take take, const State &state, Points points, double scale, Eigen::ArrayX2d &into) const;
+
     Links m_links;
     double m_k;
     double m_radius;

@@ -74,7 +74,7 @@ double TreeWind::strength(double distance, int point) const
 
 void TreeWind::drive(State &state, double h) const
 {
-    if (!state.outside.pointerDown || !state.outside.pointer)
+    if (!blows(state))
         return;
     const Vec2 pointer = *state.outside.pointer;
     const double gust = gustNow(state);
@@ -87,7 +87,7 @@ void TreeWind::drive(State &state, double h) const
 
 std::vector<Live> TreeWind::explain(const State &before, const State &after, int point) const
 {
-    if (!after.outside.pointerDown || !after.outside.pointer || !after.feels(point))
+    if (!blows(after) || !after.feels(point))
         return {};
     // In this phase the branch was moved first and turned then.
     const Breeze breeze =

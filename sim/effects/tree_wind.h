@@ -191,6 +191,8 @@ public:
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
     Sees sees() const override { return m_turbulence ? Sees::time : Sees::scene; }
+    /// Only while it blows is turbulence drawn.
+    bool isTimeless(const State &state) const override { return !m_turbulence || !blows(state); }
     void drive(State &state, double h) const override;
     std::vector<Live> explain(const State &before, const State &after, int point) const override;
 
@@ -199,6 +201,7 @@ public:
     Breeze breezeAt(TreeFormula formula, int point, Vec2 origin, double angle, Vec2 pointer) const;
 
 private:
+    static bool blows(const State &state) { return state.outside.pointerDown && state.outside.pointer; }
     double gustNow(const State &state) const;
     double strength(double distance, int point) const;
 

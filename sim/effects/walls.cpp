@@ -1,5 +1,7 @@
 #include "sim/effects/walls.h"
 
+#include "sim/free_points.h"
+
 namespace sim {
 
 std::vector<Region> Walls::regions(Directions) const
@@ -22,13 +24,10 @@ std::vector<Surface> Walls::surfaces(int point) const
 
 void Walls::resolve(State &state, Points points) const
 {
-    for (int i = points.first; i < points.end(); ++i) {
-        if (!state.feels(i))
-            continue;
-        const Motion after = walls(state.at(i), state.speed(i), m_half[i], m_room);
-        state.place(i, after.x);
-        state.push(i, after.v);
-    }
+    const Columns x(state.position), v(state.velocity);
+    replaceFreeMotion(state, points, [=, half = m_half.data(), room = m_room](int i) {
+        return walls(x.at(i), v.at(i), half[i], room);
+    });
 }
 
 }

@@ -2,6 +2,8 @@
 
 #include "sim/effect.h"
 
+#include <cmath>
+
 namespace sim {
 
 /// Where a room ends, and how much of its speed a body keeps when it bounces there.
@@ -11,6 +13,9 @@ struct Room
     double right = 0.0;  ///< px
     double floor = 0.0;  ///< px
     double bounce = 1.0; ///< share of the speed across the wall that is kept, turned round
+
+    /// Whether neither side wall can ever be reached.
+    bool sidesAreFar() const { return std::isinf(left) && left < 0.0 && std::isinf(right) && right > 0.0; }
 };
 
 /// A point's position and velocity.
@@ -60,6 +65,10 @@ public:
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
     Sees sees() const override { return Sees::tied; }
+    bool idle() const override
+    {
+        return m_room.sidesAreFar() && std::isinf(m_room.floor) && m_room.floor > 0.0;
+    }
     void resolve(State &state, Points points) const override;
     std::vector<Surface> surfaces(int point) const override;
 

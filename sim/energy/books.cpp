@@ -1,5 +1,7 @@
 #include "sim/energy/books.h"
 
+#include "sim/flush.h"
+
 #include <optional>
 
 namespace sim {
@@ -50,6 +52,7 @@ Books::Books(const Segment &segment, Directions directions)
 
 void Books::row(State &state, Balance &into) const
 {
+    const FlushTiny flush;
     for (int i = 0; i < m_segment.pipeline.step.perRow; ++i)
         step(state, into);
 }

@@ -3,6 +3,7 @@
 #include "sim/accuracy/run.h"
 #include "sim/effects/body_spring.h"
 #include "sim/effects/damping.h"
+#include "sim/flush.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,6 +63,7 @@ Eigen::Matrix4d matrixOf(const Stiffest &stiffest, const MethodPtr &method, doub
     method->prepare(scene.start);
     const Pipeline pipeline = compose(scene, *method, StepSize::of(h));
     Eigen::Matrix4d matrix;
+    const FlushTiny flush;
     for (int column = 0; column < 4; ++column) {
         State state = scene.start;
         (column < 2 ? state.position : state.velocity)(column % 2, 0) = 1.0;
@@ -156,6 +158,8 @@ Claim claimOf(const HardCase &hard, const MethodPtr &method, const RunSize &size
     const bool byTolerance = method->stepLimit() == StepLimit::tolerance;
     if (byTolerance && hard.asksFor(Ask::noRoom))
         return no("claim-no-room", *method, {});
+    if (hard.stickError && size.h > hard.brief.h && !byTolerance)
+        return no("claim-longer-step", *method, {{"h", text(size.h)}, {"most", text(hard.brief.h)}});
     if (!hard.stiffest)
         return {true, {}};
     return byTolerance ? claimByTolerance(hard, *method, size) : claimByStep(hard, method, size);

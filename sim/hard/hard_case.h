@@ -94,9 +94,10 @@ struct HardCase
     double bounces = 0.0;             ///< the most that happen in a frame
     double driven = 0.0;              ///< rad/frame: how fast what drives it turns
     Bound bound;
-    std::optional<Rest> rest;         ///< where there is a right one
-    std::optional<double> stickError; ///< px: how wrong the length of a stick may be after any frame
-    std::string refusal;              ///< the id of the Error that is right; empty: it runs
+    std::optional<Rest> rest; ///< where there is a right one
+    std::optional<double>
+        stickError; ///< px: how wrong a stick's length may be after any frame, by steps as brief has them
+    std::string refusal; ///< the id of the Error that is right; empty: it runs
 
     bool asksFor(Ask what) const;
     /// The rest that a run of this size must come to, if any.

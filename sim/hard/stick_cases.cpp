@@ -1,6 +1,8 @@
 #include "sim/hard/families.h"
 #include "sim/hard/scenes.h"
 
+#include <cmath>
+
 namespace sim::hard {
 
 namespace {
@@ -30,6 +32,36 @@ HardCase chain(const char *id, const char *title, const char *story, double stre
     // What is missing in all, shared out evenly, and three times that for links next to where it is shared out.
     const double missing = 440.0 * (1.0 - 1.0 / stretched) / links;
     one.stickError = 4.0 * missing;
+    return one;
+}
+
+/// How wrong a link of a hanging chain can be, in px. In each step gravity moves each point by g h^2, and the sweeps
+/// must carry that to the nails: at rest a link whose error is e moves its ends by e / 2 in each of n sweeps, and that
+/// adds up to its tension T; so e = 2 T / n. T is what hangs below a link on one side, N g h^2 / 2 at most, and what
+/// stretches the chain across its span L: of a flat arc of depth s, N g h^2 L / 8 s, where the depth comes from the
+/// error itself, s = L sqrt(3 e / 8 l) at a link length l.
+double heavyError(double links, double each, double gravity, double h, double passes)
+{
+    const double weight = links * gravity * h * h;
+    const double hanging = weight / passes;
+    const double flat = each * std::pow(weight / (4.0 * std::sqrt(3.0 / 8.0) * passes * each), 2.0 / 3.0);
+    return std::hypot(hanging, flat);
+}
+
+HardCase heavyChain(const char *id, const char *title, const char *story, double h, double passes)
+{
+    const double links = 1000.0, each = 440.0 / links, gravity = 0.5;
+    HardCase one = caseOf(
+        id, title, story, stretchedChain,
+        valuesOf(
+            {{"links", links}, {"stretched", 1.0}, {"damp", 0.9}, {"gravity", gravity}, {"passes", passes}}),
+        300);
+    one.brief.frames = 60;
+    one.brief.h = one.full.h = h;
+    one.asks = {Ask::sticks, Ask::manyPoints};
+    one.stickError = heavyError(links, each, gravity, h, passes);
+    // No point is farther from the middle than half the chain is long.
+    one.bound.reach = 0.5 * links * (each + *one.stickError);
     return one;
 }
 
@@ -70,6 +102,15 @@ std::vector<HardCase> rigidSticks()
               SIM_TEXT("A chain of a thousand links between two nails is a tenth too short: no link can be "
                        "right."),
               1.1),
+        heavyChain(
+            "chain_heavy", SIM_TEXT("a chain too heavy for its sticks"),
+            SIM_TEXT("A chain of a thousand links hangs between two nails: 20 passes a frame leave its "
+                     "links much too long."),
+            1.0, 20.0),
+        heavyChain("chain_heavy_small_steps", SIM_TEXT("a heavy chain in small steps"),
+                   SIM_TEXT("The same chain and the same work: in place of 20 passes a frame 20 steps of one "
+                            "pass each. Its links err a ninth as much."),
+                   1.0 / 20.0, 1.0),
         hanging("stick_without_length", SIM_TEXT("a stick without a length"),
                 SIM_TEXT("Two points on a stick of length 0 have no direction between them, and a body hangs "
                          "on them."),

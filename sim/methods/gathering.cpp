@@ -33,6 +33,11 @@ void gatherTorque(
 //! [gather_torque]
 // clang-format on
 
+void gatherPart(const Force &force, State &state, Points part, double)
+{
+    force.addPart(state, part, 1.0, Directions::apart, state.acceleration);
+}
+
 }
 
 Adding gathering()
@@ -40,7 +45,8 @@ Adding gathering()
     return {gather,
             gatherTorque,
             {"sim/methods/gathering.cpp", "gather"},
-            {"sim/methods/gathering.cpp", "gather_torque"}};
+            {"sim/methods/gathering.cpp", "gather_torque"},
+            gatherPart};
 }
 
 }

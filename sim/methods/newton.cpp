@@ -178,12 +178,13 @@ Numbers ImplicitStep::correction(const Wanted &wanted, const Numbers &u)
 
 /// Where Newton's method has found nothing, or jumps about: the same without the slopes that push (see calmed()), so
 /// that no step leads away. It takes more steps, as what turns then comes round a part of the way at a time. Returns
-/// what misses least of all this and `plain`.
+/// what misses least of all this and `plain`; see lost() where every way from the start leads out of the finite numbers.
 Numbers ImplicitStep::calmly(const Wanted &wanted, const Numbers &start, const Numbers &plain)
 {
     Numbers best = plain, u = start;
     double least = misses(wanted, plain).abs().maxCoeff();
     Numbers last = Numbers::Constant(u.size(), std::numeric_limits<double>::infinity());
+    bool metNoNumber = false;
     for (int i = 0; i < m_effort.calm; ++i) {
         const Numbers wrong = misses(wanted, u);
         const double most = wrong.abs().maxCoeff();
@@ -192,17 +193,30 @@ Numbers ImplicitStep::calmly(const Wanted &wanted, const Numbers &start, const N
             best = u;
         }
         const Numbers step = stepFor(wrong, wanted.share, changes(wanted, Kept::calm));
+        metNoNumber = metNoNumber || !std::isfinite(most) || !step.isFinite().all();
         if (!step.isFinite().all() || isTiny(step, wanted.reach, wanted.from) ||
             isNoise(step, last, wanted.reach, wanted.from))
             break;
         u = u - step;
         last = step;
     }
-    return best;
+    const bool standsStill = (best == start).all();
+    return !std::isfinite(least) || (standsStill && metNoNumber) ? lost(wanted, start) : best;
+}
+
+/// Says that nothing is found, in place of letting all stand still: `start` without the numbers whose pulls are not
+/// finite there, or without any, where all are.
+Numbers ImplicitStep::lost(const Wanted &wanted, const Numbers &start)
+{
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    const Eigen::Array<bool, Eigen::Dynamic, 1> found = misses(wanted, start).isFinite();
+    if (found.all())
+        return Numbers::Constant(start.size(), none);
+    return found.select(start, none);
 }
 
 /// Takes `step` off u; or a half, a quarter... of it, if the whole leads to where nothing is finite. Returns the next
-/// correction; 0 if there is no way from here. That the next one is smaller is not asked for: to turn with a stiff
+/// correction; NaN, and u as it was, if there is no way from here. That the next one is smaller is not asked for: to turn with a stiff
 /// spring, Newton's method first leaves it by a hair's breadth, which looks far worse than it is, and then comes back;
 /// steps that never may get worse creep along it instead.
 Numbers ImplicitStep::advance(const Wanted &wanted, Numbers &u, const Numbers &step)
@@ -216,7 +230,7 @@ Numbers ImplicitStep::advance(const Wanted &wanted, Numbers &u, const Numbers &s
             return next;
         }
     }
-    return Numbers::Zero(u.size());
+    return Numbers::Constant(u.size(), std::numeric_limits<double>::quiet_NaN());
 }
 
 Numbers ImplicitStep::solve(const Numbers &from, const Numbers &drift, double reach, const Numbers &share)
@@ -237,13 +251,15 @@ Numbers ImplicitStep::solve(const Numbers &from, const Numbers &drift, double re
             return u - step;
         Numbers next =
             advance(wanted, u, step);
+        if (!next.isFinite().all())
+            break; // no way on from here
         if (isNoise(next, step, reach, from))
             return u;
         step = next;
     }
     if (isClose(step, reach, from))
         return u;
-    // it jumps about: calmer
+    // it jumps about, or is lost: calmer
     return calmly(wanted, start, u);
     //! [newton]
     // clang-format on

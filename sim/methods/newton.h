@@ -59,7 +59,8 @@ public:
     /// u = drift + share a(from + reach u). Reach and share in frames. Starts from where the state is, as the nearest
     /// solution is the right one: beyond it are those in which springs swing through between two places. Stops when
     /// corrections are below 1e-12 of the places or lost in rounding. Where Newton's method finds none (as where a
-    /// crowd bursts out of one place, and pulls turn round), it is looked for more calmly.
+    /// crowd bursts out of one place, and pulls turn round), it is looked for more calmly. NaN where nothing finite is
+    /// found that way either: then the run ends there, and says so.
     /// Source: Hairer and Wanner, "Solving ordinary differential equations II", section IV.8.
     Numbers solve(const Numbers &from, const Numbers &drift, double reach, const Numbers &share);
     Numbers solve(const Numbers &from, const Numbers &drift, double reach)
@@ -82,6 +83,7 @@ private:
     Numbers stepFor(const Numbers &wrong, const Numbers &share,
                     const std::vector<Slopes::Entry> &entries) const;
     Numbers calmly(const Wanted &wanted, const Numbers &start, const Numbers &plain);
+    Numbers lost(const Wanted &wanted, const Numbers &start);
     Numbers advance(const Wanted &wanted, Numbers &u, const Numbers &step);
 
     const Equations &m_equations;

@@ -66,7 +66,11 @@ std::vector<Points> PhaseList::inert(Points points) const
         if (group.inertia == Inertia::none || first >= end)
             continue;
         const auto free = m_scene.start.inverseMass.segment(first, end - first) != 0.0;
-        if (free.any())
+        if (!free.any())
+            continue;
+        if (!runs.empty() && runs.back().end() == first)
+            runs.back().count += end - first;
+        else
             runs.push_back({first, end - first});
     }
     return runs;
@@ -140,6 +144,10 @@ void PhaseList::force(const std::shared_ptr<const Force> &force, const Share &sh
     setWork(phase, [force, add = adding.force, h = m_h](State &state, Points points) {
         add(*force, state, points, h);
     });
+    if (phase.runOn && adding.forcePart)
+        phase.runOn = [force, add = adding.forcePart, h = m_h](State &state, Points part) {
+            add(*force, state, part, h);
+        };
     phase.explain = [force, way = m_directions](const State &before, const State &after, int point) {
         std::vector<Live> live = force->explain(before, point, way);
         if (!live.empty() && before.speed(point) != after.speed(point))

@@ -89,6 +89,8 @@ struct Adding
     AddTorque torque = nullptr;
     Region forceShown;
     Region torqueShown;
+    /// The same as `force` for one of the parts of Phase::runOn; null: by `force` itself.
+    AddForce forcePart = nullptr;
 };
 
 /// Adds every force to State::acceleration and every torque to State::turning.
@@ -187,7 +189,7 @@ void setWork(Phase &phase, Work work)
     phase.run = [work = std::move(work), points = phase.points](State &state) { work(state, points); };
 }
 
-/// What `phase` does first, on the same points.
+/// What `phase` does first, on the same points: the method's own part of it.
 template <class Work>
 void setWorkBefore(Phase &phase, Work before)
 {
@@ -200,6 +202,11 @@ void setWorkBefore(Phase &phase, Work before)
             before(state, points);
             run(state, points);
         };
+    phase.prelude = [before, later = phase.prelude, points = phase.points](State &state) {
+        before(state, points);
+        if (later)
+            later(state);
+    };
 }
 
 template <class Type, class Visit>

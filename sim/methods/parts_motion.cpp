@@ -1,6 +1,5 @@
+#include "sim/free_points.h"
 #include "sim/methods/parts.h"
-
-#include <algorithm>
 
 namespace sim {
 
@@ -12,16 +11,49 @@ const char *half(double part, const char *whole, const char *halved)
     return part == 1.0 ? whole : halved;
 }
 
-/// Calls `visit(point)` for each point of `points` that is in `runs` and feels forces in `state`.
+void kickAll(State &state, Points run, double h)
+{
+    const Columns v(state.velocity), a(state.acceleration);
+    replaceFree(state.inverseMass, run, state.velocity,
+                [=](int i) { return sim::kick(v.at(i), a.at(i), h); });
+}
+
+void moveAll(State &state, Points run, double h)
+{
+    const Columns x(state.position), v(state.velocity);
+    replaceFree(state.inverseMass, run, state.position,
+                [=](int i) { return sim::move(x.at(i), v.at(i), h); });
+}
+
+void kickSpinOfAll(State &state, Points run, double h)
+{
+    const double *spin = state.spin.data(), *turning = state.turning.data();
+    replaceFree(state.inverseMass, run, state.spin.data(),
+                [=](int i) { return kickSpin(spin[i], turning[i], h); });
+}
+
+void turnAll(State &state, Points run, double h)
+{
+    const double *angle = state.angle.data(), *spin = state.spin.data();
+    replaceFree(state.inverseMass, run, state.angle.data(),
+                [=](int i) { return turn(angle[i], spin[i], h); });
+}
+
+/// Gives all points of `run` the velocity with which they came to where they are.
+void takeVelocities(State &state, Points run, double h)
+{
+    const Columns x(state.position), before(state.previous);
+    replaceFree(state.inverseMass, run, state.velocity,
+                [=](int i) { return came(x.at(i), before.at(i), h); });
+}
+
+/// Calls `visit(run)` for each of `runs` as far as it is among `points`.
 template <class Visit>
-void forEachFree(const State &state, const std::vector<Points> &runs, Points points, Visit &&visit)
+void forEachRun(const std::vector<Points> &runs, Points points, Visit &&visit)
 {
     for (const Points &run : runs) {
-        const int end = std::min(run.end(), points.end());
-        for (int i = std::max(run.first, points.first); i < end; ++i) {
-            if (state.feels(i))
-                visit(i);
-        }
+        if (const Points part = common(run, points); part.count > 0)
+            visit(part);
     }
 }
 
@@ -40,10 +72,7 @@ void PhaseList::kick(const Share &share, double part)
     Phase phase = ownPhase("kick", half(part, SIM_TEXT("kick"), SIM_TEXT("half kick")), share);
     phase.kicks = part * m_h;
     setWork(phase, [runs, h = part * m_h](State &state, Points points) {
-        forEachFree(state, runs, points, [&](int i) {
-            const Vec2 a = {state.acceleration(i, 0), state.acceleration(i, 1)};
-            state.push(i, sim::kick(state.speed(i), a, h));
-        });
+        forEachRun(runs, points, [&](Points run) { kickAll(state, run, h); });
     });
     phase.explain = [](const State &before, const State &after, int point) {
         return std::vector<Live>{{"v", after.speed(point), before.speed(point)}};
@@ -56,8 +85,7 @@ void PhaseList::kickSpins(const Share &share, double part)
     Phase phase = ownPhase("kick_spin", half(part, SIM_TEXT("kick"), SIM_TEXT("half kick")), share);
     phase.kicks = part * m_h;
     setWork(phase, [runs = inert(share.points), h = part * m_h](State &state, Points points) {
-        forEachFree(state, runs, points,
-                    [&](int i) { state.spin[i] = kickSpin(state.spin[i], state.turning[i], h); });
+        forEachRun(runs, points, [&](Points run) { kickSpinOfAll(state, run, h); });
     });
     phase.explain = [](const State &before, const State &after, int point) {
         return std::vector<Live>{{"spin", after.spin[point], before.spin[point]}};
@@ -77,8 +105,7 @@ void PhaseList::move(const Share &share, double part)
     Phase phase = ownPhase("move", half(part, SIM_TEXT("move"), SIM_TEXT("half move")), share);
     phase.moves = true;
     setWork(phase, [runs, h = part * m_h](State &state, Points points) {
-        forEachFree(state, runs, points,
-                    [&](int i) { state.place(i, sim::move(state.at(i), state.speed(i), h)); });
+        forEachRun(runs, points, [&](Points run) { moveAll(state, run, h); });
     });
     if (const auto keep = remembering(share))
         setWorkBefore(phase, keep);
@@ -93,8 +120,7 @@ void PhaseList::turnAngles(const Share &share, double part)
     Phase phase = ownPhase("turn", half(part, SIM_TEXT("turn"), SIM_TEXT("half turn")), share);
     phase.moves = true;
     setWork(phase, [runs = inert(share.points), h = part * m_h](State &state, Points points) {
-        forEachFree(state, runs, points,
-                    [&](int i) { state.angle[i] = turn(state.angle[i], state.spin[i], h); });
+        forEachRun(runs, points, [&](Points run) { turnAll(state, run, h); });
     });
     phase.explain = [](const State &before, const State &after, int point) {
         return std::vector<Live>{{"angle", after.angle[point], before.angle[point]}};
@@ -125,10 +151,7 @@ void PhaseList::velocities(const Share &share)
         return;
     Phase phase = ownPhase("came", SIM_TEXT("new velocity"), share);
     setWork(phase, [runs, h = m_h](State &state, Points points) {
-        forEachFree(state, runs, points, [&](int i) {
-            const Vec2 before = {state.previous(i, 0), state.previous(i, 1)};
-            state.push(i, came(state.at(i), before, h));
-        });
+        forEachRun(runs, points, [&](Points run) { takeVelocities(state, run, h); });
     });
     phase.explain = [](const State &before, const State &after, int point) {
         return std::vector<Live>{{"v", after.speed(point), before.speed(point)}};

@@ -250,7 +250,7 @@ Linear linearise(const Scene &scene, const State &state, const Method &method)
     const Points everything = {0, points};
     const Directions way = method.directions();
     for (const EffectPtr &effect : scene.effects) {
-        if (effect->count(state, everything) == 0)
+        if (effect->idle() || effect->count(state, everything) == 0)
             continue;
         const auto *force = dynamic_cast<const Force *>(effect.get());
         const auto *torque = dynamic_cast<const Torque *>(effect.get());

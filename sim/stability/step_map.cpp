@@ -1,5 +1,7 @@
 #include "sim/stability/step_map.h"
 
+#include "sim/flush.h"
+
 #include <cmath>
 
 namespace sim {
@@ -33,6 +35,7 @@ void StepMap::operator()(const Eigen::VectorXd &in, Eigen::VectorXd &out)
         speedOf(row) = in[rows + i];
         ++i;
     }
+    const FlushTiny flush;
     for (const Phase &phase : m_pipeline.phases)
         phase.run(m_state);
     i = 0;

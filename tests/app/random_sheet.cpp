@@ -101,9 +101,10 @@ private:
         if (!parameter.choices.isEmpty())
             return errs() ? m_draw.of(noNumbers) : quoted(m_draw.of(parameter.choices));
         // Counts decide how much work a frame is: mostly few.
-        if (parameter.isWhole())
-            return whole(parameter.min,
-                         m_draw.chance(0.05) ? parameter.max : std::min(parameter.max, parameter.min + 12));
+        if (parameter.isWhole()) {
+            const double most = parameter.scale == lessons::Scale::decades ? 1000.0 : parameter.max;
+            return whole(parameter.min, m_draw.chance(0.05) ? most : std::min(most, parameter.min + 12));
+        }
         return m_draw.chance(0.5) ? number(parameter.sliderMin, parameter.sliderMax)
                                   : number(parameter.min, parameter.max);
     }

@@ -40,10 +40,16 @@ private slots:
             << "input-not-finite" << QStringList{"event", "move", "frame", "7"}
             << "The event move before frame 7 has a number that is infinite or none at all: give it a finite "
                "one.";
+        QTest::newRow("a start that is no number")
+            << "start-not-finite" << QStringList{"body", "foot0"}
+            << "The start of foot 0 has a number that is infinite or none at all: give it a finite one.";
         QTest::newRow("a step that is too long")
             << "claim-grows"
             << QStringList{"method", "rk4", "h", "1", "k", "9", "apart", "100", "left", "300"}
             << "At a step of h 1 its stiffest spring (9) would go from 100 px to 300 px, and farther.";
+        QTest::newRow("a step that is longer than sticks are measured by")
+            << "claim-longer-step" << QStringList{"method", "published", "h", "1", "most", "0.05"}
+            << "Its sticks are measured by steps of h 0.05: at 1 they err more.";
         QTest::newRow("a body that is lost")
             << "hard-not-finite" << QStringList{"frame", "3", "body", "foot0", "phase", "move"}
             << "After frame 3 foot 0 is nowhere any more: \"move\" gave a number without an end.";

@@ -1,7 +1,6 @@
 // What exactness costs: a creature in the air through the ordinary pipeline, against the solvers of Boost's odeint and
 // of SUNDIALS with a right-hand side written by hand. See creature_in_air.h.
 
-#include "claims.h"
 #include "creature_in_air.h"
 #include "support.h"
 
@@ -100,13 +99,10 @@ void race(benchmark::State &run, const std::string &team, double target)
 int registerAll()
 {
     for (const double error : air::errors) {
-        const std::string ours = air::nameOf(air::teams.front(), error);
         for (const std::string team : air::teams) {
             const std::string name = air::nameOf(team, error);
             benchmark::RegisterBenchmark(name.c_str(),
                                          [team, error](benchmark::State &run) { race(run, team, error); });
-            if (name != ours)
-                claim({"creature in the air / " + name, ours, name});
         }
     }
     return 0;

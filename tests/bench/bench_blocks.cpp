@@ -1,7 +1,6 @@
 // A crowd, one step: phase by phase over all points, in blocks of islands that stay in the cache, and in blocks that two
 // threads share. The threads are measured by the clock on the wall, the others by the processor's.
 
-#include "claims.h"
 #include "crowd.h"
 
 #include "sim/methods/methods.h"
@@ -83,8 +82,6 @@ int registerAll()
         benchmark::RegisterBenchmark(name(blocks), inBlocks, creatures, 1);
         benchmark::RegisterBenchmark(name(one), inBlocks, creatures, 1)->UseRealTime();
         benchmark::RegisterBenchmark(name(two), inBlocks, creatures, 2)->UseRealTime();
-        bench::claim({count + " creatures, in blocks / phase by phase", blocks, phases});
-        bench::claim({count + " creatures, two threads / one, by the clock on the wall", two, one});
     }
     benchmark::RegisterBenchmark("crowd_block_size", bySize, 10'000)->RangeMultiplier(2)->Range(128, 16'384);
     return 0;

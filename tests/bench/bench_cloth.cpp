@@ -1,7 +1,6 @@
-// The matrix of a stiff cloth's step, solved by our conjugate gradients, spring by spring, and by Eigen's with a matrix
+// A frame of a soft cloth by an explicit step. And the matrix of a stiff cloth's step, solved by our conjugate gradients, spring by spring, and by Eigen's with a matrix
 // put together; both from the same slopes to the same tolerance, with the same division by the diagonal.
 
-#include "claims.h"
 #include "cloth.h"
 #include "support.h"
 
@@ -101,11 +100,9 @@ void clothCholesky(benchmark::State &run)
     }
 }
 
-/// A frame near rest, as most are.
-void clothFrame(benchmark::State &run)
+void frames(benchmark::State &run, const sim::Scene &scene, const char *id)
 {
-    const sim::Scene scene = cloth::hung(side, k, 0.5);
-    const sim::MethodPtr method = sim::findMethod("backward_euler");
+    const sim::MethodPtr method = sim::findMethod(id);
     const sim::Pipeline pipeline = sim::compose(scene, *method, sim::StepSize::of(1.0));
     sim::State state = scene.start;
     method->prepare(state);
@@ -114,18 +111,25 @@ void clothFrame(benchmark::State &run)
             phase.run(state);
         benchmark::DoNotOptimize(state.position.data());
     }
+    run.SetComplexityN(state.points());
 }
 
+/// By semi-implicit Euler.
+void clothExplicit(benchmark::State &run)
+{
+    frames(run, cloth::hung(static_cast<int>(run.range(0)), cloth::soft, cloth::calm), "semi_implicit_euler");
+}
+
+/// By backward Euler, near rest, as most frames are.
+void clothImplicit(benchmark::State &run)
+{
+    frames(run, cloth::hung(static_cast<int>(run.range(0)), k, 0.5), "backward_euler");
+}
+
+BENCHMARK(clothExplicit)->Arg(32)->Arg(64)->Arg(128)->Arg(256)->Complexity();
 BENCHMARK(clothOurs)->Unit(benchmark::kMillisecond);
 BENCHMARK(clothEigen)->Unit(benchmark::kMillisecond);
 BENCHMARK(clothCholesky)->Unit(benchmark::kMillisecond);
-BENCHMARK(clothFrame)->Unit(benchmark::kMillisecond);
-
-const int claimed[] = {
-    bench::claim(
-        {"cloth of 64 x 64, k h^2 = 1e6: our conjugate gradients / Eigen's", "clothOurs", "clothEigen"}),
-    bench::claim(
-        {"the same: our conjugate gradients / Eigen's sparse Cholesky", "clothOurs", "clothCholesky"}),
-};
+BENCHMARK(clothImplicit)->Arg(16)->Arg(32)->Arg(64)->Complexity();
 
 }

@@ -1,7 +1,6 @@
 // One whole frame of a creature with five feet, gravity and walls: through the pipeline, through the timeline
 // with its history, and by a loop over plain doubles.
 
-#include "claims.h"
 #include "plain_creature.h"
 #include "support.h"
 
@@ -88,13 +87,5 @@ BENCHMARK(plainSemiImplicit);
 BENCHMARK(frameSemiImplicit);
 BENCHMARK(tenMinutesNoHistory)->Unit(benchmark::kMillisecond);
 BENCHMARK(tenMinutesAllKept)->Unit(benchmark::kMillisecond);
-
-const int claimed[] = {
-    bench::claim({"frame through the pipeline / plain loop, published", "framePublished", "plainPublished"}),
-    bench::claim({"frame through the pipeline / plain loop, semi-implicit Euler", "frameSemiImplicit",
-                  "plainSemiImplicit"}),
-    bench::claim(
-        {"ten minutes with every frame kept / with none", "tenMinutesAllKept", "tenMinutesNoHistory"}),
-};
 
 }

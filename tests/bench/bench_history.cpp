@@ -1,6 +1,5 @@
 // Reaching any frame of a ten-minute run that was computed once, against computing it from the start.
 
-#include "claims.h"
 #include "support.h"
 
 #include <benchmark/benchmark.h>
@@ -18,15 +17,17 @@ sim::Script creature()
     return support::script(support::sample("creature in a room"), "published");
 }
 
-void seekAnywhere(benchmark::State &run, std::size_t budget)
+/// In a run of as many frames as the benchmark's argument says.
+void seekWithin(benchmark::State &run, std::size_t budget)
 {
     using Clock = std::chrono::steady_clock;
     sim::Timeline timeline(creature(), budget);
-    timeline.seek({tenMinutes, 0});
+    const int frames = static_cast<int>(run.range(0));
+    timeline.seek({frames, 0});
     support::Dice dice(1);
     std::vector<double> microseconds;
     for (auto _ : run) {
-        const int frame = dice.whole(0, tenMinutes);
+        const int frame = dice.whole(0, frames);
         const auto start = Clock::now();
         timeline.seek({frame, 0});
         microseconds.push_back(std::chrono::duration<double, std::micro>(Clock::now() - start).count());
@@ -36,26 +37,28 @@ void seekAnywhere(benchmark::State &run, std::size_t budget)
     run.counters["worst_us"] = microseconds.back();
     run.counters["kept_bytes"] = static_cast<double>(timeline.keptBytes());
     run.counters["kept_states"] = static_cast<double>(timeline.track().keptStates());
+    run.SetComplexityN(frames);
 }
 
-void seekDefaultBudget(benchmark::State &run)
+void seekAnywhere(benchmark::State &run)
 {
-    seekAnywhere(run, sim::Timeline::defaultBudget);
+    seekWithin(run, sim::Timeline::defaultBudget);
 }
 void seekTinyBudget(benchmark::State &run)
 {
-    seekAnywhere(run, tinyBudget);
+    seekWithin(run, tinyBudget);
 }
 
-/// What reaching a random frame costs without a history: half the run on the average.
+/// What reaching the frame in the middle costs without a history: as much as any frame on the average.
 void computeStraight(benchmark::State &run)
 {
-    support::Dice dice(1);
+    const int frames = static_cast<int>(run.range(0));
     for (auto _ : run) {
         sim::Track fresh(creature(), 0);
-        fresh.seek({dice.whole(0, tenMinutes), 0});
+        fresh.seek({frames / 2, 0});
         benchmark::DoNotOptimize(fresh.now().position.data());
     }
+    run.SetComplexityN(frames);
 }
 
 /// The live values beside the code, which the window asks for after each frame.
@@ -99,20 +102,11 @@ void dragFrame(benchmark::State &run)
     }
 }
 
-BENCHMARK(seekDefaultBudget);
-BENCHMARK(seekTinyBudget);
-BENCHMARK(computeStraight);
+BENCHMARK(seekAnywhere)->Arg(1'000)->Arg(tenMinutes)->Arg(108'000)->Complexity();
+BENCHMARK(seekTinyBudget)->Arg(tenMinutes);
+BENCHMARK(computeStraight)->Arg(1'000)->Arg(tenMinutes)->Arg(108'000)->Complexity();
 BENCHMARK(liveValues);
 BENCHMARK(playFrame);
 BENCHMARK(dragFrame);
-
-const int claimed[] = {
-    bench::claim({"any frame of ten minutes, default budget / computed straight", "seekDefaultBudget",
-                  "computeStraight"}),
-    bench::claim({"any frame of ten minutes, 64 KiB of history / computed straight", "seekTinyBudget",
-                  "computeStraight"}),
-    bench::claim({"live values of a body / a frame played", "liveValues", "playFrame"}),
-    bench::claim({"a frame with a body in the hand / a frame played", "dragFrame", "playFrame"}),
-};
 
 }

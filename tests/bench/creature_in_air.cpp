@@ -156,11 +156,6 @@ Champion choose(const std::string &team, double target)
 
 }
 
-std::string nameOf(const std::string &team, double error)
-{
-    return team + "_1e" + std::to_string(std::lround(std::log10(error)));
-}
-
 Row<double> start()
 {
     Row<double> row{};

@@ -19,7 +19,10 @@ inline constexpr std::array errors = {1e-2, 1e-4, 1e-6, 1e-8};
 /// Those who run it: ours first.
 inline constexpr std::array teams = {"springstep", "odeint", "cvode"};
 /// The name of the benchmark in which `team` runs within `error` px: "odeint_1e-2".
-std::string nameOf(const std::string &team, double error);
+inline std::string nameOf(const std::string &team, double error)
+{
+    return team + "_1e" + std::to_string(std::lround(std::log10(error)));
+}
 
 /// x of each point, y of each (px); then the velocities in the same order. The body is the last point.
 template <class Number>

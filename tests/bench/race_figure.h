@@ -1,6 +1,6 @@
 #pragma once
 
-#include "claims.h"
+#include "results.h"
 
 #include <string>
 

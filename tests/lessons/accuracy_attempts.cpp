@@ -106,6 +106,24 @@ std::vector<Attempt> attempts()
              p.useTiming(taking(900.0));
              withStep(p, "rk4", 0.5, 200);
          }},
+        {"crowd", 0, "20 000 creatures",
+         [](Player &p) {
+             p.set("creatures", 10'000);
+             p.play(60);
+             p.set("creatures", 20'000);
+             p.play(61);
+         }},
+        {"crowd", 1, "no gravity",
+         [](Player &p) {
+             p.play(30);
+             p.set("gravity", 0.0);
+             p.play(61);
+         }},
+        {"crowd", 2, "no bounce",
+         [](Player &p) {
+             p.set("bounce", 0.0);
+             p.playUntilDone(1500);
+         }},
     };
 }
 

@@ -280,7 +280,8 @@ private slots:
                         {50, sim::Grab{body}},
                         {52, sim::Move{{9, 9}}}};
         for (const lessons::Parameter &parameter : stepOfRow().parameters) {
-            const double half = 0.5 * (parameter.preset + parameter.sliderMax);
+            const bool isHuge = parameter.scale == lessons::Scale::decades;
+            const double half = 0.5 * (parameter.preset + (isHuge ? 0.0 : parameter.sliderMax));
             const double other = parameter.isWhole() ? std::ceil(half) : half;
             if (parameter.choices.isEmpty())
                 script.input.push_back({30, sim::Set{parameter.id.toStdString(), other}});

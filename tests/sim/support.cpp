@@ -13,6 +13,7 @@
 #include "sim/effects/steering.h"
 #include "sim/effects/turn_round.h"
 #include "sim/error.h"
+#include "sim/flush.h"
 #include "sim/methods/methods.h"
 
 #include <stdexcept>
@@ -216,6 +217,7 @@ sim::State plainRun(const sim::Scene &scene, const std::string &method, double h
     const sim::Pipeline pipeline = sim::compose(scene, *rule, stepFor(*rule, h));
     sim::State state = scene.start;
     rule->prepare(state);
+    const sim::FlushTiny flush;
     for (int frame = 0; frame < frames; frame += pipeline.step.rowFrames) {
         state.frame = frame + pipeline.step.rowFrames;
         for (int i = 0; i < pipeline.phasesPerRow(); ++i)

@@ -60,6 +60,7 @@ private slots:
     void theLimitOfAStepIsForetold();
     void oneStepIsForetoldToTheDigit();
     void implicitMethodsClaimAnyStiffness();
+    void aBoundOfSticksIsClaimedForNoLongerStep();
     void whatOnlyTurnsRoundDoesNotClaimRest();
     void whatMovesOneByOneDoesNotClaimTheMiddle();
     void thePublishedPairDrivesItselfOn();
@@ -189,6 +190,19 @@ void TestHardCases::implicitMethodsClaimAnyStiffness()
         for (const char *method : {"published", "semi_implicit_euler", "velocity_verlet", "rk4"})
             QVERIFY2(!claims(id, method), id);
     }
+}
+
+void TestHardCases::aBoundOfSticksIsClaimedForNoLongerStep()
+{
+    const HardCase chain = hard("chain_heavy_small_steps");
+    const MethodPtr method = findMethod("semi_implicit_euler");
+    QVERIFY(claimOf(chain, method, chain.brief).isMade);
+    RunSize size = chain.brief;
+    size.h = 1.0;
+    const Claim claim = claimOf(chain, method, size);
+    QVERIFY(!claim.isMade);
+    QCOMPARE(claim.why->id(), std::string("claim-longer-step"));
+    QVERIFY(!judge(chain, method, size).holds); // and rightly so
 }
 
 void TestHardCases::whatOnlyTurnsRoundDoesNotClaimRest()

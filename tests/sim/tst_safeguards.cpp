@@ -89,6 +89,8 @@ private slots:
     void aHandThatIsNowhereIsRefused();
     void aHandThatIsNowhereLeavesTheRunAsItWas();
     void withoutThatRefusalAllIsNowhere();
+    void aStartThatIsNowhereIsRefused_data();
+    void aStartThatIsNowhereIsRefused();
     void pointsInOnePlaceHaveADirection();
     void windWithoutADistanceTurnsNoFartherThanTheWind();
     void aSpineWithoutALengthHasAWidth();
@@ -98,6 +100,8 @@ private slots:
     void slopesThatPushAreLeftOut();
     void slopesThatPullStayAsTheyAre();
     void aSolutionThatIsNotFoundIsNotLookedForForEver();
+    void whereEveryWayLeadsOutOfTheNumbersStandingStillIsNoAnswer_data();
+    void whereEveryWayLeadsOutOfTheNumbersStandingStillIsNoAnswer();
 };
 
 void TestSafeguards::aHandThatIsNowhereIsRefused_data()
@@ -154,6 +158,31 @@ void TestSafeguards::withoutThatRefusalAllIsNowhere()
         phase.run(state);
     QCOMPARE(firstNotFinite(state), 0);
     QVERIFY(!std::isfinite(state.at(1).x)); // and what is tied to it
+}
+
+void TestSafeguards::aStartThatIsNowhereIsRefused_data()
+{
+    aHandThatIsNowhereIsRefused_data();
+}
+
+void TestSafeguards::aStartThatIsNowhereIsRefused()
+{
+    QFETCH(double, number);
+    const auto refusal = [](const BodyStart &start) {
+        Script script = support::script(support::sample("heavy pair"), "semi_implicit_euler");
+        const std::string name = script.build(script.values).names.at(1);
+        script.bodies[name] = start;
+        try {
+            Track(script, 0);
+        } catch (const Error &error) {
+            return error.id() + (error.values().at("body") == name ? ", by name" : "");
+        }
+        return std::string();
+    };
+    QCOMPARE(refusal({{number, 200.0}, {}}), std::string("start-not-finite, by name"));
+    QCOMPARE(refusal({{270.0, number}, {}}), std::string("start-not-finite, by name"));
+    QCOMPARE(refusal({{270.0, 200.0}, Vec2{number, 0.0}}), std::string("start-not-finite, by name"));
+    QCOMPARE(refusal({{270.0, 200.0}, Vec2{1.0, 0.0}}), std::string());
 }
 
 void TestSafeguards::pointsInOnePlaceHaveADirection()
@@ -236,6 +265,32 @@ void TestSafeguards::aSolutionThatIsNotFoundIsNotLookedForForEver()
     for (const double k : {0.1, 1e4, 1e9})
         QVERIFY(burstApart(k, 7, 0.001, {}).evaluations <= most);
     QVERIFY(burstApart(1e4, 12, 0.0, {1000, 0}).evaluations > 1000); // without the bound
+}
+
+void TestSafeguards::whereEveryWayLeadsOutOfTheNumbersStandingStillIsNoAnswer_data()
+{
+    QTest::addColumn<double>("k");
+    QTest::addColumn<double>("speed");
+    QTest::addColumn<bool>("isLost");
+    QTest::newRow("a pull without an end") << 1e308 << 0.0 << true;
+    QTest::newRow("a throw without an end") << 1e6 << 1e307 << true;
+    QTest::newRow("stiff, and thrown far") << 1e6 << 1e9 << false;
+}
+
+void TestSafeguards::whereEveryWayLeadsOutOfTheNumbersStandingStillIsNoAnswer()
+{
+    QFETCH(double, k);
+    QFETCH(double, speed);
+    QFETCH(bool, isLost);
+    Scene scene =
+        hard::creature(hard::valuesOf({{"k", k}, {"damp", 0.9}, {"radius", 50}, {"feet", 1}, {"out", 100}}));
+    scene.start.push(scene.find("foot0"), {speed, 0.0});
+    findMethod("backward_euler")->prepare(scene.start);
+    const Equations equations(scene, Directions::apart);
+    State state = scene.start;
+    ImplicitStep step(equations, state);
+    const Numbers u = step.solve(step.motion.x, step.motion.v, 1.0);
+    QCOMPARE(!u.isFinite().all(), isLost);
 }
 
 QTEST_GUILESS_MAIN(TestSafeguards)

@@ -178,6 +178,39 @@ private slots:
         QVERIFY(timeline.at() == end && sameBits(timeline.now(), state));
     }
 
+    void whereNoStepLeadsOnAnImplicitMethodStopsInPlaceOfStandingStill_data()
+    {
+        QTest::addColumn<QString>("method");
+        QTest::addColumn<double>("h");
+        QTest::addColumn<double>("k");
+        QTest::addColumn<double>("speed");
+        for (const char *method : {"backward_euler", "implicit_midpoint", "tr_bdf2"}) {
+            QTest::addRow("%s, a pull without an end", method) << QString(method) << 1.0 << 1e308 << 0.0;
+            QTest::addRow("%s, a throw without an end", method) << QString(method) << 1.0 << 1e6 << 1e307;
+            // Here the pulls are finite, and their product with the step is not.
+            QTest::addRow("%s, a step without an end", method) << QString(method) << 100.0 << 5e305 << 0.0;
+        }
+    }
+    void whereNoStepLeadsOnAnImplicitMethodStopsInPlaceOfStandingStill()
+    {
+        QFETCH(QString, method);
+        QFETCH(double, h);
+        QFETCH(double, k);
+        QFETCH(double, speed);
+        Script script = scriptOf(method, h);
+        script.values.set("k", k);
+        const Vec2 start = script.build(script.values).start.at(0);
+        script.bodies["foot0"] = {start, Vec2{speed, 0.0}};
+        Track track(script, 5000);
+        track.seek({1000, 0});
+        QVERIFY(track.stop());
+        QCOMPARE(track.stop()->frame, std::int64_t(0));
+        QCOMPARE(firstNotFinite(track.now()), -1);
+        QCOMPARE(track.stop()->body, std::string("foot0"));
+        QVERIFY(track.stop()->effect);
+        QCOMPARE(track.stop()->effect->id(), std::string("body_spring"));
+    }
+
     void anEditBeforeTheEndLetsTheRunGoOn()
     {
         Timeline timeline(scriptOf("published", 1.0));

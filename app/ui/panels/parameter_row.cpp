@@ -73,6 +73,7 @@ void ParameterRow::makeFields()
     for (QWidget *field : {static_cast<QWidget *>(m_slider), static_cast<QWidget *>(m_box)})
         field->setAccessibleDescription(m_parameter.help);
     connect(m_slider, &ParameterSlider::chosen, this, &ParameterRow::choose);
+    connect(m_slider, &ParameterSlider::sliderReleased, &m_session, &Session::endGesture);
     connect(m_box, &NumberBox::chosen, this, &ParameterRow::choose);
 }
 
@@ -159,6 +160,8 @@ void ParameterRow::choose(double value)
                 .arg(m_parameter.name, writtenNumber(m_parameter.min, 0), writtenNumber(m_parameter.max, 0)));
     }
     m_session.setParameter(m_parameter.id, value);
+    if (!m_slider || !m_slider->isSliderDown())
+        m_session.endGesture();
     refresh(); // also if nothing changed: what was typed may not be what holds
 }
 

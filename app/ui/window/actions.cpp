@@ -1,9 +1,9 @@
-// The window's commands: menus, keys and the header that holds them.
+// The window's commands: menus and keys.
 
 #include "app/ui/code/code_panel.h"
+#include "app/ui/effects/effects_panel.h"
 #include "app/ui/panels/help_page.h"
 #include "app/ui/scene/scene_view.h"
-#include "app/ui/theme/icons.h"
 #include "app/ui/time/timeline_strip.h"
 #include "app/ui/time/transport_bar.h"
 #include "app/ui/window/main_window.h"
@@ -15,14 +15,11 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QDockWidget>
-#include <QHBoxLayout>
 #include <QKeyEvent>
-#include <QLabel>
 #include <QLineEdit>
-#include <QMenuBar>
+#include <QMenu>
 #include <QSettings>
 #include <QTextEdit>
-#include <QToolButton>
 
 namespace app {
 
@@ -48,19 +45,6 @@ bool needsKey(const QWidget *widget, const QKeyEvent &key)
     return false;
 }
 
-QToolButton *headerButton(QAction *action, const QIcon &icon)
-{
-    auto *button = new QToolButton;
-    button->setFocusPolicy(Qt::TabFocus);
-    button->setIcon(icon);
-    button->setIconSize({16, 16});
-    button->setFixedSize(28, 28);
-    button->setToolTip(action->toolTip());
-    button->setAccessibleName(action->text().remove('&'));
-    QObject::connect(button, &QToolButton::clicked, action, &QAction::trigger);
-    return button;
-}
-
 }
 
 QAction *MainWindow::action(const QString &text, const QList<QKeySequence> &keys, const QString &group)
@@ -79,10 +63,12 @@ QAction *MainWindow::action(const QString &text, const QList<QKeySequence> &keys
 void MainWindow::makeActions()
 {
     m_file = new QMenu(tr("&File"), this);
+    m_edit = new QMenu(tr("&Edit"), this);
     m_run = new QMenu(tr("&Run"), this);
     m_view = new QMenu(tr("&View"), this);
     m_help = new QMenu(tr("&Help"), this);
     makeFileActions();
+    makeEditActions();
     makeTimeActions();
     makeViewActions();
     m_helpAction = action(tr("&Keys and mouse"), {QKeySequence(Qt::Key_F1), QKeySequence("?")}, tr("Window"));
@@ -172,6 +158,15 @@ void MainWindow::makeViewActions()
     energy->setChecked(false);
     energy->setToolTip(tr("Where energy and momentum went, below the picture (Ctrl+3)"));
     energy->setObjectName("showEnergy");
+    QAction *effects = add(tr("E&ffects"), {QKeySequence("Ctrl+4")}, window,
+                           [this](bool shown) { showEffects(shown || m_effects->isCovered()); });
+    effects->setCheckable(true);
+    effects->setToolTip(tr("What each effect of the scene costs, with a switch for each (Ctrl+4)"));
+    effects->setObjectName("showEffects");
+    connect(m_effectsDock, &QDockWidget::visibilityChanged, effects,
+            [this, effects] { effects->setChecked(!m_effectsDock->isHidden()); });
+    addAction(m_effects->measureAgain());
+    m_actions.push_back({m_effects->measureAgain(), window});
     m_stabilityAction = add(tr("&Stability of the step"), {QKeySequence("Ctrl+L")}, window,
                             [this](bool shown) { showStability(shown); });
     m_stabilityAction->setCheckable(true);
@@ -185,47 +180,6 @@ void MainWindow::makeViewActions()
         setWindowState(on ? windowState() | Qt::WindowFullScreen : windowState() & ~Qt::WindowFullScreen);
     });
     full->setCheckable(true);
-}
-
-QWidget *MainWindow::header()
-{
-    auto *header = new QWidget(this);
-    header->setObjectName("header");
-    header->setAttribute(Qt::WA_StyledBackground);
-    header->setFixedHeight(40);
-    auto *logo = new QLabel(header);
-    const auto dressLogo = [this, logo] {
-        const QIcon sign = signOf(m_theme.tokens().button, m_theme.tokens().buttonText);
-        logo->setPixmap(sign.pixmap(QSize(20, 20), devicePixelRatioF()));
-    };
-    dressLogo();
-    connect(&m_theme, &Theme::changed, logo, dressLogo);
-    auto *menus = new QMenuBar(header);
-    menus->setNativeMenuBar(false);
-    for (QMenu *menu : {m_file, m_run, m_view, m_help})
-        menus->addMenu(menu);
-    auto *row = new QHBoxLayout(header);
-    row->setContentsMargins(12, 0, 8, 0);
-    row->setSpacing(4);
-    row->addWidget(logo);
-    row->addWidget(menus, 1, Qt::AlignVCenter);
-    row->addWidget(modeSwitch(), 0, Qt::AlignVCenter);
-    row->addSpacing(8);
-    struct Button
-    {
-        QAction *action;
-        const char *icon;
-    };
-    const std::vector<Button> buttons = {{findChild<QAction *>("showLessons"), "panel-left"},
-                                         {findChild<QAction *>("showCode"), "panel-right"},
-                                         {m_helpAction, "help"}};
-    for (const Button &one : buttons) {
-        QToolButton *button = headerButton(one.action, m_theme.icon(one.icon));
-        row->addWidget(button);
-        connect(&m_theme, &Theme::changed, button,
-                [this, button, icon = QString(one.icon)] { button->setIcon(m_theme.icon(icon)); });
-    }
-    return header;
 }
 
 void MainWindow::showHelp()

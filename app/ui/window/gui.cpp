@@ -1,9 +1,11 @@
 #include "app/ui/window/gui.h"
 
 #include "app/model/session.h"
+#include "app/ui/effects/effects_panel.h"
 #include "app/ui/window/main_window.h"
 #include "app/ui/window/stop_notice.h"
 
+#include <QAction>
 #include <QApplication>
 #include <QSettings>
 #include <QTemporaryDir>
@@ -69,6 +71,8 @@ int takeScreenshot(QApplication &application, const ScreenshotRequest &request)
             window.setMode(MainWindow::Mode::measure);
         if (request.energy)
             window.showEnergy(true);
+        if (request.effects)
+            window.showEffects(true);
         while (window.study().stage() == AccuracyStudy::Stage::measuring)
             QApplication::processEvents(QEventLoop::WaitForMoreEvents);
         session.goTo({request.frame, request.phase});
@@ -76,6 +80,10 @@ int takeScreenshot(QApplication &application, const ScreenshotRequest &request)
             QApplication::processEvents(QEventLoop::WaitForMoreEvents);
         if (request.reasons)
             window.showStability(true);
+        if (request.effects)
+            window.effects().measureAgain()->trigger();
+        while (!window.effects().isSettled())
+            QApplication::processEvents(QEventLoop::WaitForMoreEvents);
         if (request.map)
             window.showGrowthMap(*request.map);
         while (!window.stability().isCurrent() || window.stability().isMapping() ||

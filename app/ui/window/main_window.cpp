@@ -2,21 +2,14 @@
 
 #include "app/model/course.h"
 #include "app/model/sentences.h"
-#include "app/ui/code/code_panel.h"
-#include "app/ui/energy/energy_panel.h"
-#include "app/ui/measure/accuracy_panel.h"
-#include "app/ui/panels/dock_title.h"
 #include "app/ui/panels/help_page.h"
-#include "app/ui/panels/learn_panel.h"
-#include "app/ui/panels/measure_panel.h"
-#include "app/ui/panels/parameter_panel.h"
 #include "app/ui/scene/scene_bar.h"
 #include "app/ui/scene/scene_view.h"
-#include "app/ui/scene/thumbnail.h"
 #include "app/ui/stability/stability_gauge.h"
 #include "app/ui/time/footfall_strip.h"
 #include "app/ui/time/timeline_strip.h"
 #include "app/ui/time/transport_bar.h"
+#include "app/ui/window/divider.h"
 #include "app/ui/window/notice.h"
 #include "app/ui/window/status_figures.h"
 #include "app/ui/window/stop_notice.h"
@@ -24,14 +17,11 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenuBar>
 #include <QSettings>
 #include <QStatusBar>
-#include <QToolButton>
 #include <QVBoxLayout>
 
 namespace app {
@@ -40,27 +30,22 @@ namespace {
 
 constexpr int wide = 1600; ///< px, from here on the docks are broader
 
-QFrame *divider(QWidget *parent)
-{
-    auto *line = new QFrame(parent);
-    line->setObjectName("divider");
-    line->setFixedHeight(1);
-    return line;
 }
 
-}
-
-MainWindow::MainWindow(Session &session, Theme &theme, StudyFunction study, QWidget *parent)
+MainWindow::MainWindow(Session &session, Theme &theme, StudyFunction study, CostFunction cost,
+                       QWidget *parent)
     : QMainWindow(parent), m_session(session), m_theme(theme), m_course(new Course(session, this)),
       m_study(new AccuracyStudy(session, std::move(study), this)),
       m_stability(new StabilityWatch(session, this))
 {
     setWindowIcon(QIcon(":/app/springstep.svg"));
     setDockOptions(QMainWindow::AnimatedDocks);
+    setDocumentMode(true);
+    setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     setCentralWidget(centre());
-    makeDocks();
+    makeDocks(std::move(cost));
     makeStability();
     makeActions();
     setMenuWidget(header());
@@ -107,77 +92,6 @@ QWidget *MainWindow::centre()
     return centre;
 }
 
-QDockWidget *MainWindow::dock(const QString &name, QWidget *title, QWidget *content, Qt::DockWidgetArea area)
-{
-    auto *dock = new QDockWidget(name, this);
-    dock->setObjectName(name);
-    dock->setFeatures(QDockWidget::DockWidgetClosable);
-    dock->setTitleBarWidget(title);
-    dock->setWidget(content);
-    addDockWidget(area, dock);
-    return dock;
-}
-
-void MainWindow::makeDocks()
-{
-    m_learn = new LearnPanel(m_session, m_theme, this);
-    m_left = dock("lessons", new QWidget(this), m_learn, Qt::LeftDockWidgetArea);
-
-    m_accuracy = new AccuracyPanel(*m_study, m_theme, this);
-    m_accuracyDock = dock("accuracy", new QWidget(this), m_accuracy, Qt::RightDockWidgetArea);
-    m_accuracyDock->hide();
-    m_energy = new EnergyPanel(m_session, m_theme, this);
-    m_energyDock = dock("energy", new QWidget(this), m_energy, Qt::BottomDockWidgetArea);
-    m_energyDock->hide();
-
-    m_code = new CodePanel(m_session, m_theme, this);
-    auto *codeTitle = new DockTitle(tr("Code"), m_theme, this);
-    codeTitle->setCaption(m_code->caption());
-    connect(m_code, &CodePanel::captionChanged, codeTitle, &DockTitle::setCaption);
-    codeTitle->addAction(m_code->titleActions());
-    connect(m_code, &CodePanel::said, &m_session, &Session::said);
-    m_codeDock = dock("code", codeTitle, m_code, Qt::RightDockWidgetArea);
-
-    auto *numbers = new QWidget(this);
-    m_measures = new MeasurePanel(m_session, *m_course, m_theme, numbers);
-    m_parameters = new ParameterPanel(m_session, m_theme, numbers);
-    m_parameters->setPresetPainter(
-        [this](const lessons::Step &step, const lessons::Preset &preset, QSize size) {
-            sim::Values values = step.presets();
-            for (const auto &[id, value] : preset.values)
-                values.set(id.toStdString(), value);
-            return thumbnail(step, values, m_theme, size);
-        });
-    auto *column = new QVBoxLayout(numbers);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addWidget(m_measures);
-    m_measureLine = divider(numbers);
-    column->addWidget(m_measureLine);
-    column->addWidget(m_parameters, 1);
-    m_parameterDock = dock("parameters", new QWidget(this), numbers, Qt::RightDockWidgetArea);
-    connect(m_parameters, &ParameterPanel::wantedHeightChanged, this, &MainWindow::fitParameters);
-    connect(m_measures, &MeasurePanel::contentChanged, this, &MainWindow::showMeasures);
-    showMeasures();
-}
-
-void MainWindow::showMeasures()
-{
-    m_measures->setVisible(!m_measures->isEmpty());
-    m_measureLine->setVisible(!m_measures->isEmpty());
-    fitParameters();
-}
-
-void MainWindow::fitParameters()
-{
-    // What is above them gets all the height that the parameters do not need.
-    const int wanted = m_parameterDock->sizeHint().height();
-    QDockWidget *above = m_codeDock->isHidden() ? m_accuracyDock : m_codeDock;
-    if (m_stabilityDock && !m_stabilityDock->isHidden())
-        above = m_stabilityDock;
-    resizeDocks({above, m_parameterDock}, {std::max(1, height() - wanted), wanted}, Qt::Vertical);
-}
-
 void MainWindow::makeStatus()
 {
     m_status = new QLabel(this);
@@ -221,57 +135,6 @@ void MainWindow::showStatus()
         m_status->setText(text);
 }
 
-void MainWindow::nameWindow()
-{
-    const QString name = m_path.isEmpty() ? m_session.step().title : QFileInfo(m_path).fileName();
-    setWindowTitle(tr("%1 – Springstep").arg(name));
-}
-
-void MainWindow::openFile(const QString &path)
-{
-    try {
-        m_session.open(readExperiment(path, m_session.library()));
-        m_path = path;
-        m_notice->say({});
-        nameWindow();
-    } catch (const Refusal &refusal) {
-        m_notice->say(tr("Experiment not opened: %1 Your scene is unchanged.").arg(refusal.sentence()));
-    } catch (const sim::Error &error) {
-        m_notice->say(tr("Experiment not opened: %1 Your scene is unchanged.").arg(sentenceFor(error)));
-    }
-}
-
-bool MainWindow::saveFile(const QString &path)
-{
-    try {
-        writeExperiment(path, m_session.experiment(), m_session.library());
-    } catch (const Refusal &refusal) {
-        m_notice->say(tr("Experiment not saved: %1").arg(refusal.sentence()));
-        return false;
-    }
-    m_path = path;
-    nameWindow();
-    emit m_session.said(tr("Saved as %1.").arg(QFileInfo(path).fileName()));
-    return true;
-}
-
-void MainWindow::askOpen()
-{
-    const QString path =
-        QFileDialog::getOpenFileName(this, tr("Open an experiment"), m_path, tr("Experiments (*.json)"));
-    if (!path.isEmpty())
-        openFile(path);
-}
-
-void MainWindow::askSave()
-{
-    const QString suggestion = m_path.isEmpty() ? m_session.step().id + ".json" : m_path;
-    const QString path =
-        QFileDialog::getSaveFileName(this, tr("Save the experiment"), suggestion, tr("Experiments (*.json)"));
-    if (!path.isEmpty())
-        saveFile(path);
-}
-
 void MainWindow::restore()
 {
     const QSettings settings;
@@ -280,6 +143,7 @@ void MainWindow::restore()
     m_docksKnown = restoreState(settings.value("window/docks").toByteArray());
     m_accuracyDock->hide(); // the window opens for learning
     m_energyDock->hide();
+    m_effectsDock->hide();
     showStability(false);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/model/accuracy_study.h"
+#include "app/model/cost_watch.h"
 #include "app/model/session.h"
 #include "app/model/stability_watch.h"
 #include "app/ui/theme/theme.h"
@@ -18,6 +19,7 @@ namespace app {
 class AccuracyPanel;
 class CodePanel;
 class Course;
+class EffectsPanel;
 class EnergyPanel;
 class FootfallStrip;
 class HelpPage;
@@ -40,7 +42,7 @@ class MainWindow : public QMainWindow
 
 public:
     MainWindow(Session &session, Theme &theme, StudyFunction study = sim::studyAccuracy,
-               QWidget *parent = nullptr);
+               CostFunction cost = measureCost, QWidget *parent = nullptr);
     ~MainWindow() override;
 
     /// What the window is arranged for.
@@ -50,6 +52,9 @@ public:
     const AccuracyStudy &study() const { return *m_study; }
     /// Whether the ledger of energy is seen, below the picture.
     void showEnergy(bool shown);
+    /// Whether the ledger of effects is seen: below the picture, or with accuracy where that is measured.
+    void showEffects(bool shown);
+    const EffectsPanel &effects() const { return *m_effects; }
     const StabilityWatch &stability() const { return *m_stability; }
     const StopNotice &stopNotice() const { return *m_stopNotice; }
     /// Shows what bounds the step in place of code or accuracy, or those again.
@@ -71,6 +76,8 @@ private:
     QAction *action(const QString &text, const QList<QKeySequence> &keys, const QString &group);
     void makeActions();
     void makeFileActions();
+    void makeEditActions();
+    void nameDeeds();
     void makeTimeActions();
     void makeViewActions();
     void makeModeActions();
@@ -78,7 +85,9 @@ private:
     void arrangeForMeasuring();
     QWidget *header();
     QWidget *centre();
-    void makeDocks();
+    void makeDocks(CostFunction cost);
+    void makeCodeDock();
+    void makeParameterDock();
     QDockWidget *dock(const QString &name, QWidget *title, QWidget *content, Qt::DockWidgetArea area);
     void fitParameters();
     void showMeasures();
@@ -107,10 +116,13 @@ private:
     QByteArray m_learnDocks; ///< the arrangement that the learner left for measuring
     std::vector<Listed> m_actions;
     QMenu *m_file = nullptr;
+    QMenu *m_edit = nullptr;
     QMenu *m_run = nullptr;
     QMenu *m_view = nullptr;
     QMenu *m_help = nullptr;
     QAction *m_play = nullptr;
+    QAction *m_undo = nullptr;
+    QAction *m_redo = nullptr;
     QAction *m_helpAction = nullptr;
     QAction *m_dark = nullptr;
     QActionGroup *m_modes = nullptr;
@@ -130,12 +142,14 @@ private:
     HelpPage *m_helpPage = nullptr;
     AccuracyPanel *m_accuracy = nullptr;
     EnergyPanel *m_energy = nullptr;
+    EffectsPanel *m_effects = nullptr;
     StabilityGauge *m_gauge = nullptr;
     StabilityPanel *m_stabilityPanel = nullptr;
     QAction *m_stabilityAction = nullptr;
     QDockWidget *m_left = nullptr;
     QDockWidget *m_accuracyDock = nullptr;
     QDockWidget *m_energyDock = nullptr;
+    QDockWidget *m_effectsDock = nullptr;
     QDockWidget *m_codeDock = nullptr;
     QDockWidget *m_parameterDock = nullptr;
     QDockWidget *m_stabilityDock = nullptr;

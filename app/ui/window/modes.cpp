@@ -83,6 +83,13 @@ void MainWindow::showEnergy(bool shown)
     m_energyDock->setVisible(shown);
 }
 
+void MainWindow::showEffects(bool shown)
+{
+    m_effectsDock->setVisible(shown);
+    if (shown)
+        m_effectsDock->raise(); // it may be one of several tabs
+}
+
 void MainWindow::arrangeForMeasuring()
 {
     m_accuracyDock->show();
@@ -90,13 +97,19 @@ void MainWindow::arrangeForMeasuring()
         m_energyDock->show();
         splitDockWidget(m_accuracyDock, m_codeDock, Qt::Horizontal);
         splitDockWidget(m_codeDock, m_parameterDock, Qt::Vertical);
+        splitDockWidget(m_accuracyDock, m_effectsDock, Qt::Vertical);
+        m_effectsDock->show();
         resizeDocks({m_left, m_accuracyDock, m_codeDock}, {272, 616, 371}, Qt::Horizontal);
         resizeDocks({m_energyDock}, {300}, Qt::Vertical);
+        resizeDocks({m_effectsDock}, {300}, Qt::Vertical);
         return;
     }
     m_left->hide();
     m_codeDock->hide();
     m_parameterDock->show();
+    tabifyDockWidget(m_accuracyDock, m_effectsDock);
+    m_effectsDock->show();
+    m_accuracyDock->raise();
     resizeDocks({m_accuracyDock}, {560}, Qt::Horizontal);
 }
 

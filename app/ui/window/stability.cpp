@@ -47,6 +47,7 @@ void MainWindow::showStability(bool shown)
     if (m_replaced)
         splitDockWidget(m_replaced, m_stabilityDock, Qt::Vertical);
     m_stabilityDock->show();
+    m_stabilityDock->raise(); // where docks are tabs
     if (m_replaced)
         m_replaced->hide();
     resizeDocks({m_stabilityDock}, {wide}, Qt::Horizontal);

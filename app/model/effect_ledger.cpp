@@ -1,0 +1,70 @@
+#include "app/model/effect_ledger.h"
+
+namespace app {
+
+EffectLedger::EffectLedger(Session &session, CostFunction function, QObject *parent)
+    : QObject(parent), m_session(session), m_costs(session, std::move(function))
+{
+    m_asking.setMaxThreadCount(1);
+    connect(&m_costs, &CostWatch::changed, this, &EffectLedger::changed);
+}
+
+EffectLedger::~EffectLedger()
+{
+    m_leave = true;
+    m_asking.waitForDone();
+}
+
+void EffectLedger::setWatched(bool watched)
+{
+    m_costs.setWatched(watched);
+    if (watched && !m_isAsked)
+        askLessons();
+}
+
+void EffectLedger::askLessons()
+{
+    m_isAsked = true;
+    m_asking.start([this, &library = m_session.library()] {
+        std::vector<KnownEffect> known = effectsKnownBy(library, [this] { return !m_leave; });
+        QMetaObject::invokeMethod(
+            this,
+            [this, known = std::move(known)] {
+                m_known = known;
+                m_knowsAll = true;
+                emit changed();
+            },
+            Qt::QueuedConnection);
+    });
+}
+
+std::vector<EffectLine> EffectLedger::lines() const
+{
+    EffectFacts facts;
+    facts.listed = m_session.listedEffects();
+    facts.off = m_session.timeline().script().effectsOff;
+    facts.leftOut = m_session.timeline().track().next()->pipeline.leftOut;
+    facts.cost = m_costs.cost();
+    facts.known = m_known;
+    return effectLines(facts);
+}
+
+QString EffectLedger::caption() const
+{
+    const CostWatch::Stage stage = m_costs.stage();
+    if (!m_costs.cost())
+        return stage == CostWatch::Stage::none ? QString() : tr("measuring…");
+    const QString frame = frameWords(*m_costs.cost());
+    if (stage != CostWatch::Stage::done)
+        return tr("%1, measuring…").arg(frame);
+    return m_session.timeline().at().frame == m_costs.frame()
+               ? tr("%1, measured now").arg(frame)
+               : tr("%1, measured at frame %2").arg(frame).arg(m_costs.frame());
+}
+
+void EffectLedger::switchEffect(const QString &id, bool on)
+{
+    m_session.setEffect(id, on);
+}
+
+}

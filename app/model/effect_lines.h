@@ -1,0 +1,59 @@
+#pragma once
+
+#include "app/model/known_effects.h"
+#include "sim/cost/cost.h"
+
+namespace app {
+
+// What the ledger of effects says, in lines and words.
+
+/// What a line of it is about.
+enum class EffectRole {
+    acts,
+    idle,   ///< listed, but set so that it changes nothing: left out
+    off,    ///< listed, but switched off
+    rest,   ///< what no effect takes of the frame
+    absent, ///< not listed here; other lessons know it
+};
+
+/// One line of the ledger.
+struct EffectLine
+{
+    QString id;
+    QString title;
+    QString help; ///< what it is for and what was measured, a line each
+    sim::Kind kind = sim::Kind::motion;
+    EffectRole role = EffectRole::acts;
+    double ns = 0.0; ///< a frame; 0 where nothing was measured
+    // As shown; empty where there is nothing to say.
+    QString frame;  ///< ns a frame
+    QString spread; ///< of that: "±0.3"
+    QString point;  ///< ns a frame for each of the points that it works on
+    QString points;
+    QString runs;   ///< "×1"
+    QString note;   ///< in place of those: "not in this scene"
+    QString saving; ///< a sentence: what a frame would cost without it
+
+    bool isListed() const { return role != EffectRole::rest && role != EffectRole::absent; }
+    bool isOn() const { return role == EffectRole::acts || role == EffectRole::idle; }
+    /// "Springs, 31.4 ns a frame, on".
+    QString spoken() const;
+};
+
+/// What the lines are made from.
+struct EffectFacts
+{
+    std::vector<sim::EffectPtr> listed; ///< in the order in which they run
+    std::vector<std::string> off;       ///< ids
+    std::vector<sim::EffectPtr> leftOut;
+    const sim::FrameCost *cost = nullptr; ///< null: not measured yet
+    std::vector<KnownEffect> known;
+};
+
+/// A line for each id that is listed, then the rest of the frame, then one for each kind that has absent effects.
+std::vector<EffectLine> effectLines(const EffectFacts &facts);
+
+/// "46\u2009ns a frame, ±2".
+QString frameWords(const sim::FrameCost &cost);
+
+}

@@ -1,0 +1,57 @@
+#include "app/model/links_shown.h"
+
+#include <algorithm>
+#include <set>
+
+namespace app {
+
+namespace {
+
+/// Pairs of points, the smaller number first.
+using Pairs = std::set<sim::Tie>;
+
+sim::Tie pairOf(int a, int b)
+{
+    return {std::min(a, b), std::max(a, b)};
+}
+
+/// What is held together: a drag that looks at two points holds nothing.
+Pairs heldBy(const std::vector<sim::EffectPtr> &effects)
+{
+    std::vector<sim::Tie> ties;
+    for (const sim::EffectPtr &effect : effects) {
+        if (effect->kind() == sim::Kind::spring || effect->kind() == sim::Kind::stick)
+            effect->ties(ties);
+    }
+    Pairs pairs;
+    for (const sim::Tie &tie : ties)
+        pairs.insert(pairOf(tie.first, tie.second));
+    return pairs;
+}
+
+}
+
+void dropLinks(lessons::Look &look, const std::vector<sim::EffectPtr> &listed,
+               const std::vector<sim::EffectPtr> &acting)
+{
+    const Pairs all = heldBy(listed);
+    const Pairs still = heldBy(acting);
+    const auto isLoose = [&](int a, int b) {
+        const sim::Tie pair = pairOf(a, b);
+        return all.contains(pair) && !still.contains(pair);
+    };
+    const auto hasLoosePart = [&](const std::vector<int> &points) {
+        for (std::size_t i = 1; i < points.size(); ++i) {
+            if (isLoose(points[i - 1], points[i]))
+                return true;
+        }
+        return false;
+    };
+    std::erase_if(look.legs, [&](const lessons::LegLook &leg) { return isLoose(leg.from, leg.to); });
+    std::erase_if(look.sticks, [&](const lessons::StickLook &stick) { return isLoose(stick.a, stick.b); });
+    std::erase_if(look.limbs, [&](const lessons::LimbLook &limb) { return isLoose(limb.a, limb.b); });
+    std::erase_if(look.chains, [&](const lessons::ChainLook &chain) { return hasLoosePart(chain.points); });
+    std::erase_if(look.skins, [&](const lessons::SkinLook &skin) { return hasLoosePart(skin.outline); });
+}
+
+}

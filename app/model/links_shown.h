@@ -1,0 +1,14 @@
+#pragma once
+
+#include "lessons/api/look.h"
+#include "sim/effect.h"
+
+namespace app {
+
+/// Takes out of `look` each link (leg, stick, limb, part of a chain, side of a skin) that a spring or stick of `listed`
+/// stands for and none of those that `act` does: what is switched off is not drawn. A link that stands for no effect
+/// stays.
+void dropLinks(lessons::Look &look, const std::vector<sim::EffectPtr> &listed,
+               const std::vector<sim::EffectPtr> &acting);
+
+}

@@ -1,0 +1,109 @@
+// The docks of the window: what stands in them, and how high they are.
+
+#include "app/ui/code/code_panel.h"
+#include "app/ui/effects/effects_panel.h"
+#include "app/ui/energy/energy_panel.h"
+#include "app/ui/measure/accuracy_panel.h"
+#include "app/ui/panels/dock_title.h"
+#include "app/ui/panels/learn_panel.h"
+#include "app/ui/panels/measure_panel.h"
+#include "app/ui/panels/parameter_panel.h"
+#include "app/ui/scene/thumbnail.h"
+#include "app/ui/window/divider.h"
+#include "app/ui/window/main_window.h"
+
+#include <QDockWidget>
+#include <QVBoxLayout>
+
+namespace app {
+
+QDockWidget *MainWindow::dock(const QString &name, QWidget *title, QWidget *content, Qt::DockWidgetArea area)
+{
+    auto *dock = new QDockWidget(name, this);
+    dock->setObjectName(name);
+    dock->setFeatures(QDockWidget::DockWidgetClosable);
+    dock->setTitleBarWidget(title);
+    dock->setWidget(content);
+    addDockWidget(area, dock);
+    return dock;
+}
+
+void MainWindow::makeDocks(CostFunction cost)
+{
+    m_learn = new LearnPanel(m_session, m_theme, this);
+    m_left = dock("lessons", new QWidget(this), m_learn, Qt::LeftDockWidgetArea);
+
+    m_accuracy = new AccuracyPanel(*m_study, m_theme, this);
+    m_accuracyDock = dock("accuracy", new QWidget(this), m_accuracy, Qt::RightDockWidgetArea);
+    m_accuracyDock->setWindowTitle(tr("Accuracy")); // its tab, where docks are tabs
+    m_accuracyDock->hide();
+    m_energy = new EnergyPanel(m_session, m_theme, this);
+    m_energyDock = dock("energy", new QWidget(this), m_energy, Qt::BottomDockWidgetArea);
+    m_energyDock->setWindowTitle(tr("Energy"));
+    m_energyDock->hide();
+    m_effects = new EffectsPanel(m_session, m_theme, std::move(cost), this);
+    m_effectsDock = dock("effects", new QWidget(this), m_effects, Qt::BottomDockWidgetArea);
+    m_effectsDock->setWindowTitle(tr("Effects"));
+    m_effectsDock->hide();
+    tabifyDockWidget(m_energyDock, m_effectsDock); // beside each other they would not fit below the picture
+    connect(m_effectsDock, &QDockWidget::visibilityChanged, m_effects,
+            [this](bool seen) { m_effects->setCovered(!seen); });
+
+    makeCodeDock();
+    makeParameterDock();
+    connect(m_parameters, &ParameterPanel::wantedHeightChanged, this, &MainWindow::fitParameters);
+    connect(m_measures, &MeasurePanel::contentChanged, this, &MainWindow::showMeasures);
+    showMeasures();
+}
+
+void MainWindow::makeCodeDock()
+{
+    m_code = new CodePanel(m_session, m_theme, this);
+    auto *codeTitle = new DockTitle(tr("Code"), m_theme, this);
+    codeTitle->setCaption(m_code->caption());
+    connect(m_code, &CodePanel::captionChanged, codeTitle, &DockTitle::setCaption);
+    codeTitle->addAction(m_code->titleActions());
+    connect(m_code, &CodePanel::said, &m_session, &Session::said);
+    m_codeDock = dock("code", codeTitle, m_code, Qt::RightDockWidgetArea);
+}
+
+void MainWindow::makeParameterDock()
+{
+    auto *numbers = new QWidget(this);
+    m_measures = new MeasurePanel(m_session, *m_course, m_theme, numbers);
+    m_parameters = new ParameterPanel(m_session, m_theme, numbers);
+    m_parameters->setPresetPainter(
+        [this](const lessons::Step &step, const lessons::Preset &preset, QSize size) {
+            sim::Values values = step.presets();
+            for (const auto &[id, value] : preset.values)
+                values.set(id.toStdString(), value);
+            return thumbnail(step, values, m_theme, size);
+        });
+    auto *column = new QVBoxLayout(numbers);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(m_measures);
+    m_measureLine = divider(numbers);
+    column->addWidget(m_measureLine);
+    column->addWidget(m_parameters, 1);
+    m_parameterDock = dock("parameters", new QWidget(this), numbers, Qt::RightDockWidgetArea);
+}
+
+void MainWindow::showMeasures()
+{
+    m_measures->setVisible(!m_measures->isEmpty());
+    m_measureLine->setVisible(!m_measures->isEmpty());
+    fitParameters();
+}
+
+void MainWindow::fitParameters()
+{
+    // What is above them gets all the height that the parameters do not need.
+    const int wanted = m_parameterDock->sizeHint().height();
+    QDockWidget *above = m_codeDock->isHidden() ? m_accuracyDock : m_codeDock;
+    if (m_stabilityDock && !m_stabilityDock->isHidden())
+        above = m_stabilityDock;
+    resizeDocks({above, m_parameterDock}, {std::max(1, height() - wanted), wanted}, Qt::Vertical);
+}
+
+}

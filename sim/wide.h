@@ -1,0 +1,48 @@
+#pragma once
+
+/// Before a loop over points: no turn of it reads what another one writes, so several may run at once.
+#define SIM_TURNS_ARE_APART _Pragma("GCC ivdep")
+
+namespace sim {
+
+/// Whether this machine computes with four numbers at a time (AVX2). The environment variable
+/// SPRINGSTEP_INSTRUCTIONS=baseline says no in its place. Found out once.
+bool hasWideInstructions();
+
+#if defined(__GNUC__) && defined(__x86_64__)
+
+/// `work` compiled for machines with AVX2, with all that it calls. Multiply-add in one instruction is left out on
+/// purpose: it rounds once where two instructions round twice, and the same input would not give the same bits.
+template <class Work>
+[[gnu::target("avx2"), gnu::flatten, gnu::noinline]] void runWide(const Work &work)
+{
+    work();
+}
+
+#endif
+
+/// The same compiled for every machine of its kind.
+template <class Work>
+#if defined(__GNUC__)
+[[gnu::flatten, gnu::noinline]]
+#endif
+void runPlain(const Work &work)
+{
+    work();
+}
+
+/// Runs `work`, a loop over many numbers, in the form that is the fastest on this machine. Both forms come to the same
+/// bits.
+template <class Work>
+void runFast(const Work &work)
+{
+#if defined(__GNUC__) && defined(__x86_64__)
+    if (hasWideInstructions()) {
+        runWide(work);
+        return;
+    }
+#endif
+    runPlain(work);
+}
+
+}

@@ -1,0 +1,83 @@
+// What one reaches by hand, for the processor at hand alone: limit_*.h, and the loop of plain_crowd.h. Each is first
+// compared with what the pipeline computes: a limit that does something else is none.
+
+#include "by_hand.h"
+#include "cloth.h"
+#include "support.h"
+#include "tree_scenes.h"
+
+namespace {
+
+using namespace bench;
+
+constexpr int soon = 20; ///< frames
+
+const benchmark::internal::Benchmark *const entered[] = {
+    crowd::enter({"creatures_limit", crowd::inTheRoom, by_hand::creatures, 1e-9, by_hand::missing()}),
+    crowd::enter(
+        {"creatures_in_air_loop", crowd::inTheAir, by_hand::creaturesInAir, 1e-9, by_hand::missing()}),
+};
+
+/// Whether `limit` can run here, and is where the pipeline is after some frames; says why not.
+template <class Limit>
+bool isRight(benchmark::State &run, const Limit &limit, const sim::State &right)
+{
+    double most = 0.0;
+    for (int point = 0; point < right.points(); ++point)
+        most = std::max(most, sim::length(limit.at(point) - right.at(point)));
+    run.counters["px_apart"] = most;
+    const bool holds = most < 1e-6;
+    if (!holds)
+        run.SkipWithError(("computes something else: " + std::to_string(most) + " px off").c_str());
+    return holds;
+}
+
+bool isAble(benchmark::State &run)
+{
+    const std::string missing = by_hand::missing();
+    if (!missing.empty())
+        run.SkipWithError(missing.c_str());
+    return missing.empty();
+}
+
+void clothLimit(benchmark::State &run)
+{
+    if (!isAble(run))
+        return;
+    const int side = static_cast<int>(run.range(0));
+    const sim::Scene scene = cloth::hung(side, cloth::soft, cloth::calm);
+    by_hand::Cloth limit(scene, side, {cloth::soft, cloth::spacing, cloth::weight, cloth::calm});
+    for (int i = 0; i < soon; ++i)
+        limit.frame();
+    if (!isRight(run, limit, support::plainRun(scene, "semi_implicit_euler", 1.0, soon)))
+        return;
+    for (auto _ : run) {
+        limit.frame();
+        benchmark::ClobberMemory();
+    }
+    run.SetComplexityN(side * side);
+}
+
+void treeLimit(benchmark::State &run)
+{
+    if (!isAble(run))
+        return;
+    const int forks = static_cast<int>(run.range(0));
+    const sim::Scene scene = trees::inTheWind(trees::full(forks), sim::TreeFormula::corrected);
+    by_hand::Tree limit(forks);
+    std::int64_t number = 0;
+    while (number < soon)
+        limit.frame(++number);
+    if (!isRight(run, limit, support::plainRun(scene, "published", 1.0, soon)))
+        return;
+    for (auto _ : run) {
+        limit.frame(++number);
+        benchmark::ClobberMemory();
+    }
+    run.SetComplexityN(scene.start.points());
+}
+
+BENCHMARK(clothLimit)->Arg(32)->Arg(64)->Arg(128)->Arg(256)->Complexity();
+BENCHMARK(treeLimit)->Arg(7)->Arg(11)->Arg(15)->Arg(19)->Complexity();
+
+}

@@ -1,0 +1,194 @@
+#include "lessons/api/creature.h"
+#include "sim/effects/damping.h"
+#include "sim/effects/gravity.h"
+#include "sim/effects/radial_spring.h"
+#include "sim/effects/walls.h"
+#include "tests/lessons/support.h"
+
+#include <QTest>
+
+#include <cmath>
+
+using namespace support;
+
+/// The step in which creatures are counted.
+class CrowdStep : public QObject
+{
+    Q_OBJECT
+
+    static constexpr int feet = 5;
+
+    const LoadedLesson m_lesson = loadLesson(QStringLiteral("accuracy"));
+    const lessons::Step &step() const { return m_lesson.step(QStringLiteral("crowd")); }
+
+    sim::Script crowdOf(int count, const std::string &method = "semi_implicit_euler", double h = 1.0,
+                        double bounce = 1.0) const
+    {
+        return scriptOf(step(), method, h, {{"creatures", count}, {"bounce", bounce}});
+    }
+
+    sim::Scene sceneOf(int count) const
+    {
+        const sim::Script script = crowdOf(count);
+        return script.build(script.values);
+    }
+
+    /// One creature of a crowd as the other lessons set one up: its feet, then its body, alone in the same room.
+    static sim::Scene alone(const sim::Scene &crowd, int creature, const sim::Room &room,
+                            const sim::Values &values)
+    {
+        sim::Scene scene = lessons::creatureWithFeet(feet);
+        std::vector<sim::Link> links;
+        for (int i = 0; i < feet; ++i) {
+            const std::string foot = QString("creature%1.foot%2").arg(creature).arg(i).toStdString();
+            scene.start.place(i, crowd.start.at(crowd.find(foot)));
+            links.push_back({i, feet});
+            links.push_back({feet, i});
+        }
+        const std::string body = QString("creature%1.body").arg(creature).toStdString();
+        scene.start.place(feet, crowd.start.at(crowd.find(body)));
+        lessons::add<sim::RadialSpring>(scene, links, values["k"], values["radius"]);
+        lessons::add<sim::Gravity>(scene, values["gravity"]);
+        lessons::add<sim::Damping>(scene, values["damp"]);
+        lessons::add<sim::Walls>(scene, room, lessons::halfWidths(scene));
+        return scene;
+    }
+
+private slots:
+    void eachCreatureRunsAsItDoesAlone_data();
+    void eachCreatureRunsAsItDoesAlone();
+    void whatCreaturesHaveAlikeLiesSideBySide();
+    void itsWorkGrowsAsItsCreatures();
+    void eachStartsElsewhereInItsOwnShape();
+    void theRoomGrowsWithTheCrowd();
+    void aCreatureThatComesInDisturbsNobody();
+    void theTextSaysWhatHolds();
+};
+
+void CrowdStep::eachCreatureRunsAsItDoesAlone_data()
+{
+    QTest::addColumn<QString>("method");
+    QTest::addColumn<double>("h");
+    QTest::newRow("semi-implicit Euler") << "semi_implicit_euler" << 1.0;
+    QTest::newRow("published") << "published" << 1.0;
+    QTest::newRow("Runge-Kutta 4, half steps") << "rk4" << 0.5;
+}
+
+/// In every bit, down to the floor and up again.
+void CrowdStep::eachCreatureRunsAsItDoesAlone()
+{
+    QFETCH(QString, method);
+    QFETCH(double, h);
+    constexpr int count = 7;
+    constexpr int frames = 300;
+    const sim::Script script = crowdOf(count, method.toStdString(), h, 0.8);
+    const sim::Scene crowd = script.build(script.values);
+    const auto look = step().look(crowd, script.values);
+    sim::Room room = look.room.value();
+    room.bounce = 0.8;
+    const sim::State end = stateAfter(script, frames);
+    for (int creature = 0; creature < count; ++creature) {
+        sim::Script one = script;
+        one.build = [&](const sim::Values &values) { return alone(crowd, creature, room, values); };
+        const sim::State own = stateAfter(one, frames);
+        QVERIFY(own.at(feet).y > 340.0); // it has come down
+        const auto place = [&](const QString &part) {
+            return end.at(crowd.find(QString("creature%1.%2").arg(creature).arg(part).toStdString()));
+        };
+        QVERIFY(place("body") == own.at(feet));
+        for (int i = 0; i < feet; ++i)
+            QVERIFY(place(QString("foot%1").arg(i)) == own.at(i));
+    }
+}
+
+void CrowdStep::whatCreaturesHaveAlikeLiesSideBySide()
+{
+    constexpr int count = 4;
+    const sim::Scene scene = sceneOf(count);
+    QCOMPARE(scene.start.points(), count * (feet + 1));
+    for (int creature = 0; creature < count; ++creature) {
+        const std::string name = "creature" + std::to_string(creature);
+        QCOMPARE(scene.find(name + ".body"), creature);
+        for (int i = 0; i < feet; ++i)
+            QCOMPARE(scene.find(name + ".foot" + std::to_string(i)), (i + 1) * count + creature);
+    }
+    QCOMPARE(scene.groups.size(), std::size_t(2)); // feet, then bodies
+    QCOMPARE(scene.groups[0].points.first, count);
+    QCOMPARE(scene.groups[0].points.end(), scene.start.points());
+    QCOMPARE(scene.groups[1].points.first, 0);
+    QCOMPARE(scene.groups[1].points.end(), count);
+}
+
+void CrowdStep::itsWorkGrowsAsItsCreatures()
+{
+    for (const int count : {1, 10, 100, 1000}) {
+        const sim::Scene scene = sceneOf(count);
+        QCOMPARE(scene.effects.size(), std::size_t(4));
+        const auto work = [&](std::size_t effect) {
+            return scene.effects[effect]->count(scene.start, {0, scene.start.points()});
+        };
+        QCOMPARE(scene.effects[0]->id(), std::string("radial_spring"));
+        QCOMPARE(work(0), 10 * count);
+        for (const std::size_t effect : {1, 2, 3})
+            QCOMPARE(work(effect), 6 * count);
+    }
+}
+
+void CrowdStep::eachStartsElsewhereInItsOwnShape()
+{
+    constexpr int count = 100;
+    const sim::Scene scene = sceneOf(count);
+    for (int i = 1; i < count; ++i) {
+        QVERIFY(sim::length(scene.start.at(i) - scene.start.at(i - 1)) > 0.0);
+        const auto shape = [&](int creature) {
+            return scene.start.at(count + creature) - scene.start.at(creature);
+        };
+        QVERIFY(sim::length(shape(i) - shape(i - 1)) > 0.0);
+    }
+    sim::Values values = crowdOf(count).values;
+    values.seed = 2;
+    QVERIFY((step().scene(values).start.position != scene.start.position).all());
+}
+
+void CrowdStep::theRoomGrowsWithTheCrowd()
+{
+    const auto placeOf = [&](int count) {
+        const sim::Scene scene = sceneOf(count);
+        const lessons::Look look = step().look(scene, crowdOf(count).values);
+        for (int i = 0; i < scene.start.points(); ++i) {
+            const sim::Vec2 at = scene.start.at(i);
+            if (!look.stage.contains(at.x, at.y) || at.x < look.room->left || at.x > look.room->right ||
+                at.y > look.room->floor)
+                return 0.0;
+        }
+        QTest::qCompare(look.room->floor, 380.0, "floor", "380", __FILE__, __LINE__);
+        return (look.room->right - look.room->left) / std::sqrt(double(count));
+    };
+    const double each = placeOf(20);
+    QVERIFY(each > 100.0);
+    for (const int count : {100, 1000, 20'000})
+        QVERIFY2(std::abs(placeOf(count) / each - 1.0) < 1e-12, qPrintable(QString::number(count)));
+    QVERIFY(placeOf(1) >= 500.0);
+}
+
+void CrowdStep::aCreatureThatComesInDisturbsNobody()
+{
+    sim::Script script = crowdOf(3);
+    const sim::State before = stateAfter(script, 40);
+    script.input = {{21, sim::Set{"creatures", 5.0}}};
+    const sim::State after = stateAfter(script, 40);
+    QCOMPARE(after.points(), 30);
+    for (int i = 0; i < 3; ++i)
+        QVERIFY(before.at(i) == after.at(i));
+}
+
+void CrowdStep::theTextSaysWhatHolds()
+{
+    const QString text = QString(step().narration).replace(QChar(0x2009), ' ');
+    QVERIFY(text.contains("6 points, and 10 pulls in every step"));
+    QVERIFY(text.contains("At 30 frames a second there are 33 ms"));
+    QCOMPARE(std::lround(1000.0 / 30.0), 33l);
+}
+
+QTEST_GUILESS_MAIN(CrowdStep)
+#include "tst_crowd.moc"

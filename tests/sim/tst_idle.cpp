@@ -1,0 +1,286 @@
+// What a scene lists although it can change nothing costs nothing: no phase computes it.
+
+#include "support.h"
+
+#include "sim/effects/body_spring.h"
+#include "sim/effects/damping.h"
+#include "sim/effects/gravity.h"
+#include "sim/effects/ground.h"
+#include "sim/effects/leg_spring.h"
+#include "sim/effects/motor.h"
+#include "sim/effects/offset_spring.h"
+#include "sim/effects/point_spring.h"
+#include "sim/effects/push.h"
+#include "sim/effects/radial_spring.h"
+#include "sim/effects/return_to_rest.h"
+#include "sim/effects/torsion.h"
+#include "sim/effects/turn_round.h"
+#include "sim/effects/walls.h"
+#include "sim/effects/wind_torque.h"
+#include "sim/methods/methods.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <limits>
+
+using namespace sim;
+using std::make_shared;
+
+namespace {
+
+constexpr double never = std::numeric_limits<double>::infinity();
+constexpr int feet = 3;
+constexpr int frames = 60;
+
+/// The same effect, which does not know that it is idle.
+template <class Type>
+class Busy : public Type
+{
+public:
+    using Type::Type;
+    bool idle() const override { return false; }
+};
+
+struct Case
+{
+    std::string name;
+    EffectPtr idle;
+    EffectPtr busy;   ///< the same, computed all the same
+    EffectPtr almost; ///< can change something
+    bool inTree = false;
+};
+
+template <class Type, class... Rest>
+std::pair<EffectPtr, EffectPtr> both(Rest... rest)
+{
+    return {make_shared<Type>(rest...), make_shared<Busy<Type>>(rest...)};
+}
+
+TreePtr smallTree()
+{
+    auto tree = make_shared<Tree>(Tree::ofTrunk(100.0));
+    tree->sprout(0, -30.0, 0.8);
+    tree->sprout(0, 30.0, 0.7);
+    return tree;
+}
+
+/// What hangs on the state of a walker: its gait clock is number 0.
+std::vector<Case> cases()
+{
+    const std::vector<Link> links = support::legs(feet);
+    const std::vector<Link> oneWay = {{0, feet}, {1, feet}};
+    const Eigen::ArrayXd half = Eigen::ArrayXd::Constant(feet + 1, 5.0);
+    const std::vector<Leg> legs = {{0, feet, 0.3, 0}, {1, feet, 3.0, 0}};
+    const std::vector<int> clocks(feet + 1, 0);
+    const TreePtr tree = smallTree();
+    const Limbs limbs = limbsOf(*tree, 0.1);
+    const auto legRule = [](double k) { return LegRule{k, 50.0, 50.0, Aim::swing, Reaction::equal}; };
+    const Room endless = {-never, never, never, 0.5}, sides = {20, 520, never, 0.5};
+    std::vector<Case> all;
+    const auto add = [&](std::string name, std::pair<EffectPtr, EffectPtr> pair, EffectPtr almost,
+                         bool inTree = false) {
+        all.push_back({std::move(name), pair.first, pair.second, std::move(almost), inTree});
+    };
+    add("gravity", both<Gravity>(0.0), make_shared<Gravity>(1e-300));
+    add("damping", both<Damping>(1.0), make_shared<Damping>(std::nextafter(1.0, 0.0)));
+    add("damping of some", both<Damping>(1.0, Points{0, 2}), make_shared<Damping>(0.0, Points{0, 2}));
+    add("body_spring", both<BodySpring>(links, 0.0), make_shared<BodySpring>(links, 1e-9));
+    add("offset_spring", both<OffsetSpring>(oneWay, 0.0, 50.0),
+        make_shared<OffsetSpring>(oneWay, 1e-9, 50.0));
+    add("radial_spring", both<RadialSpring>(links, 0.0, 50.0), make_shared<RadialSpring>(links, 1e-9, 50.0));
+    add("point_spring", both<PointSpring>(1, Vec2{90, 90}, 0.0),
+        make_shared<PointSpring>(1, Vec2{90, 90}, 1e-9));
+    add("leg_spring", both<LegSpring>(legs, legRule(0.0)), make_shared<LegSpring>(legs, legRule(1e-9)));
+    add("push without force", both<Push>(std::vector<int>{0, 1, 2}, 0.0, 90.0, Reaction::equal),
+        make_shared<Push>(std::vector<int>{0, 1, 2}, 1e-9, 90.0, Reaction::equal));
+    add("push without reach", both<Push>(std::vector<int>{0, 1, 2}, 0.1, 0.0, Reaction::equal),
+        make_shared<Push>(std::vector<int>{0, 1, 2}, 0.1, 1e-9, Reaction::equal));
+    add("motor", both<Motor>(0, 0.0, 0.25), make_shared<Motor>(0, 0.9, 0.25));
+    add("motor without time", both<Motor>(0, 0.9, 0.0), make_shared<Motor>(0, 0.9, 1e-3));
+    add("ground", both<Ground>(std::vector<int>{0, 1}, Soil{never, 0.3, Traction::full}),
+        make_shared<Ground>(std::vector<int>{0, 1}, Soil{-never, 0.3, Traction::full}));
+    add("walls", both<Walls>(endless, half), make_shared<Walls>(sides, half));
+    add("turn_round", both<TurnRound>(endless, half, clocks), make_shared<TurnRound>(sides, half, clocks));
+    add("torsion", both<Torsion>(tree, limbsOf(*tree, 0.0)), make_shared<Torsion>(tree, limbs), true);
+    add("wind", both<WindTorque>(tree, limbs.inertia, 0.0, 0.5),
+        make_shared<WindTorque>(tree, limbs.inertia, 1e-9, 0.5), true);
+    add("return_to_rest", both<ReturnToRest>(tree, never), make_shared<ReturnToRest>(tree, 1e9), true);
+    return all;
+}
+
+/// Points on springs, which fall and are slowed; or branches that turn and are slowed.
+Scene sceneOf(const Case &one)
+{
+    Scene scene;
+    if (one.inTree) {
+        const TreePtr tree = smallTree();
+        scene.start = State::ofPoints(tree->branches());
+        scene.start.angle = Eigen::Map<const Eigen::ArrayXd>(tree->rest.data(), tree->branches());
+        scene.start.spin = Eigen::ArrayXd::LinSpaced(tree->branches(), -1.0, 2.0);
+        scene.start.outside.pointer = Vec2{100.0, 50.0};
+        scene.start.gale.front = 500.0;
+        scene.names = {"trunk", "left", "right"};
+        scene.groups = {{"branches", {0, tree->branches()}}};
+        scene.effects = {make_shared<SpinDamping>(0.95)};
+    } else {
+        scene = support::pointsOf(feet);
+        support::scatter(scene.start, 5, 200.0);
+        scene.start.velocity.col(0).setLinSpaced(-1.0, 2.0);
+        scene.start.gait.setConstant(1, 0.2);
+        scene.start.gaitSpeed.setConstant(1, 0.1);
+        scene.effects = {make_shared<RadialSpring>(support::legs(feet), 0.2, 40.0), make_shared<Gravity>(0.5),
+                         make_shared<Damping>(0.9)};
+    }
+    return scene;
+}
+
+/// With `effect` among the others: not the first, which would decide when a driver runs.
+Scene with(Scene scene, const EffectPtr &effect)
+{
+    scene.effects.insert(scene.effects.begin() + 1, effect);
+    return scene;
+}
+
+bool computes(const Phase &phase, const EffectPtr &effect)
+{
+    return phase.effect == effect ||
+           std::find(phase.within.begin(), phase.within.end(), effect) != phase.within.end();
+}
+
+Pipeline pipelineOf(const Scene &scene, const std::string &method)
+{
+    const MethodPtr rule = findMethod(method);
+    return compose(scene, *rule, support::stepFor(*rule, 1.0));
+}
+
+/// Where two runs differ, 0 and -0 being one number.
+std::string differs(const Eigen::ArrayXXd &a, const Eigen::ArrayXXd &b, const char *what)
+{
+    return (a == b).all() ? "" : std::string(what) + " differ by " + std::to_string((a - b).abs().maxCoeff());
+}
+
+}
+
+class TestIdle : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void whatCanChangeNothingIsIdle_data() { addCases(); }
+    void whatCanChangeNothingIsIdle()
+    {
+        const Case one = current();
+        QVERIFY(one.idle->idle());
+        QVERIFY(!one.almost->idle());
+    }
+
+    void whatIsIdleMakesNoPhaseAndIsTold_data() { addCases(); }
+    void whatIsIdleMakesNoPhaseAndIsTold()
+    {
+        const Case one = current();
+        const Scene scene = with(sceneOf(one), one.idle);
+        int fitting = 0;
+        for (const MethodPtr &method : allMethods()) {
+            if (!support::fits(sceneOf(one), *method))
+                continue;
+            ++fitting;
+            const Pipeline pipeline = pipelineOf(scene, method->id());
+            QCOMPARE(pipeline.leftOut, std::vector<EffectPtr>{one.idle});
+            for (const Phase &phase : pipeline.phases)
+                QVERIFY2(!computes(phase, one.idle), phase.id.c_str());
+        }
+        QVERIFY(fitting > 3);
+        QVERIFY(pipelineOf(with(sceneOf(one), one.almost), "semi_implicit_euler").leftOut.empty());
+    }
+
+    void leavingItOutChangesNoBit_data()
+    {
+        QTest::addColumn<int>("index");
+        QTest::addColumn<QString>("method");
+        const std::vector<Case> all = cases();
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            for (const MethodPtr &method : allMethods()) {
+                if (support::fits(with(sceneOf(all[i]), all[i].busy), *method))
+                    QTest::addRow("%s, %s", all[i].name.c_str(), method->id().c_str())
+                        << int(i) << QString::fromStdString(method->id());
+            }
+        }
+    }
+    void leavingItOutChangesNoBit()
+    {
+        QFETCH(QString, method);
+        const Case one = current();
+        const std::string id = method.toStdString();
+        const State without = support::plainRun(sceneOf(one), id, 1.0, frames);
+        const State leftOut = support::plainRun(with(sceneOf(one), one.idle), id, 1.0, frames);
+        QVERIFY2(sameBits(leftOut, without), support::difference(leftOut, without).c_str());
+        const State computed = support::plainRun(with(sceneOf(one), one.busy), id, 1.0, frames);
+        for (const std::string &what :
+             {differs(computed.position, without.position, "places"),
+              differs(computed.velocity, without.velocity, "velocities"),
+              differs(computed.angle, without.angle, "angles"), differs(computed.spin, without.spin, "spins"),
+              differs(computed.gaitSpeed, without.gaitSpeed, "gait speeds")})
+            QVERIFY2(what.empty(), what.c_str());
+    }
+
+    void aMethodMeetsNoneOfThem()
+    {
+        // A contact that cannot be met does not keep a method away that knows no contacts.
+        Scene scene = support::pointsOf(feet);
+        scene.effects = {make_shared<Gravity>(0.5)};
+        const Eigen::ArrayXd half = Eigen::ArrayXd::Constant(feet + 1, 5.0);
+        int kept = 0;
+        for (const MethodPtr &method : allMethods()) {
+            if (!support::fits(scene, *method))
+                continue;
+            kept += support::fits(with(scene, make_shared<Walls>(Room{20, 520, 380, 0.5}, half)), *method);
+            QVERIFY(support::fits(with(scene, make_shared<Walls>(Room{-never, never, never, 0.5}, half)),
+                                  *method));
+        }
+        QVERIFY(kept > 0);
+    }
+
+    void aParameterBringsItBackInTheMiddleOfARun()
+    {
+        // From rest under gravity 0, then 0.5 from the row that ends at frame 11: by the rule of semi-implicit Euler
+        // the body falls 0.5 (1 + 2 + ... + n) px in n frames.
+        support::Sample sample{"fall",
+                               [](const Values &values) {
+                                   Scene scene = support::pointsOf(1);
+                                   scene.effects = {make_shared<Gravity>(values["gravity"])};
+                                   return scene;
+                               },
+                               {}};
+        sample.values.set("gravity", 0.0);
+        Script script = support::script(sample, "semi_implicit_euler");
+        script.input = {{11, Set{"gravity", 0.5}}, {21, Set{"gravity", 0.0}}};
+        Track track(script, 1 << 20);
+        track.seek({10, 0});
+        QCOMPARE(track.now().at(1).y, 200.0);
+        QCOMPARE(track.shown().pipeline.leftOut.size(), std::size_t(1));
+        track.seek({20, 0});
+        QCOMPARE(track.now().at(1).y, 200.0 + 0.5 * 55);
+        QVERIFY(track.shown().pipeline.leftOut.empty());
+        track.seek({30, 0});
+        QCOMPARE(track.now().at(1).y, 200.0 + 0.5 * 55 + 10 * 5.0);
+        QCOMPARE(track.shown().pipeline.leftOut.size(), std::size_t(1));
+    }
+
+private:
+    static void addCases()
+    {
+        QTest::addColumn<int>("index");
+        const std::vector<Case> all = cases();
+        for (std::size_t i = 0; i < all.size(); ++i)
+            QTest::addRow("%s", all[i].name.c_str()) << int(i);
+    }
+    static Case current()
+    {
+        QFETCH(int, index);
+        return cases()[std::size_t(index)];
+    }
+};
+
+QTEST_APPLESS_MAIN(TestIdle)
+#include "tst_idle.moc"
