@@ -61,19 +61,19 @@ public:
 private:
     using Add = void (Force::*)(const State &, Points, double, Directions, Eigen::ArrayX2d &) const;
 
-    void ask(Add add, const State &state, Points points, double scale, Directions directions,
+    void ask(Add how, const State &state, Points points, double scale, Directions directions,
              Eigen::ArrayX2d &into) const
     {
         m_tally.makeRoom(state);
         m_tally.turn(points);
         m_tally.acts.add([&] {
-            return replayOf([seen = m_seen, add, state, points, scale, directions, into = into]() mutable {
-                ((*seen).*add)(state, points, scale, directions, into);
+            return replayOf([seen = m_seen, how, state, points, scale, directions, into = into]() mutable {
+                ((*seen).*how)(state, points, scale, directions, into);
             });
         });
         for (int i = 0; i < m_tally.repeats; ++i)
-            ((*m_seen).*add)(state, points, scale, directions, m_tally.pulls);
-        ((*m_seen).*add)(state, points, scale, directions, into);
+            ((*m_seen).*how)(state, points, scale, directions, m_tally.pulls);
+        ((*m_seen).*how)(state, points, scale, directions, into);
     }
 };
 
