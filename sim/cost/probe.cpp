@@ -32,16 +32,12 @@ public:
     void add(const State &state, Points movers, double scale, Directions directions,
              Eigen::ArrayX2d &into) const override
     {
-        m_tally.makeRoom(state);
-        m_tally.turn(movers);
-        m_tally.acts.add([&] {
-            return replayOf([seen = m_seen, state, movers, scale, directions, into = into]() mutable {
-                seen->add(state, movers, scale, directions, into);
-            });
-        });
-        for (int i = 0; i < m_tally.repeats; ++i)
-            m_seen->add(state, movers, scale, directions, m_tally.pulls);
-        m_seen->add(state, movers, scale, directions, into);
+        ask(&Force::add, state, movers, scale, directions, into);
+    }
+    void addPart(const State &state, Points part, double scale, Directions directions,
+                 Eigen::ArrayX2d &into) const override
+    {
+        ask(&Force::addPart, state, part, scale, directions, into);
     }
     bool addSlopes(const State &state, Points movers, double scale, Directions directions,
                    Slopes &into) const override
@@ -60,6 +56,24 @@ public:
     std::vector<Live> explain(const State &state, int mover, Directions directions) const override
     {
         return m_seen->explain(state, mover, directions);
+    }
+
+private:
+    using Add = void (Force::*)(const State &, Points, double, Directions, Eigen::ArrayX2d &) const;
+
+    void ask(Add how, const State &state, Points points, double scale, Directions directions,
+             Eigen::ArrayX2d &into) const
+    {
+        m_tally.makeRoom(state);
+        m_tally.turn(points);
+        m_tally.acts.add([&] {
+            return replayOf([seen = m_seen, how, state, points, scale, directions, into = into]() mutable {
+                ((*seen).*how)(state, points, scale, directions, into);
+            });
+        });
+        for (int i = 0; i < m_tally.repeats; ++i)
+            ((*m_seen).*how)(state, points, scale, directions, m_tally.pulls);
+        ((*m_seen).*how)(state, points, scale, directions, into);
     }
 };
 
