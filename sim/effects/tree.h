@@ -36,7 +36,8 @@ struct Tree
 
 using TreePtr = std::shared_ptr<const Tree>;
 
-/// No tree has more branches than this: 2^17 - 1, which is 17 levels that double. It bounds time and memory.
+/// No tree that grows by numbers which a learner sets has more branches than this: 2^17 - 1, which is 17 levels that
+/// double. It bounds time and memory; a tree that is built in code can be as large as these allow.
 constexpr int mostBranches = 131'071;
 
 /// Refuses a tree in which each branch has two children, `slope` times as large, as long as they are larger than

@@ -73,7 +73,7 @@ struct Turned
     Lanes angle, x, y;
 };
 
-Turned turned(Lanes angle, Lanes rest, Lanes scale, Lanes x, Lanes y, const TreeNumbers &numbers)
+[[gnu::always_inline]] inline Turned turned(Lanes angle, Lanes rest, Lanes scale, Lanes x, Lanes y, const TreeNumbers &numbers)
 {
     const Lanes missing = rest - angle;
     angle = sizeOf(missing) > 1.0 ? angle + missing * (1.0 / numbers.ease) : angle;
@@ -96,14 +96,14 @@ void storeTwice(double *to, Lanes values)
     store(to + 4, _mm256_permute4x64_pd(values, _MM_SHUFFLE(3, 3, 2, 2)));
 }
 
-Turned turnedFrom(const TreeArrays &tree, int first, const TreeNumbers &numbers)
+[[gnu::always_inline]] inline Turned turnedFrom(const TreeArrays &tree, int first, const TreeNumbers &numbers)
 {
     return turned(load(tree.angle + first), load(tree.rest + first), load(tree.scale + first),
                   load(tree.x + first), load(tree.y + first), numbers);
 }
 
 /// One branch of the lowest levels, which have less than four.
-void bendOne(const TreeArrays &tree, int branch, const TreeNumbers &numbers)
+[[gnu::noinline]] void bendOne(const TreeArrays &tree, int branch, const TreeNumbers &numbers)
 {
     const Turned lanes = turnedFrom(tree, branch, numbers);
     tree.angle[branch] = lanes.angle[0];

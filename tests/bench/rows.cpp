@@ -111,6 +111,15 @@ void addSolvers(std::vector<Row> &rows)
     rows.push_back({"the same", "clothOurs", "clothCholesky", "Eigen's sparse Cholesky"});
 }
 
+/// What is asked for is 60 pictures a second.
+void addDrawing(std::vector<Row> &rows)
+{
+    constexpr double picture = 1e9 / 60.0; // ns
+    rows.push_back(
+        {"paint 5,000 points with legs", "paintAllCreatures/833", "", "", Ratio::time, picture, picture});
+    rows.push_back({"paint 32,767 branches", "paintWholeTree/14", "", "", Ratio::time, picture, picture});
+}
+
 void addHistory(std::vector<Row> &rows)
 {
     rows.push_back({"any frame of ten minutes, default budget", "seekAnywhere/18000", "computeStraight/18000",
@@ -163,6 +172,7 @@ std::vector<Row> allRows()
     addThreads(rows);
     addSolvers(rows);
     addHistory(rows);
+    addDrawing(rows);
     return rows;
 }
 
@@ -186,6 +196,8 @@ std::vector<GrowingRow> allGrowingRows()
         counted("a chain of sticks", "chain", "stick", {10, 100, 1'000}),
         square("stiff cloth, backward Euler", "clothImplicit", {16, 32, 64}),
         counted("creatures within 1e-6 px, rkn86", "exactCreatures", "creature", {1, 10, 100}),
+        counted("paint creatures", "paintAllCreatures", "creature", {1, 80, 200, 833, 10'000, 100'000}),
+        tree("paint a tree", "paintWholeTree", {7, 11, 12, 13, 14, 16}),
     };
 }
 

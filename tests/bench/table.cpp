@@ -140,6 +140,18 @@ std::optional<Cells> cellsOf(const GrowingRow &row, const Results &results)
                  costs, row.item.empty() ? "in all" : "a " + row.item};
 }
 
+/// By their reasons, what did not run.
+std::string refusals(const Results &results)
+{
+    std::map<std::string, std::string> names;
+    for (const auto &[name, why] : results.refused)
+        names[why].append(names[why].empty() ? "" : ", ").append(name);
+    std::string all;
+    for (const auto &[why, which] : names)
+        all.append("\n").append(which).append(" did not run: ").append(why).append("\n");
+    return all;
+}
+
 std::string machineLine(const Results &results)
 {
     const auto of = [&](const char *key) {
@@ -170,9 +182,7 @@ std::string table(const Results &results, const std::vector<Row> &rows,
         all.append("\n").append(drawn(lines, "rrrlllrr"));
     if (growth.size() > 1)
         all.append("\n").append(drawn(growth, "lrllll"));
-    for (const auto &[name, why] : results.refused)
-        all.append("\n").append(name).append(" did not run: ").append(why).append("\n");
-    return all;
+    return all + refusals(results);
 }
 
 }
