@@ -42,6 +42,7 @@ public:
     Kind kind() const override { return Kind::damping; }
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
+    Sees sees() const override { return Sees::tied; }
     void slow(State &state, Points points, double h) const override;
     std::optional<double> rate(int point) const override;
     std::vector<Live> explain(const State &before, const State &after, int point, double h) const override;

@@ -16,6 +16,7 @@ public:
     Kind kind() const override { return Kind::spring; }
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
+    Sees sees() const override { return Sees::tied; }
     void add(const State &state, Points movers, double scale, Directions directions,
              Eigen::ArrayX2d &into) const override;
     bool addSlopes(const State &state, Points movers, double scale, Directions directions,

@@ -190,6 +190,7 @@ public:
     Kind kind() const override { return Kind::wind; }
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
+    Sees sees() const override { return m_turbulence ? Sees::time : Sees::scene; }
     void drive(State &state, double h) const override;
     std::vector<Live> explain(const State &before, const State &after, int point) const override;
 
