@@ -128,9 +128,8 @@ void CostWatch::start()
     m_job = std::make_shared<Job>();
     const sim::Track &track = m_session.timeline().track();
     CostSubject subject{m_session.timeline().script(), track.next(), {}};
-    subject.state = m_session.timeline().hasPending() || track.at().phase > 0
-                        ? track.begunAfter(track.stateAt(track.at().frame), track.at().frame)
-                        : track.now();
+    const std::int64_t frame = track.at().frame;
+    subject.state = track.begunAfter(track.at().phase > 0 ? track.stateAt(frame) : track.now(), frame);
     m_pool.start([this, job = m_job, subject = std::move(subject), function = m_function] {
         const auto tell = [&](const sim::FrameCost &cost) {
             QMetaObject::invokeMethod(

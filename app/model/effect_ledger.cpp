@@ -38,10 +38,20 @@ void EffectLedger::askLessons()
     });
 }
 
+const std::vector<sim::EffectPtr> &EffectLedger::listed() const
+{
+    const std::shared_ptr<const sim::Segment> segment = m_session.timeline().track().next();
+    if (m_listedIn.lock() != segment) {
+        m_listed = m_session.listedEffects();
+        m_listedIn = segment;
+    }
+    return m_listed;
+}
+
 std::vector<EffectLine> EffectLedger::lines() const
 {
     EffectFacts facts;
-    facts.listed = m_session.listedEffects();
+    facts.listed = listed();
     facts.off = m_session.timeline().script().effectsOff;
     facts.leftOut = m_session.timeline().track().next()->pipeline.leftOut;
     facts.cost = m_costs.cost();

@@ -105,7 +105,7 @@ QString helpFor(const EffectLine &line, const std::string &purpose)
         help << phrase(purpose);
     if (!line.points.isEmpty()) {
         help << Text::tr("%1 ns a frame, half of the rounds within %2.").arg(line.frame, line.spread);
-        help << Text::tr("It works on %n point(s).", nullptr, line.points.toInt());
+        help << Text::tr("Points that it works on: %1.").arg(line.points);
         help << (line.runs.isEmpty() ? Text::tr("The method works it out together with the move.")
                                      : Text::tr("A frame computes it %1.").arg(line.runs));
         help << line.saving;

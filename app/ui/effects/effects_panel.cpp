@@ -114,6 +114,7 @@ bool EffectsPanel::isSettled() const
 void EffectsPanel::watch()
 {
     m_ledger.setWatched(isSeen());
+    m_again->setEnabled(isSeen());
     if (isSeen())
         refreshNow();
     else

@@ -1,0 +1,92 @@
+#pragma once
+
+#include "app/model/lesson_library.h"
+#include "lessons/api/creature.h"
+#include "lessons/api/parameters.h"
+#include "sim/effects/body_spring.h"
+#include "sim/effects/damping.h"
+#include "sim/effects/gravity.h"
+#include "sim/effects/pointer.h"
+#include "sim/effects/walls.h"
+
+/// What the suites of the ledger of effects share: small lessons.
+namespace effects_bench {
+
+/// A spring to the body that says what it ties.
+class TiedSpring : public sim::BodySpring
+{
+public:
+    using BodySpring::BodySpring;
+    void ties(std::vector<sim::Tie> &into) const override { into.emplace_back(0, 1); }
+};
+
+/// Gravity that is left out where it is 0.
+class RareGravity : public sim::Gravity
+{
+public:
+    explicit RareGravity(double gravity) : Gravity(gravity), m_gravity(gravity) {}
+    bool idle() const override { return m_gravity == 0.0; }
+
+private:
+    double m_gravity;
+};
+
+inline lessons::Step tiedStep()
+{
+    lessons::Step step;
+    step.id = "tied";
+    step.title = "A leg";
+    lessons::Parameter gravity = lessons::gravity();
+    gravity.preset = 0.0;
+    step.parameters = {lessons::stiffness(), lessons::damping(), gravity};
+    step.scene = [](const sim::Values &values) {
+        sim::Scene scene = lessons::creature(1);
+        scene.start.place(0, {300, 210});
+        lessons::add<TiedSpring>(scene, std::vector<sim::Link>{{0, 1}}, values["k"]);
+        lessons::add<RareGravity>(scene, values["gravity"]);
+        lessons::add<sim::Damping>(scene, values["damp"]);
+        return scene;
+    };
+    step.look = [](const sim::Scene &scene, const sim::Values &) {
+        return lessons::creatureLookWithLegs(scene);
+    };
+    return step;
+}
+
+/// Nothing but a pointer moves anything here.
+inline lessons::Step puppetStep()
+{
+    lessons::Step step;
+    step.id = "puppet";
+    step.title = "A puppet";
+    step.scene = [](const sim::Values &) {
+        sim::Scene scene = lessons::loneFoot();
+        scene.groups.front().inertia = sim::Inertia::none;
+        lessons::add<sim::CarriedByPointer>(scene, 0);
+        return scene;
+    };
+    step.look = [](const sim::Scene &scene, const sim::Values &) { return lessons::creatureLook(scene); };
+    return step;
+}
+
+inline lessons::Step walledStep()
+{
+    lessons::Step step = tiedStep();
+    step.id = "walled";
+    step.scene = [](const sim::Values &) {
+        sim::Scene scene = lessons::creature(1);
+        lessons::add<sim::Walls>(scene, sim::Room{20, 520, 380, 1}, lessons::halfWidths(scene));
+        return scene;
+    };
+    return step;
+}
+
+inline app::LessonLibrary legLibrary()
+{
+    app::LessonLibrary library;
+    library.lessons.push_back({"legs", 1, "Legs", "The first.", {tiedStep(), puppetStep()}});
+    library.lessons.push_back({"rooms", 2, "Rooms", "The second.", {walledStep()}});
+    return library;
+}
+
+}

@@ -1,0 +1,449 @@
+// The ledger of effects: its words, and its switches driven as a learner drives them.
+
+#include "app/model/code_listing.h"
+#include "app/model/effect_lines.h"
+#include "app/ui/effects/effect_list.h"
+#include "app/ui/effects/effects_panel.h"
+#include "effects_bench.h"
+#include "panels_bench.h"
+
+#include <QSignalSpy>
+#include <QToolButton>
+#include <QtTest>
+
+#include <thread>
+
+using namespace app;
+using namespace effects_bench;
+
+namespace {
+
+/// 31.4 ns for a spring, 4.6 ns for anything else, 10 ns for the rest.
+sim::FrameCost madeUp(const sim::Scene &scene)
+{
+    sim::FrameCost cost;
+    cost.rounds = 9;
+    cost.ns = 46.0;
+    cost.spread = 2.0;
+    cost.restNs = 10.0;
+    cost.restSpread = 0.2;
+    for (const sim::EffectPtr &effect : scene.effects) {
+        const bool isSpring = effect->kind() == sim::Kind::spring;
+        cost.effects.push_back({effect, 6, 1.0, isSpring ? 31.4 : 4.6, 0.3});
+    }
+    return cost;
+}
+
+/// A meter that is told when to end.
+struct Meter
+{
+    std::atomic<int> begun = 0;
+    std::atomic<int> stopped = 0;
+    std::atomic<bool> held = false;
+
+    CostFunction function()
+    {
+        return [this](const CostSubject &about, const sim::GoesOn &goesOn,
+                      const std::function<void(const sim::FrameCost &)> &tell) {
+            ++begun;
+            do {
+                tell(madeUp(about.segment->scene));
+                std::this_thread::sleep_for(std::chrono::milliseconds(1));
+                if (!goesOn()) {
+                    ++stopped;
+                    return;
+                }
+            } while (held);
+        };
+    }
+};
+
+struct Bench
+{
+    Bench()
+    {
+        show(panel, {620, 320});
+        settle();
+    }
+    Session &session() { return world.session; }
+    const sim::Timeline &run() { return world.session.timeline(); }
+    bool settle()
+    {
+        return QTest::qWaitFor([this] { return panel.isSettled(); }, 20'000);
+    }
+    int row(const QString &id) const
+    {
+        const auto &lines = panel.list().lines().lines();
+        for (std::size_t i = 0; i < lines.size(); ++i) {
+            if (lines[i].id == id)
+                return static_cast<int>(i);
+        }
+        return -1;
+    }
+    EffectLine line(const QString &id) const
+    {
+        return row(id) < 0 ? EffectLine{} : panel.list().lines().lines()[static_cast<std::size_t>(row(id))];
+    }
+    QModelIndex index(const QString &id) const { return panel.list().lines().index(row(id)); }
+    void clickSwitch(const QString &id)
+    {
+        const QRect rect = EffectDelegate::switchRect(panel.list().visualRect(index(id)));
+        QTest::mouseClick(panel.list().viewport(), Qt::LeftButton, {}, rect.center());
+        QCoreApplication::processEvents();
+    }
+    bool hasPhase(const std::string &id) const
+    {
+        const auto &phases = world.session.timeline().track().next()->pipeline.phases;
+        return std::any_of(phases.begin(), phases.end(),
+                           [&](const sim::Phase &phase) { return phase.id == id; });
+    }
+    bool showsSource(const QString &file)
+    {
+        const CodeListing listing =
+            listingOf(session().step(), *run().track().next(), *run().script().method);
+        return std::any_of(listing.sections.begin(), listing.sections.end(),
+                           [&](const CodeSection &section) { return section.files().contains(file); });
+    }
+
+    Meter meter;
+    World world{legLibrary()};
+    EffectsPanel panel{world.session, world.theme, meter.function()};
+};
+
+const char *springFile = "sim/effects/spring.h";
+
+}
+
+class EffectsPanelTest : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { prepareProgram(); }
+
+    void figuresAreThoseOfTheMeter()
+    {
+        Bench bench;
+        const EffectLine spring = bench.line("body_spring");
+        QCOMPARE(spring.title, "Spring");
+        QCOMPARE(spring.frame, "31.4");
+        QCOMPARE(spring.spread, "±0.3");
+        QCOMPARE(spring.point, "5.23"); // 31.4 / 6
+        QCOMPARE(spring.points, "6");
+        QCOMPARE(spring.runs, "×1");
+        QCOMPARE(spring.saving, "Without “Spring” a frame would cost 14.6 ns in place of 46.0.");
+        QCOMPARE(bench.line("damping").point, "0.77");
+        QCOMPARE(bench.line("rest").frame, "10.0");
+        QCOMPARE(bench.panel.caption(), "46\u2009ns a frame, ±2, measured now");
+        QCOMPARE(bench.panel.remark(), spring.saving); // of the costliest one
+    }
+
+    void figuresAreRoundedToWhatCanBeRead_data()
+    {
+        QTest::addColumn<double>("ns");
+        QTest::addColumn<int>("points");
+        QTest::addColumn<double>("evaluations");
+        QTest::addColumn<QString>("frame");
+        QTest::addColumn<QString>("point");
+        QTest::addColumn<QString>("runs");
+        QTest::newRow("small") << 0.04 << 1 << 1.0 << "0.0"
+                               << "0.04"
+                               << "×1";
+        QTest::newRow("a thousand") << 1249.6 << 2 << 4.0 << "1250"
+                                    << "624.8"
+                                    << "×4";
+        QTest::newRow("below a thousand") << 999.0 << 10 << 6.0 << "999.0"
+                                          << "99.90"
+                                          << "×6";
+        QTest::newRow("a method that chooses its steps") << 80.0 << 4 << 13.37 << "80.0"
+                                                         << "20.00"
+                                                         << "×13.4";
+        QTest::newRow("worked out with the move") << 80.0 << 4 << 0.0 << "80.0"
+                                                  << "20.00" << QString();
+        QTest::newRow("no point") << 5.0 << 0 << 1.0 << "5.0" << QString() << "×1";
+    }
+
+    void figuresAreRoundedToWhatCanBeRead()
+    {
+        QFETCH(double, ns);
+        QFETCH(int, points);
+        QFETCH(double, evaluations);
+        const auto effect = std::make_shared<const sim::Damping>(0.9);
+        sim::FrameCost cost;
+        cost.rounds = 5;
+        cost.ns = 2000.0;
+        cost.effects = {{effect, points, evaluations, ns, 0.1}};
+        EffectFacts facts;
+        facts.listed = {effect};
+        facts.cost = &cost;
+        const EffectLine line = effectLines(facts).front();
+        QTEST(line.frame, "frame");
+        QTEST(line.point, "point");
+        QTEST(line.runs, "runs");
+    }
+
+    /// A scene may list two effects with one id, and one switch stands for both.
+    void twoEffectsOfOneIdAreOneLine()
+    {
+        const auto body = std::make_shared<const sim::Damping>(0.9);
+        const auto arm = std::make_shared<const sim::Damping>(0.5);
+        sim::FrameCost cost;
+        cost.rounds = 5;
+        cost.ns = 30.0;
+        cost.effects = {{body, 1, 1.0, 3.0, 0.3}, {arm, 9, 1.0, 7.0, 0.4}};
+        EffectFacts facts;
+        facts.listed = {body, arm};
+        facts.cost = &cost;
+        const std::vector<EffectLine> lines = effectLines(facts);
+        QCOMPARE(lines.size(), std::size_t(2)); // and the rest
+        QCOMPARE(lines[0].frame, "10.0");
+        QCOMPARE(lines[0].points, "10");
+        QCOMPARE(lines[0].spread, "±0.5"); // 0.3 and 0.4 that know nothing of each other
+    }
+
+    void aSwitchTakesItOutOfPipelineCodeAndPicture_data()
+    {
+        QTest::addColumn<bool>("byKey");
+        QTest::newRow("mouse") << false;
+        QTest::newRow("keys") << true;
+    }
+
+    void aSwitchTakesItOutOfPipelineCodeAndPicture()
+    {
+        QFETCH(bool, byKey);
+        Bench bench;
+        const auto press = [&] {
+            if (!byKey) {
+                bench.clickSwitch("body_spring");
+                return;
+            }
+            bench.panel.list().setFocus();
+            bench.panel.list().setCurrentIndex(bench.index("damping"));
+            while (bench.panel.list().currentIndex().row() > bench.row("body_spring"))
+                QTest::keyClick(&bench.panel.list(), Qt::Key_Up);
+            QTest::keyClick(&bench.panel.list(), Qt::Key_Space);
+            QCoreApplication::processEvents();
+        };
+        QVERIFY(bench.hasPhase("body_spring") && bench.showsSource(springFile));
+        QCOMPARE(bench.session().picture().look->legs.size(), std::size_t(1));
+        press();
+        QCOMPARE(bench.run().script().effectsOff, std::vector<std::string>{"body_spring"});
+        QVERIFY(!bench.hasPhase("body_spring"));
+        QVERIFY(bench.hasPhase("damping"));
+        QVERIFY(!bench.showsSource(springFile));
+        QVERIFY(bench.session().picture().look->legs.empty());
+        QCOMPARE(bench.line("body_spring").role, EffectRole::off);
+        QCOMPARE(bench.line("body_spring").frame, "0");
+        QVERIFY(bench.settle());
+        QCOMPARE(bench.line("damping").frame, "4.6");
+        press();
+        QVERIFY(bench.run().script().effectsOff.empty());
+        QVERIFY(bench.hasPhase("body_spring") && bench.showsSource(springFile));
+        QCOMPARE(bench.session().picture().look->legs.size(), std::size_t(1));
+    }
+
+    /// What was switched off runs by the rule that is left: without a spring the foot stays where it is.
+    void whatIsSwitchedOffDoesNothing()
+    {
+        Bench bench;
+        bench.clickSwitch("body_spring");
+        bench.session().goTo({50, 0});
+        QCOMPARE(bench.run().now().at(0), (sim::Vec2{300, 210}));
+    }
+
+    void undoBringsTheVeryBitsBack()
+    {
+        Bench bench;
+        bench.session().goTo({40, 0});
+        const sim::State with = bench.run().now();
+        bench.clickSwitch("body_spring");
+        const sim::State without = bench.run().now();
+        QCOMPARE(bench.run().at().frame, 40);
+        QVERIFY(!sim::sameBits(with, without));
+        QVERIFY(bench.session().deeds().canUndo());
+        QCOMPARE(bench.session().deeds().undoText(), "Spring off");
+        bench.session().undo();
+        QVERIFY(sim::sameBits(bench.run().now(), with));
+        QVERIFY(bench.line("body_spring").isOn());
+        bench.session().redo();
+        QVERIFY(sim::sameBits(bench.run().now(), without));
+        QVERIFY(!bench.session().deeds().canRedo());
+    }
+
+    void anotherStepBeginsTheListAnew()
+    {
+        Bench bench;
+        bench.clickSwitch("damping");
+        QVERIFY(bench.session().deeds().canUndo());
+        bench.session().openStep("legs", "puppet");
+        QVERIFY(!bench.session().deeds().canUndo());
+        bench.session().openStep("legs", "tied");
+        QVERIFY(!bench.session().deeds().canUndo());
+        QVERIFY(bench.session().isOff("damping")); // the step is as it was left
+    }
+
+    void withoutWhatNothingMovesItSaysSo()
+    {
+        Bench bench;
+        bench.session().openStep("legs", "puppet");
+        QVERIFY(bench.settle());
+        const QSignalSpy said(&bench.session(), &Session::said);
+        bench.clickSwitch("pointer");
+        QCOMPARE(said.count(), 1);
+        QVERIFY(!said.front().front().toString().isEmpty());
+        QVERIFY(bench.run().script().effectsOff.empty());
+        QVERIFY(bench.line("pointer").isOn());
+        QVERIFY(!bench.session().deeds().canUndo());
+    }
+
+    void whatIsSetToNothingIsListedWithNought()
+    {
+        Bench bench;
+        QCOMPARE(bench.line("gravity").role, EffectRole::idle);
+        QCOMPARE(bench.line("gravity").frame, "0");
+        QCOMPARE(bench.line("gravity").note, "changes nothing here");
+        QVERIFY(!bench.hasPhase("gravity"));
+        bench.session().setParameter("gravity", 0.5);
+        QVERIFY(bench.settle());
+        QCOMPARE(bench.line("gravity").role, EffectRole::acts);
+        QCOMPARE(bench.line("gravity").frame, "4.6");
+    }
+
+    void whatOtherLessonsKnowIsGreyed()
+    {
+        Bench bench;
+        const auto &lines = bench.panel.list().lines().lines();
+        QStringList absent;
+        for (const EffectLine &line : lines) {
+            if (line.role == EffectRole::absent)
+                absent << line.title;
+        }
+        QCOMPARE(absent, (QStringList{"Pointer", "Walls"}));
+        const EffectLine walls = lines.back();
+        QCOMPARE(walls.note, "not in this scene");
+        QVERIFY(walls.help.startsWith("Not in this scene"));
+        QVERIFY(walls.help.contains("Walls (Rooms). Put back what has gone past a wall"));
+        const std::vector<std::string> before = bench.run().script().effectsOff;
+        const QModelIndex index = bench.panel.list().lines().index(static_cast<int>(lines.size()) - 1);
+        QVERIFY(!(index.flags() & Qt::ItemIsUserCheckable));
+        bench.clickSwitch(walls.id);
+        bench.panel.list().setFocus();
+        bench.panel.list().setCurrentIndex(bench.index(walls.id));
+        QTest::keyClick(&bench.panel.list(), Qt::Key_Space);
+        QCoreApplication::processEvents();
+        QCOMPARE(bench.run().script().effectsOff, before);
+        QVERIFY(!bench.session().deeds().canUndo());
+    }
+
+    void aScreenReaderHearsEachLine()
+    {
+        Bench bench;
+        const auto spoken = [&](const QString &id) {
+            return bench.index(id).data(Qt::AccessibleTextRole).toString();
+        };
+        QCOMPARE(spoken("body_spring"), "Spring, 31.4 ns a frame, on");
+        QCOMPARE(spoken("gravity"), "Gravity, 0 ns a frame, on, changes nothing here");
+        QCOMPARE(spoken("rest"), "Rest of the frame, 10.0 ns a frame");
+        bench.clickSwitch("damping");
+        QCOMPARE(spoken("damping"), "Damping, 0 ns a frame, off");
+        QVERIFY(!bench.panel.list().accessibleName().isEmpty());
+        for (int row = 0; row < bench.panel.list().lines().rowCount(); ++row)
+            QVERIFY(!bench.panel.list().lines().index(row).data(Qt::ToolTipRole).toString().isEmpty());
+    }
+
+    void nothingRunsWhenMeasuringIsDone()
+    {
+        Bench bench;
+        struct Counter : QObject
+        {
+            int timers = 0;
+            bool eventFilter(QObject *, QEvent *event) override
+            {
+                timers += event->type() == QEvent::Timer;
+                return false;
+            }
+        } counter;
+        qApp->installEventFilter(&counter);
+        const auto quietForHalfASecond = [&] {
+            counter.timers = 0;
+            QTest::qWait(500);
+            return counter.timers == 0;
+        };
+        bool isQuiet = false;
+        for (int i = 0; i < 20 && !isQuiet; ++i)
+            isQuiet = quietForHalfASecond();
+        QVERIFY(isQuiet);
+        QVERIFY(bench.panel.ledger().costs().isAtRest());
+        QCOMPARE(bench.meter.begun.load(), 1);
+        auto *again = bench.panel.findChild<QToolButton *>("tab");
+        QVERIFY(!again->toolTip().isEmpty());
+        QTest::mouseClick(again, Qt::LeftButton);
+        QVERIFY(bench.settle());
+        QCOMPARE(bench.meter.begun.load(), 2);
+        qApp->removeEventFilter(&counter);
+    }
+
+    void itMeasuresOnlyWhileItIsSeen()
+    {
+        Bench bench;
+        bench.panel.hide();
+        bench.session().setParameter("k", 0.3);
+        QTest::qWait(2 * CostWatch::settleMilliseconds);
+        QCOMPARE(bench.meter.begun.load(), 1);
+        bench.panel.show();
+        QVERIFY(bench.settle());
+        QCOMPARE(bench.meter.begun.load(), 2);
+        bench.panel.setCovered(true);
+        bench.session().setParameter("k", 0.4);
+        QTest::qWait(2 * CostWatch::settleMilliseconds);
+        QCOMPARE(bench.meter.begun.load(), 2);
+        bench.meter.held = true;
+        bench.panel.setCovered(false);
+        QTRY_COMPARE(bench.meter.begun.load(), 3);
+        bench.panel.hide(); // in the middle of it
+        QTRY_COMPARE(bench.meter.stopped.load(), 1);
+        bench.meter.held = false;
+    }
+
+    void aChangeCancelsWhatIsUnderWay()
+    {
+        Bench bench;
+        bench.meter.held = true;
+        bench.session().setParameter("k", 0.3);
+        QTRY_COMPARE(bench.meter.begun.load(), 2);
+        bench.session().setEffect("body_spring", false);
+        QTRY_COMPARE(bench.meter.stopped.load(), 1);
+        QCOMPARE(bench.line("damping").frame, "…"); // nothing is known of this frame yet
+        bench.meter.held = false;
+        QVERIFY(bench.settle());
+        QCOMPARE(bench.line("damping").frame, "4.6");
+    }
+
+    void theMomentThatWasMeasuredIsSaid()
+    {
+        Bench bench;
+        bench.session().goTo({12, 0});
+        QVERIFY2(bench.panel.caption().endsWith("measured at frame 0"), qPrintable(bench.panel.caption()));
+        bench.panel.measureAgain()->trigger();
+        QVERIFY(bench.settle());
+        QVERIFY(bench.panel.caption().endsWith("measured now"));
+    }
+
+    /// With the real meter: every effect that acts has a figure, and what does not act has none.
+    void theRealMeterFillsTheLines()
+    {
+        World world(legLibrary());
+        EffectsPanel panel(world.session, world.theme);
+        show(panel, {620, 320});
+        QVERIFY(QTest::qWaitFor([&] { return panel.isSettled(); }, 60'000));
+        const auto &lines = panel.list().lines().lines();
+        QCOMPARE(lines[0].id, "body_spring");
+        QVERIFY(lines[0].ns > 0.0);
+        QCOMPARE(lines[0].runs, "×1");
+        QCOMPARE(lines[1].role, EffectRole::idle);
+        QVERIFY(!panel.ledger().costs().cost()->effects.empty());
+    }
+};
+
+QTEST_MAIN(EffectsPanelTest)
+#include "tst_effects_panel.moc"
