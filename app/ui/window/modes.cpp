@@ -85,8 +85,8 @@ void MainWindow::showEnergy(bool shown)
 
 void MainWindow::arrangeForMeasuring()
 {
-    m_accuracyDock->show();
     if (width() >= wide) {
+        m_accuracyDock->show();
         m_energyDock->show();
         splitDockWidget(m_accuracyDock, m_codeDock, Qt::Horizontal);
         splitDockWidget(m_codeDock, m_parameterDock, Qt::Vertical);
@@ -94,8 +94,10 @@ void MainWindow::arrangeForMeasuring()
         resizeDocks({m_energyDock}, {300}, Qt::Vertical);
         return;
     }
+    // What goes goes first: a window that had to hold both for a moment would stay too high.
     m_left->hide();
     m_codeDock->hide();
+    m_accuracyDock->show();
     m_parameterDock->show();
     resizeDocks({m_accuracyDock}, {560}, Qt::Horizontal);
 }
