@@ -142,8 +142,38 @@ void StabilityWatch::adopt(const sim::Remedy &remedy)
     m_session.use(remedy);
 }
 
+TriedSpot StabilityWatch::settable(TriedSpot spot) const
+{
+    const auto fitted = [&](const char *id, double value, double grid) {
+        const lessons::Parameter *declared = m_session.step().parameter(QString::fromLatin1(id));
+        const double rounded = std::round(value / grid) * grid;
+        return declared ? std::clamp(rounded, declared->min, declared->max) : value;
+    };
+    // Three digits of a stiffness, which goes by ratio; damping as its field shows it.
+    if (spot.k > 0.0)
+        spot.k = fitted("k", spot.k, std::pow(10.0, std::floor(std::log10(spot.k)) - 2.0));
+    if (const lessons::Parameter *damp = m_session.step().parameter(QStringLiteral("damp")))
+        spot.damp = fitted("damp", spot.damp, std::pow(10.0, -damp->decimals));
+    spot.h = spot.h < 1.0 ? 1.0 / std::round(1.0 / spot.h) : std::round(spot.h);
+    return spot;
+}
+
+void StabilityWatch::adopt(const TriedSpot &spot)
+{
+    const TriedSpot to = settable(spot);
+    m_adopting = true;
+    // The step first: it makes the run as it was the ghost, and what is set after it at the cursor makes no other.
+    m_session.setStepSize(to.h);
+    m_session.setParameter(QStringLiteral("damp"), to.damp);
+    m_session.setParameter(QStringLiteral("k"), to.k);
+    m_adopting = false;
+    noteSpot();
+}
+
 void StabilityWatch::noteSpot()
 {
+    if (m_adopting)
+        return; // half way to the next one
     const sim::Values &values = m_session.timeline().values();
     TriedSpot spot;
     spot.k = values.has("k") ? values["k"] : 0.0;
@@ -162,7 +192,12 @@ bool StabilityWatch::canMap(MapPlane plane) const
     const lessons::Step &step = m_session.step();
     return m_session.timeline().script().method->stepLimit() == sim::StepLimit::stiffness &&
            step.parameter(QStringLiteral("k")) &&
-           (plane == MapPlane::step || step.parameter(QStringLiteral("damp")));
+           (plane == MapPlane::step || step.parameter(QStringLiteral("damp"))) && !nothingSwings();
+}
+
+bool StabilityWatch::nothingSwings() const
+{
+    return m_reading && m_reading->stability.bound == sim::Bound::noSprings && m_tried.back().k > 0.0;
 }
 
 void StabilityWatch::watchMap(std::optional<MapPlane> plane)

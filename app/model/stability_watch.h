@@ -56,9 +56,17 @@ public:
     void setDetailed(bool detailed);
     void adopt(const sim::Remedy &remedy);
 
-    /// Whether the open step can have a map: its scene has the parameter "k", and for `plane` damping "damp"; and the
-    /// method has a limit.
+    /// The nearest to `spot` that can be set: numbers as short as fields show them, within their ranges, and a step that
+    /// fits.
+    TriedSpot settable(TriedSpot spot) const;
+    /// Goes there, as the fields would: the run as it was before is the ghost.
+    void adopt(const TriedSpot &spot);
+
+    /// Whether the open step can have a map: its scene has the parameter "k", and for `plane` damping "damp"; the
+    /// method has a limit; and something swings, or would if k were not 0.
     bool canMap(MapPlane plane) const;
+    /// Whether nothing here has a stiffness, whatever its step's parameters are.
+    bool nothingSwings() const;
     /// Asks for a map, which then follows the session whenever it rests; none: computes no more.
     void watchMap(std::optional<MapPlane> plane);
     std::optional<MapPlane> mapPlane() const { return m_plane; }
@@ -106,6 +114,7 @@ private:
     std::shared_ptr<const sim::GrowthMap> m_map;
     std::optional<MapPlane> m_plane;
     std::vector<TriedSpot> m_tried;
+    bool m_adopting = false; ///< some of a spot is set, not all
 };
 
 }

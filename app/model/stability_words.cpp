@@ -169,15 +169,21 @@ QString stabilityVerdict(const StabilityReading &reading)
 QString leftOutWords(const StabilityReading &reading)
 {
     QStringList names;
+    bool hasSticks = false;
     for (const sim::EffectPtr &effect : reading.stability.leftOut) {
+        hasSticks = hasSticks || effect->kind() == sim::Kind::stick;
         const QString name = phrase(effect->title());
         if (!names.contains(name))
             names << name;
     }
     if (names.isEmpty())
         return {};
-    return Text::tr("Not part of this: %1. They act by jumps, once a step, and have no stiffness.")
-        .arg(names.join(QStringLiteral(", ")));
+    const QString said =
+        Text::tr("Not part of this: %1. They act by jumps, once a step, and have no stiffness.")
+            .arg(names.join(QStringLiteral(", ")));
+    return hasSticks ? Text::tr("%1 Sticks that bear weight err less by smaller steps than by more passes.")
+                           .arg(said)
+                     : said;
 }
 
 QString remedyLabel(const sim::Remedy &remedy)

@@ -256,9 +256,11 @@ void StabilityWatchTest::jumpsAreNamed()
 {
     Bench walls("gravity_walls", "gravity");
     QVERIFY2(leftOutWords(walls.settled()).contains("walls"), qPrintable(leftOutWords(walls.settled())));
+    QVERIFY(!leftOutWords(walls.settled()).contains("smaller steps"));
     Bench sticks("rigid_constraint", "list");
     QCOMPARE(sticks.settled().stability.bound, sim::Bound::noSprings);
     QVERIFY(leftOutWords(sticks.settled()).contains("sticks"));
+    QVERIFY(leftOutWords(sticks.settled()).contains("smaller steps"));
     Bench free;
     QVERIFY(leftOutWords(free.settled()).isEmpty());
 }

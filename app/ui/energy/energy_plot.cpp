@@ -2,6 +2,7 @@
 
 #include "app/model/numbers.h"
 #include "app/ui/energy/energy_list.h"
+#include "app/ui/theme/plot_axes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,13 +46,8 @@ EnergyPlot::EnergyPlot(Session &session, const EnergyCourse &course, const Theme
     setCursor(Qt::PointingHandCursor);
     setAntialiasedElements(QCP::aeAll);
     setNoAntialiasingOnDrag(false);
-    for (QCPAxis *axis : {xAxis, yAxis}) {
-        axis->grid()->setSubGridVisible(false);
-        axis->setTickLengthIn(0);
-        axis->setTickLengthOut(3);
-        axis->setSubTicks(false);
+    for (QCPAxis *axis : {xAxis, yAxis})
         axis->setTicker(QSharedPointer<QCPAxisTicker>(new ShortTicker));
-    }
     yAxis->ticker()->setTickCount(4);
     axisRect()->setMinimumMargins({40, 8, 12, 24});
     connect(&theme, &Theme::changed, this, &EnergyPlot::dress);
@@ -71,13 +67,9 @@ void EnergyPlot::dress()
     const Tokens &t = m_theme.tokens();
     setBackground(t.panel);
     for (QCPAxis *axis : {xAxis, yAxis}) {
-        axis->setBasePen(QPen(t.line2, 1.0));
-        axis->setTickPen(QPen(t.line2, 1.0));
-        axis->setTickLabelColor(t.ink3);
-        axis->setTickLabelFont(m_theme.ui(12));
-        axis->setTickLabelPadding(4);
-        axis->grid()->setPen(QPen(t.line, 1.0));
-        axis->grid()->setZeroLinePen(m_shows == Shows::momentum ? QPen(t.line2, 1.0) : Qt::NoPen);
+        dressAxis(*axis, m_theme);
+        if (m_shows == Shows::momentum)
+            axis->grid()->setZeroLinePen(QPen(t.line2, 1.0));
     }
     m_cursor->setPen(QPen(t.now, 2.0));
     clearGraphs();

@@ -3,6 +3,7 @@
 #include "app/model/accuracy_words.h"
 #include "app/ui/measure/plot_access.h"
 #include "app/ui/measure/plot_marks.h"
+#include "app/ui/theme/plot_axes.h"
 
 #include <QAccessible>
 #include <QToolTip>
@@ -22,12 +23,6 @@ SpotPlot::SpotPlot(AccuracyStudy &study, const Theme &theme, QWidget *parent)
     setAntialiasedElements(QCP::aeAll);
     setNoAntialiasingOnDrag(false);
     setPlottingHint(QCP::phImmediateRefresh, false); // it is painted together with all else that has changed
-    for (QCPAxis *axis : {xAxis, yAxis}) {
-        axis->grid()->setSubGridVisible(false);
-        axis->setTickLengthIn(0);
-        axis->setTickLengthOut(3);
-        axis->setSubTicks(false);
-    }
     m_errorTicks = makeLogarithmic(*yAxis, PowerTicker::Writing::powers);
     setErrors({});
     axisRect()->setAutoMargins(QCP::msNone);
@@ -39,17 +34,9 @@ SpotPlot::SpotPlot(AccuracyStudy &study, const Theme &theme, QWidget *parent)
 
 void SpotPlot::dress()
 {
-    const Tokens &t = m_theme.tokens();
-    setBackground(t.panel);
-    for (QCPAxis *axis : {xAxis, yAxis}) {
-        axis->setBasePen(QPen(t.line2, 1.0));
-        axis->setTickPen(QPen(t.line2, 1.0));
-        axis->setTickLabelColor(t.ink3);
-        axis->setTickLabelFont(m_theme.ui(12));
-        axis->setTickLabelPadding(4);
-        axis->grid()->setPen(QPen(t.line, 1.0));
-        axis->grid()->setZeroLinePen(Qt::NoPen);
-    }
+    setBackground(m_theme.tokens().panel);
+    dressAxis(*xAxis, m_theme);
+    dressAxis(*yAxis, m_theme);
     m_axesAreOld = true;
     refresh();
 }

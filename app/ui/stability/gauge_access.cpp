@@ -53,6 +53,12 @@ public:
     {
         return kind == QAccessible::Value ? m_plot->sentence() : QAccessibleWidget::text(kind);
     }
+    QStringList actionNames() const override { return {pressAction()}; }
+    void doAction(const QString &name) override
+    {
+        if (name == pressAction())
+            m_plot->adopt();
+    }
 
 private:
     GrowthPlot *m_plot;

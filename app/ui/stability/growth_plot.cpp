@@ -1,12 +1,9 @@
 #include "app/ui/stability/growth_plot.h"
 
 #include "app/model/numbers.h"
-#include "app/model/step_words.h"
 #include "app/ui/stability/map_axis.h"
 #include "app/ui/stability/stability_gauge.h"
-
-#include <QHelpEvent>
-#include <QToolTip>
+#include "app/ui/theme/plot_axes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,22 +18,16 @@ QColor mixed(const QColor &a, const QColor &b, double share)
     return {part(a.red(), b.red()), part(a.green(), b.green()), part(a.blue(), b.blue())};
 }
 
-QString valueWords(const sim::MapAxis &axis, double value)
-{
-    if (axis.parameter.empty())
-        return GrowthPlot::tr("a step of %1\u2009frames").arg(roughNumber(value));
-    return QStringLiteral("%1 %2").arg(QString::fromStdString(axis.parameter), roughNumber(value));
 }
 
-}
-
-GrowthPlot::GrowthPlot(const StabilityWatch &watch, const Theme &theme, QWidget *parent)
+GrowthPlot::GrowthPlot(StabilityWatch &watch, const Theme &theme, QWidget *parent)
     : QCustomPlot(parent), m_watch(watch), m_theme(theme), m_cells(new QCPColorMap(xAxis, yAxis))
 {
     installGaugeAccess();
     setObjectName("growthMap");
     setAccessibleName(tr("Map of growth"));
-    setFocusPolicy(Qt::TabFocus);
+    setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
     m_cells->setInterpolate(false);
     m_cells->setTightBoundary(false);
     m_cells->setDataRange(QCPRange(holding, std::log10(mostShown)));
@@ -55,14 +46,8 @@ void GrowthPlot::dress()
     const Tokens &t = m_theme.tokens();
     setBackground(QBrush(t.panel));
     axisRect()->setBackground(QBrush(t.scene));
-    for (QCPAxis *axis : {xAxis, yAxis}) {
-        axis->setBasePen(QPen(t.line2));
-        axis->setTickPen(QPen(t.line2));
-        axis->setSubTicks(false);
-        axis->setTickLabelColor(t.ink3);
-        axis->setTickLabelFont(m_theme.ui(12));
-        axis->setTickLength(0, 3);
-    }
+    dressAxis(*xAxis, m_theme);
+    dressAxis(*yAxis, m_theme);
     // Ever darker on a light ground, ever brighter on a dark one: it reads without hue.
     const bool isDark = m_theme.scheme() == Scheme::dark;
     const QColor far = isDark ? mixed(t.near, Qt::white, 0.65) : mixed(t.past, Qt::black, 0.5);
@@ -82,6 +67,8 @@ void GrowthPlot::dress()
 void GrowthPlot::refresh()
 {
     m_cells->setVisible(m_watch.map());
+    if (!m_watch.map())
+        m_chosen.reset();
     if (const sim::GrowthMap *map = m_watch.map()) {
         fill(*map);
         label(*map);
@@ -153,42 +140,6 @@ bool GrowthPlot::grows(int column, int row) const
     const sim::GrowthMap &map = *m_watch.map();
     const auto index = static_cast<std::size_t>(row) * map.x.values.size() + static_cast<std::size_t>(column);
     return index < map.growth.size() && map.growth[index] > 1.0;
-}
-
-QString GrowthPlot::wordsAt(QPointF place) const
-{
-    const sim::GrowthMap *map = m_watch.map();
-    if (!map || !QRectF(axisRect()->rect()).contains(place))
-        return {};
-    int column = 0, row = 0;
-    m_cells->data()->coordToCell(xAxis->pixelToCoord(place.x()), yAxis->pixelToCoord(place.y()), &column,
-                                 &row);
-    column = std::clamp(column, 0, static_cast<int>(map->x.values.size()) - 1);
-    row = std::clamp(row, 0, static_cast<int>(map->y.values.size()) - 1);
-    const auto x = static_cast<std::size_t>(column), y = static_cast<std::size_t>(row);
-    if (y * map->x.values.size() + x >= map->growth.size())
-        return {};
-    const QString where =
-        tr("%1, %2").arg(valueWords(map->x, map->x.values[x]), valueWords(map->y, map->y.values[y]));
-    return grows(column, row) ? tr("%1: disturbances %2").arg(where, growthWords(map->at(x, y)))
-                              : tr("%1: it holds").arg(where);
-}
-
-QString GrowthPlot::sentence() const
-{
-    if (!m_watch.map() || m_watch.tried().empty())
-        return tr("The map is being computed.");
-    return tr("You are at %1.").arg(wordsAt(onScreen(m_watch.tried().back())));
-}
-
-bool GrowthPlot::event(QEvent *event)
-{
-    if (event->type() == QEvent::ToolTip) {
-        const auto *help = static_cast<QHelpEvent *>(event);
-        QToolTip::showText(help->globalPos(), wordsAt(help->pos()), this);
-        return true;
-    }
-    return QCustomPlot::event(event);
 }
 
 }

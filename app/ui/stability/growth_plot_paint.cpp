@@ -119,6 +119,20 @@ void GrowthPlot::drawTried(QPainter &painter) const
     drawWord(painter, hereBox(QFontMetricsF(painter.font())), tr("you are here"), t.now, t.nowText);
 }
 
+/// Where the keys or the pointer are: the cell itself is only some px wide.
+void GrowthPlot::drawChosen(QPainter &painter) const
+{
+    if (!m_chosen)
+        return;
+    const Tokens &t = m_theme.tokens();
+    const QRectF here = cell(m_chosen->x(), m_chosen->y()).normalized().adjusted(-2, -2, 2, 2);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(t.panel, 3.5));
+    painter.drawRect(here);
+    painter.setPen(QPen(t.ink, 1.5));
+    painter.drawRect(here);
+}
+
 void GrowthPlot::drawScale(QPainter &painter) const
 {
     const Tokens &t = m_theme.tokens();
@@ -165,6 +179,12 @@ void GrowthPlot::paintEvent(QPaintEvent *event)
     drawWords(painter);
     painter.setClipping(false);
     drawTried(painter);
+    drawChosen(painter);
+    if (!m_ringed)
+        return;
+    painter.setPen(QPen(m_theme.tokens().ink, 2.0));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRoundedRect(QRectF(rect()).adjusted(1.0, 1.0, -1.0, -1.0), 6.0, 6.0);
 }
 
 }

@@ -235,10 +235,17 @@ void StabilityPanel::refreshMap()
         refreshRemedies(reading->remedies);
     const bool can = m_watch.canMap(plane.value_or(MapPlane::step));
     m_noMap->setVisible(!can);
-    m_noMap->setText(m_watch.session().step().parameter(QStringLiteral("k"))
-                         ? tr("There is no map for this method: no stiffness is too much for its step.")
-                         : tr("There is no map for this step: it has no stiffness k to change."));
+    m_noMap->setText(whyNoMap());
     m_plot->setVisible(plane && can);
+}
+
+QString StabilityPanel::whyNoMap() const
+{
+    if (!m_watch.session().step().parameter(QStringLiteral("k")))
+        return tr("There is no map for this step: it has no stiffness k to change.");
+    if (m_watch.nothingSwings())
+        return tr("There is no map here: nothing swings, so any stiffness and any step hold.");
+    return tr("There is no map for this method: no stiffness is too much for its step.");
 }
 
 void StabilityPanel::showEvent(QShowEvent *event)

@@ -49,6 +49,7 @@ private:
     void refreshRemedies(const std::vector<sim::Remedy> &remedies);
     QPushButton *remedyButton(const sim::Remedy &remedy);
     void refreshMap();
+    QString whyNoMap() const;
 
     StabilityWatch &m_watch;
     const Theme &m_theme;

@@ -92,8 +92,8 @@ void MainWindow::showEffects(bool shown)
 
 void MainWindow::arrangeForMeasuring()
 {
-    m_accuracyDock->show();
     if (width() >= wide) {
+        m_accuracyDock->show();
         m_energyDock->show();
         splitDockWidget(m_accuracyDock, m_codeDock, Qt::Horizontal);
         splitDockWidget(m_codeDock, m_parameterDock, Qt::Vertical);
@@ -104,8 +104,10 @@ void MainWindow::arrangeForMeasuring()
         resizeDocks({m_effectsDock}, {300}, Qt::Vertical);
         return;
     }
+    // What goes goes first: a window that had to hold both for a moment would stay too high.
     m_left->hide();
     m_codeDock->hide();
+    m_accuracyDock->show();
     m_parameterDock->show();
     tabifyDockWidget(m_accuracyDock, m_effectsDock);
     m_effectsDock->show();

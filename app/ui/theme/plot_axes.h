@@ -1,0 +1,25 @@
+#pragma once
+
+#include "app/ui/theme/theme.h"
+
+#include <qcustomplot.h>
+
+namespace app {
+
+/// Axis lines, ticks, labels and grid as all plots have them: small, with ticks outside, and without a zero line.
+inline void dressAxis(QCPAxis &axis, const Theme &theme)
+{
+    const Tokens &t = theme.tokens();
+    axis.setBasePen(QPen(t.line2, 1.0));
+    axis.setTickPen(QPen(t.line2, 1.0));
+    axis.setTickLength(0, 3);
+    axis.setSubTicks(false);
+    axis.setTickLabelColor(t.ink3);
+    axis.setTickLabelFont(theme.ui(12));
+    axis.setTickLabelPadding(4);
+    axis.grid()->setSubGridVisible(false);
+    axis.grid()->setPen(QPen(t.line, 1.0));
+    axis.grid()->setZeroLinePen(Qt::NoPen);
+}
+
+}
