@@ -30,6 +30,8 @@ inline Vec2 operator/(Vec2 a, double s)
 #endif
 }
 
+/// Infinite where a coordinate is beyond 1e154, as its square is: such a place has left every bound. std::hypot would go
+/// farther, and takes twice as long in what every spring computes.
 inline double length(Vec2 a)
 {
     return std::sqrt(a.x * a.x + a.y * a.y);
