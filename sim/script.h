@@ -92,6 +92,7 @@ struct Script
 };
 
 /// The scene of `script` for `values`: built, with its bodies' starts, without the effects that are off.
+/// @throws Error "start-not-finite" (body) when a body's start is no place or no velocity; what build() throws
 Scene sceneOf(const Script &script, const Values &values);
 
 /// `what` as an event of the row whose computation it precedes.

@@ -19,6 +19,15 @@ Parameter part(const char *id, const QString &name, const QString &unit, const Q
     return {id, name, {}, unit, help, preset, 0.0, 1.0, 0.0, 1.0, 2, {}};
 }
 
+/// What swings is the lead, on its motor: so this is what damps.
+Parameter keptByLead()
+{
+    Parameter parameter = part("keep", Text::tr("Keep"), Text::tr("per frame"),
+                               Text::tr("The share of its speed that the lead keeps each frame."), 0.7);
+    parameter.role = lessons::Role::keptSpeed;
+    return parameter;
+}
+
 Parameter pixels(const char *id, const QString &name, const QString &help, double preset, double sliderMax)
 {
     return {id, name, {}, Text::tr("px"), help, preset, 0.0, 1e6, 0.0, sliderMax, 0, {}};
@@ -54,8 +63,7 @@ std::vector<Parameter> motorParameters()
          4.0,
          2,
          {}},
-        part("keep", Text::tr("Keep"), Text::tr("per frame"),
-             Text::tr("The share of its speed that the lead keeps each frame."), 0.7),
+        keptByLead(),
         {"dt",
          Text::tr("Time step"),
          {},

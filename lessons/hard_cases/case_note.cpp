@@ -7,6 +7,7 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
 #include <memory>
 
 namespace hard_cases {
@@ -29,6 +30,8 @@ QString reasonOf(const sim::Error &why)
     const std::string &id = why.id();
     if (id == "claim-grows")
         return Text::tr("its steps are too long for what is so stiff");
+    if (id == "claim-longer-step")
+        return Text::tr("its steps are longer than those that the case’s sticks are measured by");
     if (id == "claim-rings")
         return Text::tr("it swings on for longer than the run");
     if (id == "claim-one-by-one")
@@ -71,19 +74,50 @@ Told toldOf(const sim::Script &script)
     return told;
 }
 
-/// How the moment at the cursor is, in a few words.
-QString judgement(const Told &told, const sim::Track &run)
+/// Looks at every row of a run once, the earlier ones first.
+class Judge
+{
+public:
+    /// Goes on from where it was to the cursor. After a jump there may be much to look at: then it leaves some for the
+    /// next time.
+    void follow(const Told &told, const sim::Track &run)
+    {
+        const int points = std::max(1, told.first.start.points());
+        for (int left = std::max(1, mostPlaces / points); left > 0 && !m_wrongAt && m_judged < run.at().frame;
+             --left) {
+            m_judged += run.rowFrames();
+            const bool isHere = m_judged == run.at().frame && run.at().phase == 0;
+            if (sim::whatIsWrong(told.hard, told.first, run.shown().scene,
+                                 isHere ? run.now() : run.stateAt(m_judged), m_judged))
+                m_wrongAt = m_judged;
+        }
+    }
+    /// The row up to which all is well, or what is wrong has been found.
+    std::int64_t judged() const { return m_judged; }
+    bool isWrongAt(std::int64_t frame) const { return m_wrongAt && *m_wrongAt <= frame; }
+    std::int64_t wrongAt() const { return *m_wrongAt; }
+
+private:
+    static constexpr int mostPlaces = 20'000; ///< looked at in one go
+    std::int64_t m_judged = 0;
+    std::optional<std::int64_t> m_wrongAt;
+};
+
+/// How the run is up to the cursor, in a few words.
+QString judgement(const Told &told, const Judge &judge, const sim::Track &run)
 {
     const std::int64_t frame = run.at().frame;
-    const sim::Scene &scene = run.shown().scene;
-    if (sim::whatIsWrong(told.hard, told.first, scene, run.now(), frame))
-        return Text::tr("out of its bounds");
+    if (judge.isWrongAt(frame))
+        return Text::tr("out of its bounds since frame %1").arg(judge.wrongAt());
+    if (judge.judged() < frame)
+        return Text::tr("within its bounds up to frame %1, the rest is not looked at yet")
+            .arg(judge.judged());
     if (!told.hard.rest || frame == 0)
-        return Text::tr("within its bounds");
+        return Text::tr("within its bounds so far");
     const sim::State before = run.stateAt(frame - run.rowFrames());
-    return sim::whatIsUnrest(told.hard, scene, before, run.now(), run.rowFrames())
-               ? Text::tr("within its bounds, not at rest yet")
-               : Text::tr("at rest, as it should be");
+    return sim::whatIsUnrest(told.hard, run.shown().scene, before, run.now(), run.rowFrames())
+               ? Text::tr("within its bounds so far, not at rest yet")
+               : Text::tr("within its bounds so far, and at rest, as it should be");
 }
 
 bool sameRun(const sim::Script &a, const sim::Script &b)
@@ -107,18 +141,20 @@ std::function<QString(const sim::Track &)> caseNote()
     {
         sim::Script script;
         Told told;
+        Judge judge;
     };
     // What a claim is worth takes some computing: it is kept as long as the run is the same.
     const auto kept = std::make_shared<std::optional<Kept>>();
     return [kept](const sim::Track &run) {
         if (!*kept || !sameRun((*kept)->script, run.script()))
-            *kept = Kept{run.script(), toldOf(run.script())};
+            *kept = Kept{run.script(), toldOf(run.script()), {}};
         const Told &told = (*kept)->told;
+        (*kept)->judge.follow(told, run);
         return Text::tr("%1\n%2 Frame %3 of %4: %5.")
             .arg(phrase(told.hard.story), told.claim)
             .arg(run.at().frame)
             .arg(told.hard.brief.frames)
-            .arg(judgement(told, run));
+            .arg(judgement(told, (*kept)->judge, run));
     };
 }
 

@@ -26,7 +26,7 @@ lessons::Look caseLook(const sim::Scene &scene, const sim::Values &values);
 
 /// Whether the run is that of a case, with nothing but method and step changed.
 bool isAsTold(const sim::Script &script);
-/// Tells the story of the case, whether the method claims it, and whether it holds at this moment.
+/// Tells the story of the case, whether the method claims it, and whether it has held up to this moment.
 std::function<QString(const sim::Track &)> caseNote();
 
 }

@@ -231,8 +231,9 @@ Step tortureStep()
         "Here are all the cases that this program is tested with. Choose one, and a **method** above the "
         "scene, and see what holds.\n\n"
         "A method **claims** what it can hold: that follows from its rule, and is worked out before the run. "
-        "The line over the scene says whether it claims this case, and how the moment is: within the bounds "
-        "that the case sets, at rest where it should be, or out of all bounds.\n\n"
+        "The line over the scene says whether it claims this case, and how the run has been so far: within "
+        "the "
+        "bounds that the case sets, at rest where it should be, or out of bounds, and since when.\n\n"
         "A claim that breaks would be a fault of the program. A case that nobody claims may hold all the "
         "same. What cannot be computed at all is refused, with a sentence.\n\n"
         "Hands, walls and steps belong to a case. If you reach in, it is your own experiment.");

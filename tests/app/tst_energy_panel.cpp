@@ -230,24 +230,6 @@ private slots:
         QCOMPARE(list->currentIndex().row(), 1);
     }
 
-    void theWindowStaysAsHighAsItIsWhenMeasuringBegins()
-    {
-        World world;
-        MainWindow window(world.session, world.theme,
-                          [](const sim::Script &, const sim::StudyPlan &, const sim::StudyProgress &) {
-                              return sim::Accuracy{};
-                          });
-        world.session.openStep("accuracy", "bounce"); // the one with the most below its plot
-        show(window, {1280, 800});
-        QCOMPARE(window.height(), 800);
-        for (const auto mode :
-             {MainWindow::Mode::measure, MainWindow::Mode::learn, MainWindow::Mode::measure}) {
-            window.setMode(mode);
-            QCoreApplication::processEvents();
-            QCOMPARE(window.height(), 800);
-        }
-    }
-
     void theWindowShowsItByKeyAndWhereMeasureHasRoom()
     {
         World world;
