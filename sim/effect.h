@@ -121,8 +121,8 @@ public:
     virtual void add(const State &state, Points movers, double scale, Directions directions,
                      Eigen::ArrayX2d &into) const = 0;
     /// The same in parts that are taken in ascending order and leave out no point that is tied to one of theirs: in
-    /// sum they come to what add() does with all of those points. So a part may add what both ends of a tie feel that
-    /// leads to an earlier part, and leave to later ones what leads there.
+    /// sum they come to what add() does with all of those points. A part adds nothing to points of later ones, whose
+    /// sums have not begun yet: what two parts have between them is left to the later one, for both ends.
     virtual void addPart(const State &state, Points part, double scale, Directions directions,
                          Eigen::ArrayX2d &into) const
     {

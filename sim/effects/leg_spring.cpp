@@ -16,6 +16,11 @@ double gaitOf(const State &state, const Leg &leg)
     return state.gait[leg.clock];
 }
 
+int lastOf(const Leg &leg)
+{
+    return std::max(leg.foot, leg.body);
+}
+
 void addTo(Eigen::ArrayX2d &into, int point, Vec2 a)
 {
     into(point, 0) += a.x;
@@ -26,8 +31,12 @@ void addTo(Eigen::ArrayX2d &into, int point, Vec2 a)
 
 LegSpring::LegSpring(std::vector<Leg> legs, LegRule rule) : m_legs(std::move(legs)), m_rule(rule)
 {
-    std::stable_sort(m_legs.begin(), m_legs.end(),
-                     [](const Leg &a, const Leg &b) { return a.foot < b.foot; });
+    std::stable_sort(m_legs.begin(), m_legs.end(), [](const Leg &a, const Leg &b) {
+        return std::pair(a.foot, lastOf(a)) < std::pair(b.foot, lastOf(b));
+    });
+    m_byLast = m_legs;
+    std::stable_sort(m_byLast.begin(), m_byLast.end(),
+                     [](const Leg &a, const Leg &b) { return lastOf(a) < lastOf(b); });
 }
 
 std::vector<Region> LegSpring::regions(Directions) const
@@ -95,12 +104,26 @@ Vec2 LegSpring::pull(const State &state, const Leg &leg) const
 
 void LegSpring::add(const State &state, Points movers, double scale, Directions, Eigen::ArrayX2d &into) const
 {
-    forEach(state, movers, [&](const Leg &leg) {
-        const Vec2 a = pull(state, leg);
-        addTo(into, leg.foot, (scale * state.inverseMass[leg.foot]) * a);
-        if (m_rule.reaction == Reaction::equal)
-            addTo(into, leg.body, (scale * state.inverseMass[leg.body]) * sim::reaction(a));
-    });
+    forEach(state, movers, [&](const Leg &leg) { addLeg(state, leg, scale, into); });
+}
+
+void LegSpring::addPart(const State &state, Points part, double scale, Directions,
+                        Eigen::ArrayX2d &into) const
+{
+    const auto before = [](const Leg &leg, int point) { return lastOf(leg) < point; };
+    auto leg = std::lower_bound(m_byLast.begin(), m_byLast.end(), part.first, before);
+    for (; leg != m_byLast.end() && lastOf(*leg) < part.end(); ++leg) {
+        if (state.feels(leg->foot) || bodyFeels(state, *leg))
+            addLeg(state, *leg, scale, into);
+    }
+}
+
+void LegSpring::addLeg(const State &state, const Leg &leg, double scale, Eigen::ArrayX2d &into) const
+{
+    const Vec2 a = pull(state, leg);
+    addTo(into, leg.foot, (scale * state.inverseMass[leg.foot]) * a);
+    if (m_rule.reaction == Reaction::equal)
+        addTo(into, leg.body, (scale * state.inverseMass[leg.body]) * sim::reaction(a));
 }
 
 bool LegSpring::addSlopes(const State &state, Points movers, double scale, Directions, Slopes &into) const

@@ -96,6 +96,8 @@ public:
     /// A leg belongs to its foot: with Reaction::equal its body is pulled when the foot is among `movers`.
     void add(const State &state, Points movers, double scale, Directions directions,
              Eigen::ArrayX2d &into) const override;
+    void addPart(const State &state, Points part, double scale, Directions directions,
+                 Eigen::ArrayX2d &into) const override;
     bool addSlopes(const State &state, Points movers, double scale, Directions directions,
                    Slopes &into) const override;
     std::optional<double> energy(const State &state) const override;
@@ -113,13 +115,15 @@ private:
     void forEach(const State &state, Points feet, Visit &&visit) const;
     Vec2 targetOf(const State &state, const Leg &leg) const;
     Vec2 pull(const State &state, const Leg &leg) const;
+    void addLeg(const State &state, const Leg &leg, double scale, Eigen::ArrayX2d &into) const;
     bool bodyFeels(const State &state, const Leg &leg) const
     {
         return m_rule.reaction == Reaction::equal && state.feels(leg.body);
     }
     std::vector<Live> explainFoot(const State &state, const Leg &leg) const;
 
-    std::vector<Leg> m_legs;
+    std::vector<Leg> m_legs;   ///< by foot
+    std::vector<Leg> m_byLast; ///< the same by the higher of their two points
     LegRule m_rule;
 };
 

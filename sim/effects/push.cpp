@@ -58,17 +58,30 @@ PushPull Push::pushOn(const State &state, int one, int other, Directions directi
 void Push::add(const State &state, Points movers, double scale, Directions directions,
                Eigen::ArrayX2d &into) const
 {
+    forEach(state, movers, [&](int one, int other) { addPair(state, one, other, scale, directions, into); });
+}
+
+void Push::addPart(const State &state, Points part, double scale, Directions directions,
+                   Eigen::ArrayX2d &into) const
+{
+    forEach(state, {0, part.end()}, [&](int one, int other) {
+        if (part.contains(other))
+            addPair(state, one, other, scale, directions, into);
+    });
+}
+
+void Push::addPair(const State &state, int one, int other, double scale, Directions directions,
+                   Eigen::ArrayX2d &into) const
+{
     const auto addTo = [&](int point, Vec2 pull) {
         const Vec2 a = (scale * state.inverseMass[point]) * pull;
         into(point, 0) += a.x;
         into(point, 1) += a.y;
     };
-    forEach(state, movers, [&](int one, int other) {
-        const Vec2 pull = pushOn(state, one, other, directions).pull;
-        addTo(one, pull);
-        if (m_reaction == Reaction::equal)
-            addTo(other, sim::reaction(pull));
-    });
+    const Vec2 pull = pushOn(state, one, other, directions).pull;
+    addTo(one, pull);
+    if (m_reaction == Reaction::equal)
+        addTo(other, sim::reaction(pull));
 }
 
 bool Push::addSlopes(const State &state, Points movers, double scale, Directions, Slopes &into) const

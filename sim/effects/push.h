@@ -55,6 +55,8 @@ public:
     /// one is among `movers`.
     void add(const State &state, Points movers, double scale, Directions directions,
              Eigen::ArrayX2d &into) const override;
+    void addPart(const State &state, Points part, double scale, Directions directions,
+                 Eigen::ArrayX2d &into) const override;
     bool addSlopes(const State &state, Points movers, double scale, Directions directions,
                    Slopes &into) const override;
     std::optional<double> energy(const State &state) const override;
@@ -64,6 +66,8 @@ public:
 private:
     template <class Visit>
     void forEach(const State &state, Points movers, Visit &&visit) const;
+    void addPair(const State &state, int one, int other, double scale, Directions directions,
+                 Eigen::ArrayX2d &into) const;
     PushPull pushOn(const State &state, int one, int other, Directions directions) const;
 
     std::vector<int> m_points; ///< in order

@@ -21,13 +21,15 @@
 
 #include <QTest>
 
+#include <algorithm>
+
 namespace {
 
 using std::make_shared;
 
-/// Four kinds of islands, many of each and laid out kind by kind: pairs on a one-way spring with drag along and
-/// across, of several masses; bodies on two bones that pull them back; three points that push each other; and points on
-/// a spring of their own, of which the first is in a hand.
+/// Four kinds of islands, many of each and laid out kind by kind: pairs on springs one way twice, with drag along and
+/// across, of several masses; bodies on two bones that pull them back, one foot numbered below its body and one above;
+/// three points that push each other; and points on a spring of their own, of which the first is in a hand.
 sim::Scene mixed(int each)
 {
     sim::Scene scene;
@@ -42,11 +44,11 @@ sim::Scene mixed(int each)
         links.push_back({each + i, i});
         links.push_back({i, each + i}); // pulled twice
         scene.start.inverseMass[i] = 1.0 / (1.0 + i % 3);
-        const int body = 2 * each + i;
-        legs.push_back({3 * each + i, body, 0.3, 0});
+        const int body = 3 * each + i;
+        legs.push_back({2 * each + i, body, 0.3, 0});
         legs.push_back({4 * each + i, body, 2.0, 0});
-        feet.push_back(3 * each + i);
-        const std::vector<int> three = {5 * each + 3 * i, 5 * each + 3 * i + 1, 5 * each + 3 * i + 2};
+        feet.push_back(2 * each + i);
+        const std::vector<int> three = {5 * each + i, 6 * each + i, 7 * each + i};
         scene.effects.push_back(make_shared<sim::Push>(three, 0.2, 80.0, sim::Reaction::equal));
         scene.effects.push_back(make_shared<sim::SplitDamping>(i, each + i, 0.9, 0.7));
         scene.effects.push_back(make_shared<sim::PointSpring>(8 * each + i, sim::Vec2{250.0, 90.0}, 0.05));
@@ -91,8 +93,20 @@ sim::Scene triangles(int count)
     return scene;
 }
 
+/// The same, and its legs act before anything else.
+sim::Scene legsFirst(int each)
+{
+    sim::Scene scene = mixed(each);
+    std::stable_partition(scene.effects.begin(), scene.effects.end(), [](const sim::EffectPtr &effect) {
+        return dynamic_cast<const sim::LegSpring *>(effect.get()) != nullptr;
+    });
+    return scene;
+}
+
 sim::Scene sceneCalled(const QString &name)
 {
+    if (name == u"legs first")
+        return legsFirst(12);
     if (name == u"a crowd")
         return bench::crowd::inTheRoom(40);
     return name == u"many kinds" ? mixed(12) : loose(90);
@@ -120,7 +134,7 @@ class Blocks : public QObject
         QTest::addColumn<QString>("scene");
         QTest::addColumn<QString>("method");
         QTest::addColumn<int>("points"); // in a block
-        for (const QString scene : {"a crowd", "many kinds", "loose points"}) {
+        for (const QString scene : {"a crowd", "many kinds", "legs first", "loose points"}) {
             for (const char *method : methods) {
                 for (const int points : {1, 20, 64})
                     QTest::addRow("%s by %s, %d points a block", qPrintable(scene), method, points)
