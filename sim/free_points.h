@@ -4,6 +4,7 @@
 #include "sim/wide.h"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace sim {
 
@@ -25,24 +26,46 @@ inline Points common(Points points, Points others)
     return {first, std::max(0, end - first)};
 }
 
-/// Gives each point of `points` that feels forces what `rule(point)` says, a Vec2 for its row of `into`. A rule looks
-/// at no other point, so several points are computed at once.
+/// From so many points on it pays to look first whether all of them feel forces, as they mostly do.
+constexpr int worthLooking = 32;
+
+/// Whether none of `points` has an inverse mass of 0.
+inline bool allFeel(const double *inverseMass, Points points)
+{
+    std::int64_t held = 0;
+    for (int i = points.first; i < points.end(); ++i)
+        held |= inverseMass[i] == 0.0 ? std::int64_t{1} : std::int64_t{0};
+    return held == 0;
+}
+
+/// Runs `one(point, feels)` for each point of `points`, several at once. No point looks at another one.
+template <class One>
+void forEachFree(const double *inverseMass, Points points, const One &one)
+{
+    runFast([&] {
+        const One work = one; // numbers that no store can change
+        const double *share = inverseMass;
+        const int first = points.first, end = points.end();
+        if (points.count >= worthLooking && allFeel(share, points)) {
+            SIM_TURNS_ARE_APART
+            for (int i = first; i < end; ++i)
+                work(i, true);
+            return;
+        }
+        SIM_TURNS_ARE_APART
+        for (int i = first; i < end; ++i)
+            work(i, share[i] != 0.0);
+    });
+}
+
+/// Gives each point of `points` that feels forces what `rule(point)` says, a Vec2 for its row of `into`.
 template <class Rule>
 void replaceFree(const Eigen::ArrayXd &inverseMass, Points points, Eigen::ArrayX2d &into, const Rule &rule)
 {
-    const double *weight = inverseMass.data();
-    const Columns column(into);
-    runFast([&] {
-        const Rule compute = rule; // numbers that no store can change
-        const double *share = weight;
-        double *x = column.x, *y = column.y;
-        const int end = points.end();
-        SIM_TURNS_ARE_APART
-        for (int i = points.first; i < end; ++i) {
-            const Vec2 value = compute(i);
-            x[i] = share[i] != 0.0 ? value.x : x[i];
-            y[i] = share[i] != 0.0 ? value.y : y[i];
-        }
+    forEachFree(inverseMass.data(), points, [rule, at = Columns(into)](int i, bool feels) {
+        const Vec2 value = rule(i);
+        at.x[i] = feels ? value.x : at.x[i];
+        at.y[i] = feels ? value.y : at.y[i];
     });
 }
 
@@ -50,17 +73,9 @@ void replaceFree(const Eigen::ArrayXd &inverseMass, Points points, Eigen::ArrayX
 template <class Rule>
 void replaceFree(const Eigen::ArrayXd &inverseMass, Points points, double *into, const Rule &rule)
 {
-    const double *weight = inverseMass.data();
-    runFast([&] {
-        const Rule compute = rule;
-        const double *share = weight;
-        double *column = into;
-        const int end = points.end();
-        SIM_TURNS_ARE_APART
-        for (int i = points.first; i < end; ++i) {
-            const double value = compute(i);
-            column[i] = share[i] != 0.0 ? value : column[i];
-        }
+    forEachFree(inverseMass.data(), points, [rule, into](int i, bool feels) {
+        const double value = rule(i);
+        into[i] = feels ? value : into[i];
     });
 }
 
@@ -68,21 +83,13 @@ void replaceFree(const Eigen::ArrayXd &inverseMass, Points points, double *into,
 template <class Rule>
 void replaceFreeMotion(State &state, Points points, const Rule &rule)
 {
-    const double *weight = state.inverseMass.data();
     const Columns position(state.position), velocity(state.velocity);
-    runFast([&] {
-        const Rule compute = rule;
-        const double *share = weight;
-        const Columns x = position, v = velocity;
-        const int end = points.end();
-        SIM_TURNS_ARE_APART
-        for (int i = points.first; i < end; ++i) {
-            const auto after = compute(i);
-            x.x[i] = share[i] != 0.0 ? after.x.x : x.x[i];
-            x.y[i] = share[i] != 0.0 ? after.x.y : x.y[i];
-            v.x[i] = share[i] != 0.0 ? after.v.x : v.x[i];
-            v.y[i] = share[i] != 0.0 ? after.v.y : v.y[i];
-        }
+    forEachFree(state.inverseMass.data(), points, [rule, x = position, v = velocity](int i, bool feels) {
+        const auto after = rule(i);
+        x.x[i] = feels ? after.x.x : x.x[i];
+        x.y[i] = feels ? after.x.y : x.y[i];
+        v.x[i] = feels ? after.v.x : v.x[i];
+        v.y[i] = feels ? after.v.y : v.y[i];
     });
 }
 

@@ -228,7 +228,8 @@ std::vector<LinkRuns::Part> LinkRuns::partsOf(const std::vector<Link> &links) co
         if (!leadsOneWay(run))
             return {};
         const bool up = run.mover > run.anchor;
-        parts.push_back({stroke, up ? RunEnd{run.mover, run.moverStep} : RunEnd{run.anchor, run.anchorStep}});
+        parts.push_back(
+            {stroke, up ? LinkEnds{run.mover, run.moverStep} : LinkEnds{run.anchor, run.anchorStep}});
     }
     std::stable_sort(parts.begin(), parts.end(),
                      [](const Part &a, const Part &b) { return a.high.first < b.high.first; });
@@ -253,7 +254,7 @@ std::vector<LinkRuns::Part>::const_iterator LinkRuns::partFrom(int point) const
                                 [point](const Part &part) { return part.high.first <= point - longestRun; });
 }
 
-LinkRun LinkRuns::clipped(const LinkRun &run, RunEnd end, Points points)
+LinkRun LinkRuns::clipped(const LinkRun &run, LinkEnds end, Points points)
 {
     LinkRun left = run;
     if (end.step == 0) {

@@ -53,7 +53,7 @@ enum class Take {
 };
 
 /// One of the two rows of points of a run.
-struct RunEnd
+struct LinkEnds
 {
     int first = 0; ///< of the first link
     int step = 0;  ///< from one link to the next, 0 or 1
@@ -105,7 +105,7 @@ private:
     struct Part
     {
         Stroke stroke;
-        RunEnd high;
+        LinkEnds high;
     };
 
     /// Whether `movers` are all points that any link moves.
@@ -117,7 +117,7 @@ private:
     std::vector<LinkBand>::const_iterator from(int point) const;
     std::vector<Part>::const_iterator partFrom(int point) const;
     /// What is left of `run` where its ends `end` are among `points`.
-    static LinkRun clipped(const LinkRun &run, RunEnd end, Points points);
+    static LinkRun clipped(const LinkRun &run, LinkEnds end, Points points);
     std::vector<Part> partsOf(const std::vector<Link> &links) const;
 
     std::vector<LinkBand> m_bands; ///< in the order of their movers

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <cstdlib>
 #include <limits>
 
 namespace sim {
@@ -133,11 +134,85 @@ inline void addRow(const PullRow &row, int first, int step, int count, const Pul
     }
 }
 
+/// Whether no point of `run` is both a mover and an anchor of it, and none comes twice: then each point has one pull to
+/// come, and it does not matter which point has its first.
+inline bool hasEachPointOnce(const LinkRun &run)
+{
+    return run.moverStep == 1 && run.anchorStep == 1 && std::abs(run.mover - run.anchor) >= run.count;
+}
+
+/// Adds the pulls of such a run to their sums, except for points in one place. Returns whether there are any.
+template <bool bothWays, class Both>
+bool addAtOnce(const LinkRun &run, const Places &at, const PullSum &sum, const Both &both)
+{
+    const double *mx = at.x + run.mover, *my = at.y + run.mover;
+    const double *ax = at.x + run.anchor, *ay = at.y + run.anchor;
+    const double *mw = sum.inverseMass + run.mover, *aw = sum.inverseMass + run.anchor;
+    double *px = sum.x + run.mover, *py = sum.y + run.mover;
+    double *qx = sum.x + run.anchor, *qy = sum.y + run.anchor;
+    const Both compute = both; // numbers that no store can change
+    const double scale = sum.scale;
+    std::int64_t close = 0;
+    const int count = run.count;
+    SIM_TURNS_ARE_APART
+    for (int i = 0; i < count; ++i) {
+        const BothPulls pulls = compute(Vec2{mx[i], my[i]}, Vec2{ax[i], ay[i]});
+        const bool inOne = pulls.length < inOnePlace;
+        close |= inOne ? std::int64_t{1} : std::int64_t{0};
+        const bool pulled = !inOne & (mw[i] != 0.0);
+        const double x = px[i] + scale * (mw[i] * pulls.mover.x);
+        const double y = py[i] + scale * (mw[i] * pulls.mover.y);
+        px[i] = pulled ? x : px[i];
+        py[i] = pulled ? y : py[i];
+        if constexpr (bothWays) {
+            const bool answered = !inOne & (aw[i] != 0.0);
+            const double backX = qx[i] + scale * (aw[i] * pulls.anchor.x);
+            const double backY = qy[i] + scale * (aw[i] * pulls.anchor.y);
+            qx[i] = answered ? backX : qx[i];
+            qy[i] = answered ? backY : qy[i];
+        }
+    }
+    return close != 0;
+}
+
+/// Adds the pulls that addAtOnce() has left out, by the rule for two points in one place.
+template <class Pull>
+#if defined(__GNUC__)
+[[gnu::noinline]]
+#endif
+void addClose(const Stroke &stroke, const Places &at, const PullSum &sum, const Pull &pull)
+{
+    const auto add = [&](const Link &link) {
+        const double weight = sum.inverseMass[link.mover];
+        if (weight == 0.0)
+            return;
+        const Vec2 one = pull(link);
+        sum.x[link.mover] += sum.scale * (weight * one.x);
+        sum.y[link.mover] += sum.scale * (weight * one.y);
+    };
+    for (int i = 0; i < stroke.run.count; ++i) {
+        const Link link = stroke.run.link(i);
+        const Vec2 d = {at.x[link.mover] - at.x[link.anchor], at.y[link.mover] - at.y[link.anchor]};
+        if (!(direction(d).length < inOnePlace))
+            continue;
+        add(link);
+        if (stroke.bothWays)
+            add({link.anchor, link.mover});
+    }
+}
+
 template <class Both, class Pull>
 void addStroke(const Stroke &stroke, const Places &at, const PullSum &sum, const Both &both, const Pull &pull)
 {
-    PullRows rows;
     const LinkRun &run = stroke.run;
+    if (hasEachPointOnce(run)) {
+        const bool close =
+            stroke.bothWays ? addAtOnce<true>(run, at, sum, both) : addAtOnce<false>(run, at, sum, both);
+        if (close)
+            addClose(stroke, at, sum, pull);
+        return;
+    }
+    PullRows rows;
     const bool apart =
         stroke.bothWays ? pullsOf<true>(run, at, both, rows) : pullsOf<false>(run, at, both, rows);
     if (!apart)
@@ -156,13 +231,11 @@ void addPullRuns(const Links &links, Take take, const State &state, Points point
 {
     const Places at = {state.position.data(), state.position.data() + state.position.rows()};
     const PullSum sum = {state.inverseMass.data(), scale, into.data(), into.data() + into.rows()};
-    runFast([&] {
-        const auto add = [&](const Stroke &stroke) { addStroke(stroke, at, sum, both, pull); };
-        if (take == Take::part)
-            links.runs().forEachPart(points, add);
-        else
-            links.runs().forEach(points, add);
-    });
+    const auto add = [&](const Stroke &stroke) { runFast([&] { addStroke(stroke, at, sum, both, pull); }); };
+    if (take == Take::part)
+        links.runs().forEachPart(points, add);
+    else
+        links.runs().forEach(points, add);
 }
 
 /// The same for pulls that know no direction: points in one place are nothing special.
