@@ -59,7 +59,7 @@ std::ptrdiff_t firstPhaseOf(const Pipeline &pipeline, const EffectPtr &effect)
 class CostMeter::Work
 {
 public:
-    Work(const Scene &scene, const MethodPtr &method, StepSize step, State from, const Clock &clock)
+    Work(const Scene &scene, const MethodPtr &method, StepSize step, State from, Clocks clocks)
         : m_plain(compose(scene, *method, step)), m_frames(step.rowFrames),
           m_stateBytes(std::max<std::size_t>(1, memoryOf(from)))
     {
@@ -79,7 +79,7 @@ public:
             one.isWithin = std::any_of(m_plain.phases.begin(), m_plain.phases.end(), [&](const Phase &phase) {
                 return !phase.effect && computes(phase, one.effect);
             });
-        m_stretch.emplace(std::move(from), clock);
+        m_stretch.emplace(std::move(from), std::move(clocks));
     }
 
     bool round(const GoesOn &goesOn)
@@ -269,12 +269,13 @@ double FrameCost::sum() const
 }
 
 CostMeter::CostMeter(const Scene &scene, const MethodPtr &method, StepSize step, State from)
-    : CostMeter(scene, method, step, std::move(from), passedSeconds)
+    : m_work(std::make_unique<Work>(scene, method, step, std::move(from),
+                                    Clocks{passedSeconds, computedSeconds}))
 {
 }
 
 CostMeter::CostMeter(const Scene &scene, const MethodPtr &method, StepSize step, State from, Clock clock)
-    : m_work(std::make_unique<Work>(scene, method, step, std::move(from), clock))
+    : m_work(std::make_unique<Work>(scene, method, step, std::move(from), Clocks{clock, clock}))
 {
 }
 
