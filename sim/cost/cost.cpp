@@ -126,7 +126,7 @@ private:
     /// their own.
     bool prepare(const GoesOn &goesOn)
     {
-        if (!m_stretch->choose(m_plain, goesOn) || !m_stretch->timePhases(m_probed, goesOn))
+        if (!m_stretch->choose(m_plain, goesOn) || !m_stretch->timeFrames(m_probed, goesOn))
             return false;
         const double frames = double(m_stretch->rowsRun()) * m_frames;
         bool anyWithin = false;
@@ -149,7 +149,7 @@ private:
     {
         for (Watched &one : m_watched)
             one.tally->restart();
-        const bool isDone = m_stretch->timePhases(m_probed, goesOn).has_value();
+        const bool isDone = m_stretch->timeFrames(m_probed, goesOn).has_value();
         for (Watched &one : m_watched) {
             for (Calls *calls : {&one.tally->acts, &one.tally->slopes})
                 calls->every = 0;

@@ -58,15 +58,14 @@ bool isWithin(double share, double a, double b)
     return std::abs(a - b) <= share * std::abs(b);
 }
 
-/// What each effect takes by its phases, the calls of those included, and what the method's own take ("").
+/// What each effect takes by its phases, their calls included, and what the method's own take ("").
 Counts apart(const Counts &counts)
 {
     Counts found;
-    const double call = counts["nothing"];
     const Counts phases = under(counts, "phase "), preludes = under(counts, "prelude ");
     for (auto it = phases.begin(); it != phases.end(); ++it) { // "0 effect gravity", "2 rest kick"
         const QString whose = it.key().section(' ', 1, 1) == "effect" ? it.key().section(' ', 2) : QString();
-        const double prelude = preludes.contains(it.key()) ? preludes[it.key()] - call : 0.0;
+        const double prelude = preludes.contains(it.key()) ? preludes[it.key()] : 0.0;
         found[whose] += it.value() - prelude;
         found[{}] += prelude;
     }
