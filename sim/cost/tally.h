@@ -79,10 +79,10 @@ public:
     }
     /// Counts the turn of `points`.
     void turn(Points points) { evaluations += shareOf(points); }
-    /// Makes room for repeated calls on what looks like `like`.
+    /// Makes room for repeated calls on what looks like `like`, as soon as there may be any.
     void makeRoom(const State &like)
     {
-        if (state.points() == like.points())
+        if ((acts.every == 0 && repeats == 0) || state.points() == like.points())
             return;
         state = like;
         pulls.setZero(like.points(), 2);
