@@ -99,13 +99,15 @@ std::shared_ptr<const Segment> Track::segmentFor(std::int64_t rowEnd) const
     const auto past = std::upper_bound(m_changes.begin(), m_changes.end(), rowEnd,
                                        [](std::int64_t frame, const Change &c) { return frame < c.frame; });
     const Change &change = *std::prev(past);
-    if (m_cachedFrom != change.frame) {
+    if (m_composed[0].from == change.frame)
+        return m_composed[0].segment;
+    std::swap(m_composed[0], m_composed[1]);
+    if (m_composed[0].from != change.frame) {
         Segment segment{change.values, sceneOf(m_script, change.values), {}};
         segment.pipeline = compose(segment.scene, *m_script.method, m_script.step);
-        m_cached = std::make_shared<const Segment>(std::move(segment));
-        m_cachedFrom = change.frame;
+        m_composed[0] = {change.frame, std::make_shared<const Segment>(std::move(segment))};
     }
-    return m_cached;
+    return m_composed[0].segment;
 }
 
 void Track::seek(Cursor target)
@@ -279,6 +281,8 @@ Track::Next Track::stopHere(const GoesOn &goesOn)
 
 std::optional<State> Track::rowState(std::int64_t frame, const GoesOn &goesOn) const
 {
+    if (m_at == Cursor{frame, 0})
+        return m_now;
     const auto kept = std::prev(m_kept.upper_bound(frame));
     State state = *kept->second;
     for (std::int64_t end = kept->first + rowFrames(); end <= frame; end += rowFrames()) {
@@ -372,7 +376,13 @@ void Track::replaceInput(std::vector<Event> input, std::int64_t frame)
 {
     m_script.input = std::move(input);
     m_changes = changesOf(m_script);
-    m_cachedFrom = -1;
+    for (Composed &one : m_composed) {
+        const bool stays = std::any_of(m_changes.begin(), m_changes.end(), [&](const Change &change) {
+            return change.frame == one.from && change.values == one.segment->values;
+        });
+        if (!stays)
+            one = {};
+    }
     while (m_kept.rbegin()->first >= frame) { // from the end: a hand edits there, many times a second
         m_keptBytes -= costOf(*m_kept.rbegin()->second);
         m_kept.erase(std::prev(m_kept.end()));

@@ -2,8 +2,10 @@
 
 #include "sim/script.h"
 
+#include <array>
 #include <compare>
 #include <cstddef>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <optional>
@@ -104,6 +106,8 @@ public:
     State begunAfter(State end, std::int64_t frame) const;
     /// The segment that it belongs to.
     std::shared_ptr<const Segment> segmentAt(std::int64_t frame) const { return segmentFor(frame); }
+    /// The last frame up to `frame` whose state is kept: from there a way to `frame` is computed again.
+    std::int64_t keptBefore(std::int64_t frame) const { return std::prev(m_kept.upper_bound(frame))->first; }
     std::size_t keptBytes() const { return m_keptBytes; }
     std::size_t keptStates() const { return m_kept.size(); }
 
@@ -136,8 +140,13 @@ private:
     Script m_script;
     std::vector<Change>
         m_changes; ///< values in force from a row's end on, by frame; the first is the start's
-    mutable std::shared_ptr<const Segment> m_cached; ///< the segment last asked for
-    mutable std::int64_t m_cachedFrom = -1;
+    struct Composed
+    {
+        std::int64_t from = -1; ///< frame of its change
+        std::shared_ptr<const Segment> segment;
+    };
+    /// The segments last asked for, the latest first: those before and after a change are asked for in turn.
+    mutable std::array<Composed, 2> m_composed;
     std::shared_ptr<const Segment> m_segment;
     State m_now;
     Cursor m_at;
