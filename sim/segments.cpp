@@ -19,6 +19,18 @@ Segments::Segments(const Script &script) : m_changes{{0, script.values}}
     }
 }
 
+void Segments::replace(const Script &script)
+{
+    m_changes = Segments(script).m_changes;
+    for (Composed &one : m_composed) {
+        const bool stays = std::any_of(m_changes.begin(), m_changes.end(), [&](const Change &change) {
+            return change.frame == one.from && change.values == one.segment->values;
+        });
+        if (!stays)
+            one = {};
+    }
+}
+
 void Segments::check(const Script &script, std::int64_t frame) const
 {
     for (const Change &change : m_changes) {
@@ -32,13 +44,15 @@ std::shared_ptr<const Segment> Segments::at(const Script &script, std::int64_t r
     const auto past = std::upper_bound(m_changes.begin(), m_changes.end(), rowEnd,
                                        [](std::int64_t frame, const Change &c) { return frame < c.frame; });
     const Change &change = *std::prev(past);
-    if (m_cachedFrom != change.frame) {
+    if (m_composed[0].from == change.frame)
+        return m_composed[0].segment;
+    std::swap(m_composed[0], m_composed[1]);
+    if (m_composed[0].from != change.frame) {
         Segment segment{change.values, sceneOf(script, change.values), {}};
         segment.pipeline = compose(segment.scene, *script.method, script.step);
-        m_cached = std::make_shared<const Segment>(std::move(segment));
-        m_cachedFrom = change.frame;
+        m_composed[0] = {change.frame, std::make_shared<const Segment>(std::move(segment))};
     }
-    return m_cached;
+    return m_composed[0].segment;
 }
 
 }

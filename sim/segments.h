@@ -2,6 +2,7 @@
 
 #include "sim/script.h"
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -23,6 +24,9 @@ public:
     Segments() = default;
     explicit Segments(const Script &script);
 
+    /// Those of `script`, which differs from the one before in its input alone. What stays as it was is not composed
+    /// again.
+    void replace(const Script &script);
     /// Composes each scene that the script comes to from `frame` on.
     /// @throws Error when one does not fit its method
     void check(const Script &script, std::int64_t frame) const;
@@ -37,8 +41,13 @@ private:
     };
     std::vector<Change>
         m_changes; ///< values in force from a row's end on, by frame; the first is the start's
-    mutable std::shared_ptr<const Segment> m_cached; ///< the segment last asked for
-    mutable std::int64_t m_cachedFrom = -1;
+    struct Composed
+    {
+        std::int64_t from = -1; ///< frame of its change
+        std::shared_ptr<const Segment> segment;
+    };
+    /// The segments last asked for, the latest first: those before and after a change are asked for in turn.
+    mutable std::array<Composed, 2> m_composed;
 };
 
 }

@@ -218,6 +218,8 @@ bool Track::runRow(State &state, std::int64_t rowEnd, const GoesOn &goesOn) cons
 
 std::optional<State> Track::rowState(std::int64_t frame, const GoesOn &goesOn) const
 {
+    if (m_at == Cursor{frame, 0})
+        return m_now;
     const FlushTiny flush;
     State state = known(frame);
     while (state.frame + rowFrames() <= frame) {
@@ -336,7 +338,7 @@ std::vector<Moment> Track::moments(const std::string &body) const
 void Track::replaceInput(std::vector<Event> input, std::int64_t frame)
 {
     m_script.input = std::move(input);
-    m_segments = Segments(m_script);
+    m_segments.replace(m_script);
     m_history.forget(frame);
     m_watch.forget(frame);
     m_computed = std::min(m_computed, m_at.frame);

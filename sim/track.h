@@ -107,6 +107,8 @@ public:
     {
         return m_segments.at(m_script, frame);
     }
+    /// The last frame up to `frame` whose state is known: from there the way to `frame` is computed again.
+    std::int64_t knownBefore(std::int64_t frame) const;
     std::size_t keptBytes() const { return m_history.bytes(); }
     std::size_t keptStates() const { return m_history.states(); }
     /// The memory of what sleeps: the states of one round each.
@@ -116,7 +118,6 @@ private:
     void restore(std::int64_t frame);
     /// The nearest known state at the end of a row that is not after `frame`.
     State known(std::int64_t frame) const;
-    std::int64_t knownBefore(std::int64_t frame) const;
     /// Takes `state`, at the end of a row, into the row that ends at `rowEnd`: applies its input.
     void begin(State &state, std::int64_t rowEnd) const;
     /// Whether the run goes on.

@@ -42,6 +42,13 @@ const sim::Balance *EnergyCourse::at(std::int64_t frame) const
     return &m_balances[static_cast<std::size_t>(row)];
 }
 
+std::optional<sim::NoEnergy> EnergyCourse::whyNone(const sim::Scene &scene)
+{
+    if (scene.start.points() > mostPoints)
+        return sim::NoEnergy::tooLarge;
+    return sim::Meter::whyNot(scene);
+}
+
 void EnergyCourse::restartAt(std::int64_t frame)
 {
     m_balances.clear();
@@ -54,7 +61,7 @@ void EnergyCourse::restartAt(std::int64_t frame)
     m_rowFrames = timeline.track().rowFrames();
     m_script = withoutInput(timeline.script());
     const std::shared_ptr<const sim::Segment> segment = timeline.track().segmentAt(frame);
-    m_whyNot = sim::Meter::whyNot(segment->scene);
+    m_whyNot = whyNone(segment->scene);
     if (!m_whyNot) {
         sim::Balance nothing;
         nothing.before = nothing.after = sim::Meter(segment->scene).read(timeline.track().stateAt(frame));
@@ -114,9 +121,10 @@ void EnergyCourse::countNext()
 {
     const sim::Track &track = m_session.timeline().track();
     const std::int64_t frame = last() + m_rowFrames;
-    const std::optional<sim::Balance> row = m_ledger.row(track, frame);
+    const bool fits = track.segmentAt(frame)->scene.start.points() <= mostPoints;
+    const std::optional<sim::Balance> row = fits ? m_ledger.row(track, frame) : std::nullopt;
     if (!row) { // a number has changed the scene so that it has none
-        m_whyNot = sim::Meter::whyNot(track.segmentAt(frame)->scene);
+        m_whyNot = whyNone(track.segmentAt(frame)->scene);
         m_balances.clear();
         return;
     }

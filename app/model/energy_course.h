@@ -22,6 +22,8 @@ public:
     static constexpr std::size_t mostRows = 20'000;
     /// Farther ahead than this, in rows, it starts anew near the cursor: to count all of them would take too long.
     static constexpr std::int64_t mostAhead = 20'000;
+    /// Scenes with more points than this are not counted.
+    static constexpr int mostPoints = 20'000;
 
     explicit EnergyCourse(Session &session, QObject *parent = nullptr);
 
@@ -47,6 +49,7 @@ signals:
     void changed();
 
 private:
+    static std::optional<sim::NoEnergy> whyNone(const sim::Scene &scene);
     void restartAt(std::int64_t frame);
     void restart() { restartAt(0); }
     void dropChanged();

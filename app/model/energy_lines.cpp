@@ -233,6 +233,11 @@ QString noEnergyWords(sim::NoEnergy why)
         return Text::tr(
             "Nothing here moves by itself: where it is, something else decides. So there is no energy to "
             "count. Scenes with a body that a spring pulls have this ledger.");
+    case sim::NoEnergy::tooLarge:
+        return Text::tr(
+                   "There are more than %1 points here. To count the energy of all of them, phase by phase, "
+                   "would take longer than the run itself.")
+            .arg(EnergyCourse::mostPoints);
     case sim::NoEnergy::unknownForce:
         break;
     }

@@ -82,6 +82,11 @@ QString sentenceFor(const sim::Error &error)
                 .arg(value(error, "method"));
     if (error.id() == "nothing-moves")
         return Text::tr("Nothing in this scene can move: leave at least one body free.");
+    if (error.id() == "too-many-points")
+        return Text::
+            tr("This scene has %1 points. Up to %2 are computed with every method: what a few of them tell "
+               "about methods holds for more of the same.")
+                .arg(value(error, "points"), value(error, "most"));
     if (error.id() == "tree-too-big")
         return Text::
             tr("This tree would have more than %1 branches: make its slope smaller than %2, or its smallest "

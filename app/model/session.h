@@ -152,7 +152,8 @@ public:
     QString selected() const { return m_selected; }
     void select(const QString &body);
     /// What the phases of the step under way, or of the last one, did to the selected body.
-    std::vector<sim::Moment> moments() const { return m_timeline->track().moments(m_selected.toStdString()); }
+    /// Empty where finding out would take too long: in a crowd, far from a moment that is kept.
+    std::vector<sim::Moment> moments() const;
     /// Inside a frame: the accelerations so far.
     std::vector<sim::Gathered> gathered() const { return sim::gathered(m_timeline->track()); }
 
@@ -198,6 +199,8 @@ private:
     /// playing if it played.
     void startAnew(const Deed &deed, const sim::Values &values, const std::vector<sim::MethodPtr> &methods);
     void advance(int frames);
+    /// Says once, after a while, that playing falls behind: `played` of the frames that were `due`.
+    void judgePace(int due, int played);
     /// Takes the companion to the cursor. Returns whether it is there.
     bool bringCompanion();
     void bringCompanionLater();
@@ -225,7 +228,9 @@ private:
     QString m_selected;
     QString m_ghostName;
     std::optional<sim::StepSize>
-        m_otherStep; ///< of the kind that the method in use does not take, as last in use
+        m_otherStep;  ///< of the kind that the method in use does not take, as last in use
+    int m_due = 0;    ///< frames since it plays
+    int m_played = 0; ///< of them
     bool m_holding = false;
     sim::Keys m_keys;                       ///< those that the learner has down
     std::optional<sim::Vec2> m_pointerDown; ///< where the learner has the pointer's button down

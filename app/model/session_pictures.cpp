@@ -8,12 +8,14 @@
 
 #include <QTimer>
 
+#include <algorithm>
 #include <utility>
 
 namespace app {
 
 namespace {
 
+constexpr std::int64_t mostComputedAgain = 3'000'000; ///< points times steps, for values of one moment
 constexpr std::size_t keptLooks =
     4; ///< of the run, its ghost, its companion, and what a change has just made
 
@@ -82,6 +84,16 @@ std::optional<Picture> Session::companion() const
     std::shared_ptr<const sim::Segment> segment;
     sim::State state = track->preview(segment);
     return pictureOf(*track, std::move(segment), std::move(state));
+}
+
+std::vector<sim::Moment> Session::moments() const
+{
+    const sim::Track &track = m_timeline->track();
+    const std::int64_t end = track.at().phase > 0 ? track.at().frame : track.at().frame - track.rowFrames();
+    const std::int64_t rows = (end - track.knownBefore(std::max<std::int64_t>(0, end))) / track.rowFrames();
+    if (rows * track.script().step.perRow * track.now().points() > mostComputedAgain)
+        return {};
+    return track.moments(m_selected.toStdString());
 }
 
 QString Session::ownCaption() const

@@ -15,6 +15,11 @@ namespace {
 
 constexpr qint64 sliceMilliseconds = 12;
 constexpr std::int64_t sliceSteps = 64;
+constexpr std::int64_t slicePoints =
+    100'000;                            ///< points times steps that are computed in one go, if that is less
+constexpr qint64 mostMilliseconds = 40; ///< of computing between two pictures while playing
+constexpr int framesToJudge = 45;       ///< due while playing, after which a run that falls behind is said to
+constexpr double fallsBehind = 0.8;     ///< of what is due
 
 }
 
@@ -29,6 +34,7 @@ void Session::play()
     if (isPlaying())
         return;
     m_goingTo.reset();
+    m_due = m_played = 0;
     m_player.play();
     emit playingChanged();
 }
@@ -56,9 +62,8 @@ void Session::frameForward()
 void Session::frameBack()
 {
     pause();
-    m_timeline->stepRowBack();
-    checkTries();
-    emit moved();
+    const sim::Cursor at = m_timeline->at();
+    goTo({at.phase > 0 ? at.frame : at.frame - m_timeline->track().rowFrames(), 0});
 }
 
 void Session::phaseForward()
@@ -93,16 +98,22 @@ void Session::approach()
     clock.start();
     const int rowFrames = m_timeline->track().rowFrames();
     const std::int64_t target = m_goingTo->frame;
+    const std::int64_t steps = std::min(sliceSteps, slicePoints / m_timeline->now().points());
     const std::int64_t slice =
-        std::max<std::int64_t>(1, sliceSteps / m_timeline->script().step.perRow) * rowFrames;
-    // Frames that were computed before, and every way back, cost one seek at the most.
-    if (target <= m_timeline->computed())
+        std::max<std::int64_t>(1, steps / m_timeline->script().step.perRow) * rowFrames;
+    // Back, or far on, to the nearest moment that is kept.
+    const std::int64_t kept = m_timeline->track().knownBefore(target);
+    if (target < m_timeline->at().frame || kept > m_timeline->at().frame)
+        m_timeline->seek({kept, 0});
+    else if (m_timeline->at().phase > 0 && target == m_timeline->at().frame)
         m_timeline->seek({target, 0});
-    while (m_timeline->at().frame + rowFrames <= target && clock.elapsed() < sliceMilliseconds &&
-           !m_timeline->stop())
+    const auto isThere = [&] {
+        const std::optional<sim::Stop> &stop = m_timeline->stop();
+        return m_timeline->at().frame + rowFrames > target || (stop && m_timeline->at().frame >= stop->frame);
+    };
+    while (!isThere() && clock.elapsed() < sliceMilliseconds)
         m_timeline->seek({std::min(target, m_timeline->at().frame + slice), 0});
-    const bool isThere = m_timeline->at().frame + rowFrames > target || m_timeline->stop();
-    if (bringCompanion() && isThere) {
+    if (bringCompanion() && isThere()) {
         const int phase = m_goingTo->phase;
         m_goingTo.reset();
         if (phase > 0)
@@ -118,6 +129,16 @@ void Session::approach()
         checkTries();
         emit moved();
     });
+}
+
+void Session::judgePace(int due, int played)
+{
+    const bool isJudged = m_due >= framesToJudge;
+    m_due += due;
+    m_played += played;
+    if (isPlaying() && !isJudged && m_due >= framesToJudge && m_played < fallsBehind * m_due)
+        emit said(tr("Too much to compute for 30 frames a second: it plays slower than that. The run stays "
+                     "the same."));
 }
 
 void Session::rewind()
@@ -137,10 +158,14 @@ void Session::startAfresh()
 void Session::advance(int frames)
 {
     const bool wasStopped = m_timeline->stop().has_value();
-    for (int i = 0; i < frames; ++i) {
+    QElapsedTimer clock;
+    clock.start();
+    int played = 0;
+    for (; played < frames && (played == 0 || clock.elapsed() < mostMilliseconds); ++played) {
         m_timeline->stepRow();
         checkTries();
     }
+    judgePace(frames, played);
     const std::optional<sim::Stop> &stop = m_timeline->stop();
     if (stop && m_timeline->at().frame == stop->frame) {
         if (isPlaying() || !wasStopped)

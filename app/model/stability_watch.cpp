@@ -190,7 +190,8 @@ void StabilityWatch::noteSpot()
 bool StabilityWatch::canMap(MapPlane plane) const
 {
     const lessons::Step &step = m_session.step();
-    return m_session.timeline().script().method->stepLimit() == sim::StepLimit::stiffness &&
+    return m_session.timeline().now().points() <= sim::mostSwinging &&
+           m_session.timeline().script().method->stepLimit() == sim::StepLimit::stiffness &&
            step.parameter(QStringLiteral("k")) &&
            (plane == MapPlane::step || step.parameter(QStringLiteral("damp"))) && !nothingSwings();
 }

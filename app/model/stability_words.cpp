@@ -130,6 +130,8 @@ QString gaugeWords(const StabilityReading &reading)
         return Text::tr("nothing swings");
     case Bound::unknown:
         return Text::tr("not known here");
+    case Bound::tooLarge:
+        return Text::tr("too many points");
     case Bound::stiffness:
         break;
     }
@@ -156,6 +158,11 @@ QString stabilityVerdict(const StabilityReading &reading)
                         "it.");
     case Bound::unknown:
         return Text::tr("<b>Not known here.</b> The pulls in this state are no finite numbers.");
+    case Bound::tooLarge:
+        return Text::tr(
+                   "<b>Too many points.</b> With more than %1 of them it would take too long to find the "
+                   "stiffest swing. Where nobody feels anybody, a few of them tell it for all.")
+            .arg(sim::mostSwinging);
     case Bound::stiffness:
         break;
     }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <string>
 
 namespace sim {
 
@@ -49,6 +50,9 @@ void markFront(std::vector<AccuracyRow> &rows)
 Accuracy studyAccuracy(const Script &script, const StudyPlan &plan, const StudyProgress &progress)
 {
     Track::check(script, 0);
+    if (const int points = sceneOf(script, script.values).start.points(); points > mostStudied)
+        throw Error("too-many-points",
+                    {{"points", std::to_string(points)}, {"most", std::to_string(mostStudied)}});
     Accuracy found;
     found.span = plan.frames;
     found.rows = waitingRows(plan);

@@ -103,11 +103,15 @@ struct StudyPlan
 /// Tells how far a study is: `done` from 0 to 1. Returns false to stop it.
 using StudyProgress = std::function<bool(const Accuracy &soFar, double done)>;
 
+/// The most points of a scene that is studied: every method computes it, many times over.
+constexpr int mostStudied = 20'000;
+
 /// Measures every method on the scene of `script`, with its input, from frame 0 on: first the reference and its
 /// horizon (where that takes long, with a first look at errors up to where it has come), then each rung's error
 /// from coarse to fine, then times by interleaved runs. May run on any thread; a study that is stopped returns what
 /// it has.
-/// @throws Error when the scene cannot be computed by the script's own method
+/// @throws Error when the scene cannot be computed by the script's own method; "too-many-points" (points, most) when
+/// its start has more than mostStudied
 Accuracy studyAccuracy(const Script &script, const StudyPlan &plan, const StudyProgress &progress);
 
 /// The rungs that a study tries for `method`: steps 1, 1/2, 1/4... or tolerances, from coarse to fine.

@@ -24,6 +24,7 @@ enum class NoEnergy {
     noInertia,    ///< some of its points have no velocity: they go where a rule puts them
     nothingMoves, ///< nothing in it goes on by itself
     unknownForce, ///< things turn, and nothing tells their inertia
+    tooLarge,     ///< it has one, but counting it would take whoever waits for it too long
 };
 
 /// Reads energy and momentum off the states of one scene. A body in the hand counts like any other, with the mass

@@ -63,6 +63,8 @@ Stability stabilityOf(const Scene &scene, const State &state, const Method &meth
     Stability found;
     found.h = h;
     found.bound = boundOf(method);
+    if (found.bound == Bound::stiffness && state.points() > mostSwinging)
+        found.bound = Bound::tooLarge;
     if (found.bound != Bound::stiffness)
         return found;
     const Linear linear = linearise(scene, state, method);

@@ -13,7 +13,11 @@ enum class Bound {
     tolerance, ///< the method keeps its own steps short enough
     noSprings, ///< nothing here swings: what acts has no stiffness
     unknown,   ///< pulls are not finite here
+    tooLarge,  ///< more points than mostSwinging: it would take too long to find out
 };
+
+/// The most points whose swings are looked for together.
+constexpr int mostSwinging = 20'000;
 
 /// What growth looks like, from one step to the next.
 enum class Manner {

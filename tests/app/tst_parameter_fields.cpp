@@ -41,6 +41,8 @@ private slots:
     void aValueBeyondTheSliderHoldsTheHandleAtItsEnd();
     void aChoiceIsChosenByName();
     void aCountMovesByWholeNumbers();
+    void aSliderWithDecadesGoesByTheFirstPlace();
+    void aBoxWithDecadesGoesByTheFirstPlace();
 };
 
 void ParameterFieldsTest::aClickOnTheGrooveSetsTheValue()
@@ -209,6 +211,77 @@ void ParameterFieldsTest::aCountMovesByWholeNumbers()
     type(*box, "8.4");
     QCOMPARE(world.session.parameter("feet"), 8.0);
     QCOMPARE(box->text(), QString("8"));
+}
+
+namespace {
+
+lessons::Parameter oneToAMillion()
+{
+    lessons::Parameter parameter;
+    parameter.id = "many";
+    parameter.min = parameter.sliderMin = 1.0;
+    parameter.max = parameter.sliderMax = 1e6;
+    parameter.decimals = 0;
+    parameter.whole = true;
+    parameter.scale = lessons::Scale::decades;
+    return parameter;
+}
+
+}
+
+void ParameterFieldsTest::aSliderWithDecadesGoesByTheFirstPlace()
+{
+    World world;
+    ParameterSlider slider(oneToAMillion(), world.theme);
+    QSignalSpy chosen(&slider, &ParameterSlider::chosen);
+    QCOMPARE(slider.maximum(), 6 * 9);
+    for (int position = 1; position <= slider.maximum(); ++position)
+        slider.setValue(position);
+    QCOMPARE(chosen.size(), 54);
+    double decade = 1.0;
+    for (int i = 0; i < 54; ++i) {
+        if (i % 9 == 8)
+            decade *= 10.0;
+        const double digit = i % 9 == 8 ? 1.0 : i % 9 + 2.0;
+        QCOMPARE(chosen[i].first().toDouble(), digit * decade);
+    }
+    // Any value shows where it lies between those, and a shown one is nobody's choice.
+    chosen.clear();
+    for (const auto &[value, position] : {std::pair{1.0, 0},
+                                          {7.0, 6},
+                                          {10.0, 9},
+                                          {100.0, 18},
+                                          {149.0, 18},
+                                          {151.0, 19},
+                                          {1e6, 54},
+                                          {0.0, 0},
+                                          {1e9, 54}}) {
+        slider.show(value);
+        QCOMPARE(slider.value(), position);
+    }
+    QVERIFY(chosen.isEmpty());
+}
+
+void ParameterFieldsTest::aBoxWithDecadesGoesByTheFirstPlace()
+{
+    World world;
+    NumberBox box(oneToAMillion(), world.theme);
+    const auto pressed = [&](double from, int steps) {
+        box.show(from);
+        box.stepBy(steps);
+        return box.value();
+    };
+    QCOMPARE(pressed(1.0, 1), 2.0);
+    QCOMPARE(pressed(9.0, 1), 10.0);
+    QCOMPARE(pressed(10.0, 1), 20.0);
+    QCOMPARE(pressed(10.0, -1), 9.0);
+    QCOMPARE(pressed(1000.0, 1), 2000.0);
+    QCOMPARE(pressed(1000.0, -1), 900.0);
+    QCOMPARE(pressed(1.0, -1), 1.0);
+    QCOMPARE(pressed(1e6, 1), 1e6);
+    box.setFocus();
+    box.show(123456.0);
+    QCOMPARE(box.text(), QString("123456"));
 }
 
 QTEST_MAIN(ParameterFieldsTest)

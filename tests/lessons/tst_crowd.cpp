@@ -1,8 +1,10 @@
 #include "lessons/api/creature.h"
+#include "sim/accuracy/study.h"
 #include "sim/effects/damping.h"
 #include "sim/effects/gravity.h"
 #include "sim/effects/radial_spring.h"
 #include "sim/effects/walls.h"
+#include "sim/stability/stability.h"
 #include "tests/lessons/support.h"
 
 #include <QTest>
@@ -62,6 +64,7 @@ private slots:
     void eachStartsElsewhereInItsOwnShape();
     void theRoomGrowsWithTheCrowd();
     void aCreatureThatComesInDisturbsNobody();
+    void whatWouldTakeTooLongDeclines();
     void theTextSaysWhatHolds();
 };
 
@@ -180,6 +183,24 @@ void CrowdStep::aCreatureThatComesInDisturbsNobody()
     QCOMPARE(after.points(), 30);
     for (int i = 0; i < 3; ++i)
         QVERIFY(before.at(i) == after.at(i));
+}
+
+void CrowdStep::whatWouldTakeTooLongDeclines()
+{
+    const auto boundOf = [&](int count) {
+        const sim::Script script = crowdOf(count);
+        const sim::Scene scene = script.build(script.values);
+        return sim::stabilityOf(scene, scene.start, *script.method, script.step.h).bound;
+    };
+    QVERIFY(boundOf(2) == sim::Bound::stiffness);
+    QVERIFY(boundOf(sim::mostSwinging / 6 + 1) == sim::Bound::tooLarge);
+    try {
+        sim::studyAccuracy(crowdOf(sim::mostStudied / 6 + 1), {},
+                           [](const sim::Accuracy &, double) { return false; });
+        QFAIL("it was studied");
+    } catch (const sim::Error &error) {
+        QCOMPARE(error.id(), std::string("too-many-points"));
+    }
 }
 
 void CrowdStep::theTextSaysWhatHolds()

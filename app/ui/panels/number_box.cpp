@@ -30,7 +30,7 @@ QString plain(QString text)
 
 NumberBox::NumberBox(const lessons::Parameter &parameter, const Theme &theme, QWidget *parent)
     : QDoubleSpinBox(parent), m_theme(theme), m_min(parameter.min), m_max(parameter.max),
-      m_decimals(parameter.isWhole() ? 0 : parameter.decimals)
+      m_decimals(parameter.isWhole() ? 0 : parameter.decimals), m_scale(parameter.scale)
 {
     setButtonSymbols(QAbstractSpinBox::NoButtons);
     setAlignment(Qt::AlignRight);
@@ -100,9 +100,18 @@ QValidator::State NumberBox::validate(QString &text, int &) const
     return canBecome ? QValidator::Intermediate : QValidator::Invalid;
 }
 
+double NumberBox::stepFrom(double value, int steps) const
+{
+    if (m_scale == lessons::Scale::even || std::abs(value) < singleStep())
+        return singleStep();
+    // Down from 100 leads to 90.
+    const double below = steps < 0 ? std::abs(value) * (1.0 - 1e-9) : std::abs(value);
+    return std::max(singleStep(), std::pow(10.0, std::floor(std::log10(below) + 1e-12)));
+}
+
 void NumberBox::stepBy(int steps)
 {
-    const double wanted = std::clamp(value() + steps * singleStep(), m_min, m_max);
+    const double wanted = std::clamp(value() + steps * stepFrom(value(), steps), m_min, m_max);
     setValue(QString::number(wanted, 'f', m_decimals).toDouble());
     selectAll();
 }

@@ -45,11 +45,14 @@ private:
 
     void dress();
     void write();
+    /// By how much a press of an arrow key changes `value`; `steps` says which way.
+    double stepFrom(double value, int steps) const;
 
     const Theme &m_theme;
     double m_min;
     double m_max;
     int m_decimals;
+    lessons::Scale m_scale;
     bool m_inFull = false; ///< while it has the focus
 };
 

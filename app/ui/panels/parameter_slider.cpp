@@ -12,31 +12,50 @@ namespace app {
 namespace {
 
 constexpr double grooveHeight = 4.0;
+constexpr double stepsOfDecade = 9.0;
+
+/// How many steps, each of one in the first decimal place, lead from `first`, a power of ten, to `value`.
+double decadeSteps(double first, double value)
+{
+    const double least = std::max(value, first) / first;
+    const double decade = std::floor(std::log10(least) + 1e-12);
+    return stepsOfDecade * decade + least / std::pow(10.0, decade) - 1.0;
+}
 
 }
 
 ParameterSlider::ParameterSlider(const lessons::Parameter &parameter, const Theme &theme, QWidget *parent)
-    : QSlider(Qt::Horizontal, parent), m_theme(theme), m_min(parameter.sliderMin),
+    : QSlider(Qt::Horizontal, parent), m_theme(theme), m_scale(parameter.scale), m_min(parameter.sliderMin),
       m_unit(parameter.isWhole() ? 1.0 : std::pow(10.0, -parameter.decimals))
 {
-    const int steps = std::max(1, qRound((parameter.sliderMax - parameter.sliderMin) / m_unit));
+    const int steps = std::max(1, qRound(m_scale == lessons::Scale::decades
+                                             ? decadeSteps(m_min, parameter.sliderMax)
+                                             : (parameter.sliderMax - parameter.sliderMin) / m_unit));
     setRange(0, steps);
     setSingleStep(1);
     setPageStep(std::max(1, steps / 10));
     setFocusPolicy(Qt::StrongFocus);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    connect(this, &QSlider::valueChanged, this, [this](int position) {
-        // Decimal fractions are written out and read back, so that 0.3 is the 0.3 that one would type.
-        const double value = m_min + position * m_unit;
-        emit chosen(std::round(value / m_unit) / std::round(1.0 / m_unit));
-    });
+    connect(this, &QSlider::valueChanged, this, [this](int position) { emit chosen(valueAt(position)); });
     connect(&theme, &Theme::changed, this, qOverload<>(&QWidget::update));
 }
 
 int ParameterSlider::positionOf(double value) const
 {
-    return static_cast<int>(
-        std::clamp(std::round((value - m_min) / m_unit), double(minimum()), double(maximum())));
+    const double steps =
+        m_scale == lessons::Scale::decades ? decadeSteps(m_min, value) : (value - m_min) / m_unit;
+    return static_cast<int>(std::clamp(std::round(steps), double(minimum()), double(maximum())));
+}
+
+double ParameterSlider::valueAt(int position) const
+{
+    double value = m_min + position * m_unit;
+    if (m_scale == lessons::Scale::decades) {
+        const double decade = std::floor(position / stepsOfDecade);
+        value = m_min * std::pow(10.0, decade) * (1.0 + position - stepsOfDecade * decade);
+    }
+    // Decimal fractions are written out and read back, so that 0.3 is the 0.3 that one would type.
+    return std::round(value / m_unit) / std::round(1.0 / m_unit);
 }
 
 void ParameterSlider::show(double value)

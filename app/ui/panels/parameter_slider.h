@@ -9,8 +9,9 @@
 
 namespace app {
 
-/// A slider over the stretch that a parameter declares, in steps of the last place that is shown. It can mark the
-/// value that the old run has. Values outside the stretch hold the handle at its end.
+/// A slider over the stretch that a parameter declares: in steps of the last place that is shown or, where it has
+/// decades, in steps of the first (8, 9, 10, 20, 30...). It can mark the value that the old run has. Values outside
+/// the stretch hold the handle at its end.
 class ParameterSlider : public QSlider
 {
     Q_OBJECT
@@ -42,10 +43,12 @@ private:
     double xOf(double position) const;
     int positionAt(double x) const;
     int positionOf(double value) const;
+    double valueAt(int position) const;
 
     const Theme &m_theme;
+    lessons::Scale m_scale;
     double m_min;
-    double m_unit; ///< one step of the slider
+    double m_unit; ///< one step of the slider; with decades, one of its first decade
     std::optional<double> m_ghost;
     double m_held = 0.0; ///< where the handle was taken, from its middle
 };

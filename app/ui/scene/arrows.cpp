@@ -19,6 +19,19 @@ double lengthOf(QPointF v)
     return std::hypot(v.x(), v.y());
 }
 
+/// Calls `visit(point)` for the points that have arrows.
+template <class Visit>
+void forPointsWithArrows(const Shown &shown, Visit &&visit)
+{
+    if (shown.isCrowd()) {
+        if (shown.selected >= 0)
+            visit(shown.selected);
+        return;
+    }
+    for (int i = 0; i < shown.points(); ++i)
+        visit(i);
+}
+
 /// An arrow of `vector` px that starts outside of the disc of point `point`, moved sideways by `aside` px.
 Arrow atEdge(const Shown &shown, const Camera &camera, int point, QPointF vector, double aside)
 {
@@ -136,8 +149,7 @@ std::vector<Arrow> pullArrows(const Shown &shown, const Camera &camera, const Th
     std::vector<Arrow> arrows;
     if (shown.gathered.empty())
         return arrows;
-    for (int i = 0; i < shown.points(); ++i)
-        addPullsAt(arrows, shown, camera, theme, i);
+    forPointsWithArrows(shown, [&](int point) { addPullsAt(arrows, shown, camera, theme, point); });
     if (shown.hasSum()) {
         const QPointF vector = scaled(shown.sumOnSelected(), shown.pullUnit);
         const double aside = std::min(besideSum, camera.radius(shown.radius(shown.selected)));
@@ -153,13 +165,14 @@ std::vector<Arrow> velocityArrows(const Shown &shown, const Camera &camera, cons
     std::vector<Arrow> arrows;
     if (!shown.extras.velocities)
         return arrows;
-    for (int i = 0; i < shown.points(); ++i) {
-        if (shown.isHidden(i))
-            continue;
-        Arrow arrow = atEdge(shown, camera, i, scaled(shown.state().speed(i), shown.velocityUnit), 0.0);
+    forPointsWithArrows(shown, [&](int point) {
+        if (shown.isHidden(point))
+            return;
+        const QPointF vector = scaled(shown.state().speed(point), shown.velocityUnit);
+        Arrow arrow = atEdge(shown, camera, point, vector, 0.0);
         arrow.style = velocityStyle(theme);
         arrows.push_back(arrow);
-    }
+    });
     return arrows;
 }
 

@@ -1,5 +1,6 @@
 // Bodies and their legs.
 
+#include "app/ui/scene/crowd.h"
 #include "app/ui/scene/eyes.h"
 #include "app/ui/scene/figure.h"
 #include "app/ui/scene/layers.h"
@@ -31,6 +32,15 @@ void drawJoint(const Canvas &canvas, QPointF centre, double radius)
     p.setPen(Qt::NoPen);
 }
 
+/// Whether the point is one of the small discs that are drawn all at once.
+bool isInCrowd(const Canvas &canvas, int point)
+{
+    using Shape = lessons::BodyLook::Shape;
+    const Shown &shown = canvas.shown;
+    const bool isDisc = shown.shape(point) == Shape::body || shown.shape(point) == Shape::foot;
+    return shown.isCrowd() && isDisc && shown.radius(point) * canvas.camera.zoom < smallestFace;
+}
+
 void drawBody(const Canvas &canvas, int point)
 {
     const Shown &shown = canvas.shown;
@@ -54,11 +64,18 @@ void drawBody(const Canvas &canvas, int point)
 
 void LegLayer::draw(const Canvas &canvas) const
 {
-    QPen pen = solid(faded(canvas.tokens().body, 0.85), legWidth(canvas.camera.zoom));
+    const QColor color = faded(canvas.tokens().body, 0.85);
+    QPen pen = solid(color, legWidth(canvas.camera.zoom));
     pen.setCapStyle(Qt::FlatCap);
     canvas.painter.setPen(pen);
     const Figure figure{canvas.shown.look(), canvas.shown.state()};
-    canvas.painter.drawLines(straightLegs(canvas, figure));
+    if (canvas.shown.isCrowd()) {
+        begin(m_stencil, canvas);
+        addLegs(m_stencil, canvas, figure, legWidthInCrowd(canvas.camera.zoom));
+        m_stencil.paint(canvas.painter, color);
+    } else {
+        canvas.painter.drawLines(straightLegs(canvas, figure));
+    }
     canvas.painter.drawPath(curvedLegs(canvas, figure));
 }
 
@@ -67,8 +84,15 @@ void BodyLayer::draw(const Canvas &canvas) const
     const Shown &shown = canvas.shown;
     QPainter &p = canvas.painter;
     p.setPen(Qt::NoPen);
-    for (int i = 0; i < shown.points(); ++i)
-        drawBody(canvas, i);
+    if (shown.isCrowd()) {
+        begin(m_stencil, canvas);
+        addDiscs(m_stencil, canvas, {shown.look(), shown.state()}, smallestFace);
+        m_stencil.paint(p, canvas.tokens().body);
+    }
+    for (int i = 0; i < shown.points(); ++i) {
+        if (!isInCrowd(canvas, i))
+            drawBody(canvas, i);
+    }
     if (shown.selected < 0 || shown.isHidden(shown.selected))
         return;
     const QPointF centre = canvas.camera.at(shown.state().at(shown.selected));

@@ -69,7 +69,9 @@ std::vector<EdgeMarker> edgeMarkers(const Shown &shown, const Camera &camera, QR
                                     std::vector<QRectF> taken)
 {
     std::vector<EdgeMarker> markers;
-    for (int i = 0; i < shown.points(); ++i) {
+    const bool isCrowd = shown.isCrowd();
+    const int end = isCrowd ? shown.selected + 1 : shown.points();
+    for (int i = isCrowd ? std::max(0, shown.selected) : 0; i < end; ++i) {
         if (shown.isHidden(i))
             continue;
         const QPointF centre = camera.at(shown.state().at(i));

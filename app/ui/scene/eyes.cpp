@@ -6,10 +6,9 @@ namespace app {
 
 namespace {
 
-constexpr double smallestFace = 12.0; ///< radius on the screen from which a body has eyes
-constexpr double drawnRadius = 15.0;  ///< the radius that the places of the eyes are meant for
-constexpr double lookFar = 6.0;       ///< px/frame at which the eyes look all the way
-constexpr double apart = 5.2;         ///< from the middle to an eye, at drawnRadius
+constexpr double drawnRadius = 15.0; ///< the radius that the places of the eyes are meant for
+constexpr double lookFar = 6.0;      ///< px/frame at which the eyes look all the way
+constexpr double apart = 5.2;        ///< from the middle to an eye, at drawnRadius
 
 }
 

@@ -4,6 +4,9 @@
 
 namespace app {
 
+/// The radius on the screen from which a body has eyes.
+constexpr double smallestFace = 12.0;
+
 /// Where two eyes are, and what they follow.
 struct Face
 {

@@ -1,5 +1,7 @@
 #include "app/ui/scene/figure.h"
 
+#include "app/ui/scene/crowd.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,7 +9,9 @@ namespace app {
 
 namespace {
 
-constexpr int finest = 8;         ///< pieces of a chain between two of its points
+constexpr int finest = 8;          ///< pieces of a chain between two of its points
+constexpr double crowdDisc = 12.0; ///< radius on the screen of the largest discs of a crowd that was
+constexpr double crowdAlpha = 0.6;
 constexpr double tipShare = 0.18; ///< width of a chain's tip, of its root's
 
 QPointF unit(QPointF v, QPointF otherwise)
@@ -65,6 +69,16 @@ void drawDiscs(const Canvas &canvas, const Figure &figure, const OutlineStyle &s
                 dashed(style.color, style.width, {3.0, body.shape == Shape::body ? 4.0 : 3.0}));
         canvas.painter.drawEllipse(centre, radius, radius);
     }
+}
+
+/// Legs and small discs only, all at once, without dashes.
+void drawCrowdOutlines(const Canvas &canvas, const Figure &figure, const OutlineStyle &style)
+{
+    Stencil stencil;
+    begin(stencil, canvas);
+    addLegs(stencil, canvas, figure, std::min(style.width, legWidthInCrowd(canvas.camera.zoom)));
+    addDiscs(stencil, canvas, figure, crowdDisc);
+    stencil.paint(canvas.painter, faded(style.color, crowdAlpha * style.color.alphaF()));
 }
 
 }
@@ -161,6 +175,10 @@ QPainterPath limbPath(const Canvas &canvas, const sim::State &state, const lesso
 
 void drawOutlines(const Canvas &canvas, const Figure &figure, const OutlineStyle &style)
 {
+    if (figure.state.points() > crowdPoints && !figure.look.legs.empty()) {
+        drawCrowdOutlines(canvas, figure, style);
+        return;
+    }
     QPainter &p = canvas.painter;
     p.setPen(style.isDashed ? dashed(style.color, style.width, {3.0, 4.0}) : solid(style.color, style.width));
     p.setBrush(Qt::NoBrush);

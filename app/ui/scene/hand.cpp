@@ -18,8 +18,10 @@ int Hand::bodyAt(const Shown &shown, const Camera &camera, QPointF place)
     for (int i = 0; i < shown.points(); ++i) {
         if (shown.isHidden(i))
             continue;
-        const double distance = QLineF(camera.at(shown.state().at(i)), place).length();
-        if (distance > std::max(reach, camera.radius(shown.radius(i))))
+        const QPointF away = camera.at(shown.state().at(i)) - place;
+        const double distance = QPointF::dotProduct(away, away);
+        const double most = std::max(reach, camera.radius(shown.radius(i)));
+        if (distance > most * most)
             continue;
         if (nearest < 0 || distance < least) {
             nearest = i;

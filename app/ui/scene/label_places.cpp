@@ -119,13 +119,17 @@ QRectF LabelPlaces::within(QRectF area, QPointF wanted, QSizeF size)
 std::vector<QRectF> bodyBoxes(const Shown &shown, const Camera &camera)
 {
     std::vector<QRectF> boxes;
-    for (int i = 0; i < shown.points(); ++i) {
+    const auto add = [&](int i) {
         if (shown.isHidden(i))
-            continue;
+            return;
         const QPointF c = camera.at(shown.state().at(i));
         const double r = camera.radius(shown.radius(i)) + (i == shown.selected ? 6.0 : 1.0);
         boxes.emplace_back(c.x() - r, c.y() - r, 2 * r, 2 * r);
-    }
+    };
+    if (shown.isCrowd() && shown.selected >= 0)
+        add(shown.selected);
+    for (int i = shown.isCrowd() ? shown.points() : 0; i < shown.points(); ++i)
+        add(i);
     return boxes;
 }
 

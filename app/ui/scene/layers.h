@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/ui/scene/stencil.h"
 #include "app/ui/scene/tree_painter.h"
 
 #include <QGraphicsItem>
@@ -164,6 +165,9 @@ public:
 
 protected:
     void draw(const Canvas &canvas) const override;
+
+private:
+    mutable Stencil m_stencil; ///< keeps its memory from one time to the next
 };
 
 /// Sticks, in the colour of their error.
@@ -184,6 +188,9 @@ public:
 
 protected:
     void draw(const Canvas &canvas) const override;
+
+private:
+    mutable Stencil m_stencil; ///< keeps its memory from one time to the next
 };
 
 /// Where an exact solution has the bodies: dashed outlines, and how far each body is from its own.

@@ -15,7 +15,7 @@ namespace app {
 
 namespace {
 
-constexpr double leastZoom = 0.05;
+constexpr double leastZoom = 0.01;
 constexpr double mostZoom = 16.0;
 constexpr double zoomStep = 1.25;
 constexpr double border = 24.0;        ///< px of the screen round the stage
@@ -126,6 +126,7 @@ double SceneView::zoom() const
 void SceneView::showHome()
 {
     m_home = homeOf(m_shown.picture, m_beside);
+    m_stage = m_shown.look().stage;
     m_atHome = true;
     showArea(m_home, mostAtHome(m_shown.look()));
     follow();

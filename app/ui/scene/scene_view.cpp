@@ -18,6 +18,7 @@ namespace {
 constexpr double dotStep = 25.0;    ///< px
 constexpr double dotRadius = 1.3;   ///< px of the screen
 constexpr double densest = 18.0;    ///< px of the screen between two dots
+constexpr int mostSkinned = 20'000; ///< points: earlier moments of more would take too long to find again
 constexpr double ghostShows = 1e-9; ///< px: a ghost that is closer to the run is not drawn
 
 template <class... Layers>
@@ -113,6 +114,8 @@ void SceneView::refresh()
     takeOnion();
     takeReference();
     takeCompanion();
+    if (m_atHome && m_shown.look().stage != m_stage)
+        showHome(); // the scene has another size now
     m_shown.selected = m_shown.picture.segment->scene.find(m_session.selected().toStdString());
     measureArrows(m_shown, m_session.isPlaying());
     if (!m_session.isPlaying())
@@ -168,9 +171,9 @@ void SceneView::takeExtrasOfStep()
 void SceneView::takeOnion()
 {
     m_shown.onion.clear();
-    if (!m_shown.extras.onion)
-        return;
     const sim::Track &track = m_session.timeline().track();
+    if (!m_shown.extras.onion || track.now().points() > mostSkinned)
+        return;
     // At whole multiples, so that a skin stays where it is while it fades.
     const std::int64_t every = onionFrames * track.rowFrames();
     std::int64_t frame = (track.at().frame - 1) / every * every;

@@ -113,6 +113,7 @@ private:
     QGraphicsScene m_scene;
     std::vector<EdgeMarker> m_markers; ///< as last asked for
     QRectF m_home;                     ///< what a step shows first, px
+    QRectF m_stage;                    ///< of the look that this is from
     bool m_atHome = true;              ///< nobody has zoomed or moved the picture yet
     bool m_follows = true;             ///< nobody has moved the picture away from what walks
     Sky m_sky;

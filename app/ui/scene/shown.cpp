@@ -21,7 +21,9 @@ double longestPull(const Shown &shown)
 {
     double longest = 0.0;
     for (const sim::Gathered &one : shown.gathered) {
-        for (int i = 0; i < shown.points(); ++i)
+        if (shown.isCrowd() && shown.selected >= 0)
+            longest = std::max(longest, sim::length(rowOf(one.acceleration, shown.selected)));
+        for (int i = shown.isCrowd() ? shown.points() : 0; i < shown.points(); ++i)
             longest = std::max(longest, sim::length(rowOf(one.acceleration, i)));
     }
     if (shown.hasSum())
@@ -37,6 +39,8 @@ double longestPull(const Shown &shown)
 
 double fastest(const Shown &shown)
 {
+    if (shown.isCrowd())
+        return shown.selected >= 0 ? sim::length(shown.state().speed(shown.selected)) : 0.0;
     double most = 0.0;
     for (int i = 0; i < shown.points(); ++i)
         most = std::max(most, sim::length(shown.state().speed(i)));

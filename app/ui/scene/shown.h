@@ -15,6 +15,10 @@ namespace app {
 constexpr int onionFrames = 4;
 constexpr int onionSkins = 6;
 
+/// Scenes of more points than this show what they are as a whole: they leave no trails, and only the selected body has
+/// arrows, a label or a marker at the edge.
+constexpr int crowdPoints = 600;
+
 /// Where a far more exact solution has the points at the cursor's frame.
 struct ReferencePlaces
 {
@@ -62,6 +66,7 @@ struct Shown
     const sim::State &state() const { return picture.state; }
     int points() const { return picture.segment ? picture.state.points() : 0; }
     const lessons::Look &look() const { return *picture.look; }
+    bool isCrowd() const { return points() > crowdPoints; }
     double radius(int point) const { return look().bodies[static_cast<std::size_t>(point)].radius; }
     bool isBody(int point) const { return shape(point) == lessons::BodyLook::Shape::body; }
     /// Whether something else is drawn in the point's place, so that no hand can take it.

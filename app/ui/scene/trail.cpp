@@ -1,5 +1,7 @@
 #include "app/ui/scene/trail.h"
 
+#include "app/ui/scene/shown.h"
+
 #include <algorithm>
 
 namespace app {
@@ -21,6 +23,10 @@ void Trail::follow(const sim::Timeline &timeline)
     const sim::Cursor at = timeline.at();
     while (!m_marks.empty() && m_marks.back().frame > at.frame)
         m_marks.pop_back();
+    if (timeline.now().points() > crowdPoints) {
+        m_marks.clear();
+        return;
+    }
     if (at.phase > 0)
         return;
     const Eigen::ArrayX2d &position = timeline.now().position;

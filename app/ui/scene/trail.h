@@ -7,7 +7,7 @@
 namespace app {
 
 /// Where the points were in the last frames that were shown one after the other. Going back takes frames away;
-/// a jump takes all.
+/// a jump takes all. A crowd leaves none.
 class Trail
 {
 public:

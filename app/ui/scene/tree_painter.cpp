@@ -1,5 +1,6 @@
 #include "app/ui/scene/tree_painter.h"
 
+#include "app/ui/scene/crowd.h"
 #include "app/ui/scene/sky.h"
 #include "sim/random.h"
 
@@ -107,17 +108,10 @@ void TreePainter::visitBranches(const Canvas &canvas, const sim::State &state, d
     }
 }
 
-void TreePainter::addLine(const Branch &branch, const Thinning &thinning)
+void TreePainter::addTwig(const Branch &branch, const Thinning &thinning)
 {
-    const QLineF line(branch.from, branch.from + thinning.longer * branch.length * branch.along);
-    const double width = (branch.width + branch.narrow) / 2.0 * thinning.stronger;
-    if (width <= 1.0)
-        m_faint[static_cast<std::size_t>(std::clamp(std::lround(width * strengths), 1L, long{strengths}))]
-            << line;
-    else
-        m_lines[static_cast<std::size_t>(
-            std::clamp(std::lround((width - 1.0) / (thick - 1.0) * widths), 0L, long{widths}))]
-            << line;
+    const QPointF end = branch.from + thinning.longer * branch.length * branch.along;
+    m_thin.addLine({branch.from, end}, (branch.width + branch.narrow) / 2.0 * thinning.stronger);
 }
 
 void TreePainter::drawTaper(QPainter &painter, const Branch &branch)
@@ -157,32 +151,17 @@ void TreePainter::draw(const Canvas &canvas, const std::shared_ptr<const lessons
     const SkyColors colors = skyColors(canvas.theme.scheme());
     canvas.painter.setPen(Qt::NoPen);
     canvas.painter.setBrush(isOpen ? colors.bark : canvas.tokens().body);
+    begin(m_thin, canvas);
     visitBranches(canvas, state, 0.0, [&](const Branch &branch, const Thinning &thinning) {
         if (branch.width >= thick)
             drawTaper(canvas.painter, branch);
         else
-            addLine(branch, thinning);
+            addTwig(branch, thinning);
         if (m_isTip[static_cast<std::size_t>(branch.number)])
             addBlossom(branch, size);
     });
-    drawLines(canvas.painter, isOpen ? colors.twigs : canvas.tokens().body);
+    m_thin.paint(canvas.painter, isOpen ? colors.twigs : canvas.tokens().body);
     drawBlossoms(canvas.painter, colors);
-}
-
-void TreePainter::drawLines(QPainter &painter, const QColor &color)
-{
-    for (std::size_t i = 1; i < m_faint.size(); ++i) {
-        painter.setPen(
-            QPen(faded(color, static_cast<double>(i) / strengths), 1.0, Qt::SolidLine, Qt::FlatCap));
-        painter.drawLines(m_faint[i]);
-        m_faint[i].resize(0);
-    }
-    for (std::size_t i = 0; i < m_lines.size(); ++i) {
-        const double width = 1.0 + (thick - 1.0) * static_cast<double>(i) / widths;
-        painter.setPen(QPen(color, width, Qt::SolidLine, Qt::FlatCap));
-        painter.drawLines(m_lines[i]);
-        m_lines[i].resize(0);
-    }
 }
 
 void TreePainter::drawBlossoms(QPainter &painter, const SkyColors &colors)
@@ -210,20 +189,19 @@ void TreePainter::drawOutline(const Canvas &canvas, const std::shared_ptr<const 
                               const sim::State &state, const QColor &color)
 {
     plan(look);
-    QList<QLineF> &lines = m_faint.front();
+    begin(m_thin, canvas);
     visitBranches(canvas, state, 1.0, [&](const Branch &branch, const Thinning &thinning) {
         const QPointF end = branch.from + thinning.longer * branch.length * branch.along;
         if (branch.width < thickOutline) {
-            lines << QLineF(branch.from, end);
+            m_thin.addLine({branch.from, end}, 1.0);
             return;
         }
         const QPointF across(branch.along.y(), -branch.along.x());
         for (const double side : {-0.5, 0.5})
-            lines << QLineF(branch.from + side * branch.width * across, end + side * branch.narrow * across);
+            m_thin.addLine({branch.from + side * branch.width * across, end + side * branch.narrow * across},
+                           1.0);
     });
-    canvas.painter.setPen(QPen(color, 1.0, Qt::SolidLine, Qt::FlatCap));
-    canvas.painter.drawLines(lines);
-    lines.resize(0);
+    m_thin.paint(canvas.painter, color);
 }
 
 }

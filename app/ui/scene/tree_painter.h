@@ -1,8 +1,7 @@
 #pragma once
 
 #include "app/ui/scene/canvas.h"
-
-#include <QLineF>
+#include "app/ui/scene/stencil.h"
 
 #include <array>
 #include <memory>
@@ -26,7 +25,7 @@ Thinning thinningOf(double length, double width);
 /// Whether branch number `branch` is the one in `every` that is drawn: always the same ones.
 bool isDrawn(int branch, int every);
 
-/// Paints trees in batches, a pen at a time, with all detail that shows and not more. Keeps its working memory
+/// Paints trees, thin branches all at once, with all detail that shows and not more. Keeps its working memory
 /// from one frame to the next.
 class TreePainter
 {
@@ -57,17 +56,13 @@ private:
         double radius = 0.0;
     };
 
-    static constexpr int strengths = 12; ///< of lines 1 px wide: what is thinner is fainter
-    static constexpr int widths = 8;     ///< of lines wider than 1 px
-
     void plan(const std::shared_ptr<const lessons::Look> &look);
     /// Calls `visit` with each branch that can show.
     template <class Visit>
     void visitBranches(const Canvas &canvas, const sim::State &state, double least, Visit &&visit) const;
-    void addLine(const Branch &branch, const Thinning &thinning);
+    void addTwig(const Branch &branch, const Thinning &thinning);
     static void drawTaper(QPainter &painter, const Branch &branch);
     void addBlossom(const Branch &branch, double size);
-    void drawLines(QPainter &painter, const QColor &color);
     void drawBlossoms(QPainter &painter, const SkyColors &colors);
 
     std::shared_ptr<const lessons::Look> m_look; ///< what the plan below is for
@@ -75,8 +70,7 @@ private:
     std::vector<char> m_isTip;
     int m_tips = 0;
 
-    std::array<QList<QLineF>, strengths + 1> m_faint;
-    std::array<QList<QLineF>, widths + 1> m_lines;
+    Stencil m_thin;                                 ///< twigs, or the lines of an outline
     std::array<std::vector<Blossom>, 3> m_blossoms; ///< by colour
     int m_blossomEvery = 1;
 };
