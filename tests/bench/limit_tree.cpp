@@ -73,7 +73,8 @@ struct Turned
     Lanes angle, x, y;
 };
 
-[[gnu::always_inline]] inline Turned turned(Lanes angle, Lanes rest, Lanes scale, Lanes x, Lanes y, const TreeNumbers &numbers)
+[[gnu::always_inline]] inline Turned turned(Lanes angle, Lanes rest, Lanes scale, Lanes x, Lanes y,
+                                            const TreeNumbers &numbers)
 {
     const Lanes missing = rest - angle;
     angle = sizeOf(missing) > 1.0 ? angle + missing * (1.0 / numbers.ease) : angle;

@@ -100,9 +100,9 @@ void addSolvers(std::vector<Row> &rows)
 {
     for (const auto &[team, title] : {std::pair("odeint", "odeint"), std::pair("cvode", "CVODE")}) {
         for (const double error : air::errors) {
-            char within[80];
-            std::snprintf(within, sizeof within, "a creature in the air, 200 frames within %.0e px", error);
-            rows.push_back({within, air::nameOf(air::teams.front(), error), air::nameOf(team, error), title,
+            const std::string exponent = std::to_string(std::lround(std::log10(error)));
+            rows.push_back({"a creature in the air, 200 frames within 1e" + exponent + " px",
+                            air::nameOf(air::teams.front(), error), air::nameOf(team, error), title,
                             Ratio::theirsByOurs});
         }
     }

@@ -16,9 +16,11 @@ std::string format(const char *how, Arguments... arguments)
     return text;
 }
 
-/// With three digits.
+/// With three digits; two where it is small.
 std::string digits(double value)
 {
+    if (value < 0.0995)
+        return format("%.2g", value);
     const int behind = value >= 99.95 ? 0 : value >= 9.995 ? 1 : 2;
     return format("%.*f", behind, value);
 }
@@ -127,14 +129,18 @@ std::optional<Cells> cellsOf(const GrowingRow &row, const Results &results)
     if (growth == results.growths.end())
         return {};
     std::string sizes, costs;
+    int measured = 0;
     for (std::size_t i = 0; i < row.sizes.size(); ++i) {
         const Measured *one = find(results, row.name + "/" + row.arguments[i]);
         if (!one)
             continue;
+        ++measured;
         sizes += (sizes.empty() ? "" : ", ") + format("%.0f", row.sizes[i]);
         costs += (costs.empty() ? "" : ", ") +
                  time(row.item.empty() ? one->nanoseconds : one->nanoseconds / row.sizes[i]);
     }
+    if (measured < 3)
+        return {}; // anything fits
     const std::string as = growth->second.as == "(1)" ? "not at all" : growth->second.as;
     return Cells{as,    format("%.0f %%", 100.0 * growth->second.off), row.work, sizes,
                  costs, row.item.empty() ? "in all" : "a " + row.item};

@@ -89,6 +89,8 @@ private slots:
                                             << "aim";
         QTest::newRow("speed below it") << speed << 10.0 << 10.0 << "1.00x"
                                         << "**missed**";
+        QTest::newRow("cost next to nothing") << cost << 1.0 << 8000.0 << "0.00013x"
+                                              << "aim";
         QTest::newRow("a time") << time << 1.7 << 0.0 << "1.70 ns"
                                 << "enough";
     }
@@ -125,13 +127,14 @@ private slots:
     {
         const QByteArray fit = R"({"run_name": "a", "aggregate_name": "BigO", "cpu_coefficient": 3,
             "big_o": "N", "time_unit": "us"}, {"run_name": "a", "aggregate_name": "RMS", "rms": 0.04})";
-        const Results results = resultsOf(median("a/10", 40.0) + "," + median("a/20", 60.0) + "," + fit);
+        const Results results = resultsOf(median("a/10", 40.0) + "," + median("a/20", 60.0) + "," +
+                                          median("a/30", 60.0) + "," + fit);
         QCOMPARE(results.growths.at("a").as, std::string("N"));
         QCOMPARE(results.growths.at("a").nanoseconds, 3e3);
         QCOMPARE(results.growths.at("a").off, 0.04);
-        const QString text =
-            QString::fromStdString(table(results, {}, {{"work", "a", "point", {"10", "20"}, {10.0, 20.0}}}));
-        QVERIFY2(text.contains("4.00 ns, 3.00 ns"), qPrintable(text));
+        const QString text = QString::fromStdString(
+            table(results, {}, {{"work", "a", "point", {"10", "20", "30"}, {10.0, 20.0, 30.0}}}));
+        QVERIFY2(text.contains("4.00 ns, 3.00 ns, 2.00 ns"), qPrintable(text));
         QVERIFY2(text.contains("4 %"), qPrintable(text));
     }
 
@@ -139,6 +142,16 @@ private slots:
     {
         const QByteArray run = R"({"run_name": "a", "aggregate_name": "cv", "cpu_time": 1, "px_apart": NaN})";
         QCOMPARE(resultsOf(run + "," + median("a", 2.0)).medians.at("a").nanoseconds, 2.0);
+    }
+
+    void twoSizesTellNoGrowth()
+    {
+        const QByteArray fit = R"({"run_name": "a", "aggregate_name": "BigO", "cpu_coefficient": 3,
+            "big_o": "N", "time_unit": "us"})";
+        const Results results = resultsOf(median("a/10", 40.0) + "," + median("a/20", 60.0) + "," + fit);
+        const QString text = QString::fromStdString(
+            table(results, {}, {{"work", "a", "point", {"10", "20", "30"}, {10.0, 20.0, 30.0}}}));
+        QVERIFY2(!text.contains("work"), qPrintable(text));
     }
 
     void theMachineIsOnTop()
