@@ -10,7 +10,7 @@ namespace {
 
 /// What a run costs is measured no more often than this.
 constexpr qint64 measureAgainMilliseconds = 500;
-constexpr int mostDeeds = 200; ///< that can be undone
+constexpr int mostDeeds = 100; ///< that can be undone
 
 }
 
