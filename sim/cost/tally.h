@@ -41,7 +41,7 @@ std::unique_ptr<Replay> replayOf(Call call)
 struct Calls
 {
     std::int64_t count = 0;
-    std::int64_t every = 0; ///< keeps the first and then each so manieth; 0: none
+    std::int64_t every = 0; ///< keeps the first of each so many; 0: none
     std::vector<std::unique_ptr<Replay>> kept;
 
     /// Counts one, and keeps what `make()` gives if it is its turn.

@@ -30,9 +30,12 @@ struct Stages
 const std::map<std::string, Stages> &stagesByMethod()
 {
     static const std::map<std::string, Stages> all = {
-        {"published", {1, 1, 1, false}},       {"semi_implicit_euler", {1, 1, 1, false}},
-        {"explicit_euler", {1, 1, 1, false}},  {"position_verlet", {1, 2, 2, false}},
-        {"velocity_verlet", {2, 2, 1, false}}, {"midpoint", {2, 0, 2, true}},
+        {"published", {1, 1, 1, false}},
+        {"semi_implicit_euler", {1, 1, 1, false}},
+        {"explicit_euler", {1, 1, 1, false}},
+        {"position_verlet", {1, 2, 2, false}},
+        {"velocity_verlet", {2, 2, 1, false}},
+        {"midpoint", {2, 0, 2, true}},
         {"rk4", {4, 0, 4, true}},
     };
     return all;
