@@ -1,7 +1,13 @@
 #pragma once
 
 /// Before a loop over points: no turn of it reads what another one writes, so several may run at once.
+#if defined(__clang__)
+#define SIM_TURNS_ARE_APART _Pragma("clang loop vectorize(assume_safety)")
+#elif defined(__GNUC__)
 #define SIM_TURNS_ARE_APART _Pragma("GCC ivdep")
+#else
+#define SIM_TURNS_ARE_APART
+#endif
 
 namespace sim {
 
