@@ -16,6 +16,7 @@ app_packages=(
 )
 test_packages=(
     "libbenchmark-dev        tests/bench"
+    "valgrind                counts the instructions that effects take"
 )
 # Others' solvers, to compare ours with; the benchmarks run without them, too.
 bench_packages=(

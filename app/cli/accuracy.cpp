@@ -2,8 +2,8 @@
 
 #include "app/cli/accuracy_plot.h"
 #include "app/cli/accuracy_report.h"
+#include "app/cli/experiment_named.h"
 #include "app/cli/terminal.h"
-#include "app/model/experiment.h"
 #include "app/model/sentences.h"
 #include "app/model/words.h"
 
@@ -22,18 +22,6 @@ struct Text
 {
     Q_DECLARE_TR_FUNCTIONS(Accuracy)
 };
-
-/// A file where there is one of that name, and else a step.
-Experiment experimentOf(const QString &what, const LessonLibrary &library)
-{
-    if (QFileInfo::exists(what))
-        return readExperiment(what, library);
-    if (what.count('/') == 1 && !what.startsWith('/') && !what.endsWith('/') && !what.endsWith(".json"))
-        return newExperiment(what.section('/', 0, 0), what.section('/', 1), library);
-    throw Refusal(Text::tr("%1 is neither a file nor a step; name a step as LESSON/STEP, as \"springstep "
-                           "lessons\" lists them.")
-                      .arg(quoted(what)));
-}
 
 sim::StudyPlan planFor(const AccuracyRequest &request, const Experiment &experiment)
 {
@@ -69,7 +57,7 @@ void writePlot(const QString &path, const AccuracyReport &report)
 
 int answer(const AccuracyRequest &request, const LessonLibrary &library)
 {
-    const Experiment experiment = experimentOf(request.what, library);
+    const Experiment experiment = experimentNamed(request.what, library);
     const sim::StudyPlan plan = planFor(request, experiment);
     const AccuracyReport report{request.what, request.tolerance, *plan.inUse, study(experiment, plan)};
     if (isInterrupted()) {

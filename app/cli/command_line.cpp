@@ -1,11 +1,12 @@
 #include "app/cli/command_line.h"
 
 #include "app/cli/accuracy.h"
+#include "app/cli/cost.h"
 #include "app/cli/hard_cases.h"
 #include "app/cli/lessons_list.h"
 #include "app/cli/terminal.h"
 #include "app/cli/trace.h"
-#include "app/model/refusal.h"
+#include "app/model/experiment.h"
 #include "app/model/words.h"
 
 #include <QCommandLineParser>
@@ -105,6 +106,26 @@ int runHardCases(const QStringList &arguments)
     return hardCases(request);
 }
 
+int runCost(const QStringList &arguments)
+{
+    QCommandLineParser parser;
+    parser.setApplicationDescription(
+        Text::tr("Measures what each effect of a scene costs in a frame, and what else the frame takes."));
+    parser.addPositionalArgument("FILE|LESSON/STEP", Text::tr("The experiment, or the step."));
+    parser.addOptions({{"json", Text::tr("The same as JSON.")},
+                       {"frame", Text::tr("Measures the frames after frame N (default 0)."), "N"}});
+    if (const auto settled = readArguments(parser, "cost", arguments, {"FILE|LESSON/STEP"}))
+        return *settled;
+    try {
+        CostRequest request{parser.positionalArguments().constFirst(), parser.isSet("json")};
+        if (const auto frame = numberOption(parser, "frame", 0, static_cast<double>(mostFrames)))
+            request.frame = std::llround(*frame);
+        return cost(request);
+    } catch (const Refusal &refusal) {
+        return refuseUse(refusal.sentence());
+    }
+}
+
 void describeProgram(QCommandLineParser &parser)
 {
     parser.setApplicationDescription(
@@ -116,6 +137,7 @@ void describeProgram(QCommandLineParser &parser)
                  "  accuracy FILE|LESSON/STEP [--json] [--svg OUT] [--tolerance E]\n"
                  "                                              measures errors and costs of the methods\n"
                  "  hardcases [--case ID] [--json]              tells which methods hold where runs break\n"
+                 "  cost FILE|LESSON/STEP [--json] [--frame N]  measures what each effect costs in a frame\n"
                  "  screenshot LESSON/STEP --frame N OUT.png    draws the window"));
     parser.addPositionalArgument("FILE", Text::tr("An experiment to open."), "[FILE | VERB ...]");
     parser.addOption({{"v", "version"}, Text::tr("Prints the version.")});
@@ -139,7 +161,7 @@ bool refusesName(const QStringList &names)
 
 QStringList verbs()
 {
-    return {"lessons", "trace", "accuracy", "hardcases", "screenshot"};
+    return {"lessons", "trace", "accuracy", "hardcases", "cost", "screenshot"};
 }
 
 int refuseUse(const QString &sentence)
@@ -195,6 +217,8 @@ std::optional<int> runPlainVerb(const QStringList &arguments)
         return runAccuracy(arguments.mid(1));
     if (verb == "hardcases")
         return runHardCases(arguments.mid(1));
+    if (verb == "cost")
+        return runCost(arguments.mid(1));
     return {};
 }
 

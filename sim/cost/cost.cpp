@@ -59,7 +59,7 @@ std::ptrdiff_t firstPhaseOf(const Pipeline &pipeline, const EffectPtr &effect)
 class CostMeter::Work
 {
 public:
-    Work(const Scene &scene, const MethodPtr &method, StepSize step, State from, const Clock &clock)
+    Work(const Scene &scene, const MethodPtr &method, StepSize step, State from, Clocks clocks)
         : m_plain(compose(scene, *method, step)), m_frames(step.rowFrames),
           m_stateBytes(std::max<std::size_t>(1, memoryOf(from)))
     {
@@ -79,7 +79,7 @@ public:
             one.isWithin = std::any_of(m_plain.phases.begin(), m_plain.phases.end(), [&](const Phase &phase) {
                 return !phase.effect && computes(phase, one.effect);
             });
-        m_stretch.emplace(std::move(from), clock);
+        m_stretch.emplace(std::move(from), std::move(clocks));
     }
 
     bool round(const GoesOn &goesOn)
@@ -126,7 +126,7 @@ private:
     /// their own.
     bool prepare(const GoesOn &goesOn)
     {
-        if (!m_stretch->choose(m_plain, goesOn) || !m_stretch->timePhases(m_probed, goesOn))
+        if (!m_stretch->choose(m_plain, goesOn) || !m_stretch->timeFrames(m_probed, goesOn))
             return false;
         const double frames = double(m_stretch->rowsRun()) * m_frames;
         bool anyWithin = false;
@@ -149,7 +149,7 @@ private:
     {
         for (Watched &one : m_watched)
             one.tally->restart();
-        const bool isDone = m_stretch->timePhases(m_probed, goesOn).has_value();
+        const bool isDone = m_stretch->timeFrames(m_probed, goesOn).has_value();
         for (Watched &one : m_watched) {
             for (Calls *calls : {&one.tally->acts, &one.tally->slopes})
                 calls->every = 0;
@@ -269,12 +269,13 @@ double FrameCost::sum() const
 }
 
 CostMeter::CostMeter(const Scene &scene, const MethodPtr &method, StepSize step, State from)
-    : CostMeter(scene, method, step, std::move(from), passedSeconds)
+    : m_work(std::make_unique<Work>(scene, method, step, std::move(from),
+                                    Clocks{passedSeconds, computedSeconds}))
 {
 }
 
 CostMeter::CostMeter(const Scene &scene, const MethodPtr &method, StepSize step, State from, Clock clock)
-    : m_work(std::make_unique<Work>(scene, method, step, std::move(from), clock))
+    : m_work(std::make_unique<Work>(scene, method, step, std::move(from), Clocks{clock, clock}))
 {
 }
 

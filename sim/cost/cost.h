@@ -44,7 +44,7 @@ struct FrameCost
 class CostMeter
 {
 public:
-    /// Seconds from any start on: a clock that is cheap to read.
+    /// Seconds from any start on.
     using Clock = std::function<double()>;
 
     /// The frames that follow on `from`, a state of `scene` between two rows.

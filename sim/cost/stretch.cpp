@@ -11,7 +11,10 @@ namespace {
 constexpr std::size_t cacheBytes = 24 << 10; ///< of the lanes: less than the first cache of any desktop
 constexpr int mostLanes = 24;
 constexpr int mostRows = 64;
-constexpr double sampleSeconds = 400e-6;
+constexpr double sampleSeconds = 150e-6; ///< mostly too short for another program to come in between
+constexpr double shortStep =
+    90e-9; ///< s: some hundred instructions, as many as a processor has under way at once
+constexpr double mostReading = 0.05; ///< of what is between two readings, for the patient clock to be used
 
 void beginRow(State &state, const Pipeline &pipeline)
 {
@@ -20,10 +23,9 @@ void beginRow(State &state, const Pipeline &pipeline)
     state.outside.newTargets.clear();
 }
 
-/// Returns false when `goesOn` said no.
-bool runRow(State &state, const Pipeline &pipeline, const GoesOn &goesOn)
+/// All phases of a row that has begun. Returns false when `goesOn` said no.
+bool runPhases(State &state, const Pipeline &pipeline, const GoesOn &goesOn)
 {
-    beginRow(state, pipeline);
     for (int step = 0; step < pipeline.step.perRow; ++step) {
         for (const Phase &phase : pipeline.phases) {
             if (goesOn && !goesOn())
@@ -32,6 +34,12 @@ bool runRow(State &state, const Pipeline &pipeline, const GoesOn &goesOn)
         }
     }
     return true;
+}
+
+bool runRow(State &state, const Pipeline &pipeline, const GoesOn &goesOn)
+{
+    beginRow(state, pipeline);
+    return runPhases(state, pipeline, goesOn);
 }
 
 double readingOf(const Clock &clock)
@@ -47,9 +55,15 @@ double readingOf(const Clock &clock)
 
 }
 
-Stretch::Stretch(State from, Clock clock)
-    : m_clock(std::move(clock)), m_reading(readingOf(m_clock)), m_starts{std::move(from)}
+Stretch::Stretch(State from, Clocks clocks) : m_clocks(std::move(clocks)), m_starts{std::move(from)}
 {
+    read(m_clocks.quick);
+}
+
+void Stretch::read(const Clock &clock)
+{
+    m_clock = clock;
+    m_reading = readingOf(clock);
 }
 
 bool Stretch::choose(const Pipeline &pipeline, const GoesOn &goesOn)
@@ -82,7 +96,24 @@ bool Stretch::choose(const Pipeline &pipeline, const GoesOn &goesOn)
         if (firstNotFinite(state) >= 0)
             m_rows = std::max(1, row);
     }
+    const std::optional<double> found = timeFrames(pipeline, goesOn);
+    if (!found)
+        return false;
+    const double step = *found / pipeline.step.perRow;
+    m_isShort = step < shortStep;
+    const double between = step * static_cast<double>(m_starts.size()) / pipeline.phasesPerStep();
+    if (readingOf(m_clocks.patient) < mostReading * between)
+        read(m_clocks.patient);
     return true;
+}
+
+template <class Work>
+double Stretch::timed(Work &&work)
+{
+    const double before = m_clock();
+    for (State &state : m_lanes)
+        work(state);
+    return (m_clock() - before - m_reading) / rowsRun();
 }
 
 std::optional<double> Stretch::timeFrames(const Pipeline &pipeline, const GoesOn &goesOn)
@@ -92,25 +123,34 @@ std::optional<double> Stretch::timeFrames(const Pipeline &pipeline, const GoesOn
     for (int row = 0; row < m_rows; ++row) {
         if (goesOn && !goesOn())
             return {};
-        const double before = m_clock();
         for (State &state : m_lanes)
-            runRow(state, pipeline, nullptr);
-        total += m_clock() - before - m_reading;
+            beginRow(state, pipeline);
+        total += timed([&](State &state) { runPhases(state, pipeline, nullptr); });
     }
-    return total / rowsRun();
+    return total;
 }
 
 std::optional<PhaseTimes> Stretch::timePhases(const Pipeline &pipeline, const GoesOn &goesOn)
 {
+    std::optional<PhaseTimes> times = timeApart(pipeline, goesOn);
+    if (!m_isShort || !times)
+        return times;
+    double before = 0.0;
+    for (std::size_t i = 0; i < pipeline.phases.size(); ++i) {
+        const std::optional<double> upTo = timeUpTo(i, pipeline, goesOn);
+        if (!upTo)
+            return {};
+        times->run[i] = *upTo - before;
+        before = *upTo;
+    }
+    return times;
+}
+
+std::optional<PhaseTimes> Stretch::timeApart(const Pipeline &pipeline, const GoesOn &goesOn)
+{
     restore();
     const std::size_t phases = pipeline.phases.size();
     PhaseTimes times{std::vector<double>(phases, 0.0), std::vector<double>(phases, 0.0)};
-    const auto timed = [&](const std::function<void(State &)> &work) {
-        const double before = m_clock();
-        for (State &state : m_lanes)
-            work(state);
-        return m_clock() - before - m_reading;
-    };
     for (int row = 0; row < m_rows; ++row) {
         for (State &state : m_lanes)
             beginRow(state, pipeline);
@@ -120,12 +160,36 @@ std::optional<PhaseTimes> Stretch::timePhases(const Pipeline &pipeline, const Go
                     return {};
                 const Phase &phase = pipeline.phases[i];
                 if (phase.prelude)
-                    times.prelude[i] += timed(phase.prelude) / rowsRun();
-                times.run[i] += timed(phase.run) / rowsRun();
+                    times.prelude[i] += timed(phase.prelude);
+                times.run[i] += timed(phase.run);
             }
         }
     }
     return times;
+}
+
+std::optional<double> Stretch::timeUpTo(std::size_t last, const Pipeline &pipeline, const GoesOn &goesOn)
+{
+    restore();
+    const auto middle = pipeline.phases.begin() + static_cast<std::ptrdiff_t>(last) + 1;
+    double total = 0.0;
+    for (int row = 0; row < m_rows; ++row) {
+        if (goesOn && !goesOn())
+            return {};
+        for (State &state : m_lanes)
+            beginRow(state, pipeline);
+        for (int step = 0; step < pipeline.step.perRow; ++step) {
+            total += timed([&](State &state) {
+                for (auto phase = pipeline.phases.begin(); phase != middle; ++phase)
+                    phase->run(state);
+            });
+            for (State &state : m_lanes) {
+                for (auto phase = middle; phase != pipeline.phases.end(); ++phase)
+                    phase->run(state);
+            }
+        }
+    }
+    return total;
 }
 
 }

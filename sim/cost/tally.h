@@ -41,7 +41,7 @@ std::unique_ptr<Replay> replayOf(Call call)
 struct Calls
 {
     std::int64_t count = 0;
-    std::int64_t every = 0; ///< keeps the first and then each so manieth; 0: none
+    std::int64_t every = 0; ///< keeps the first of each so many; 0: none
     std::vector<std::unique_ptr<Replay>> kept;
 
     /// Counts one, and keeps what `make()` gives if it is its turn.
@@ -79,10 +79,10 @@ public:
     }
     /// Counts the turn of `points`.
     void turn(Points points) { evaluations += shareOf(points); }
-    /// Makes room for repeated calls on what looks like `like`.
+    /// Makes room for repeated calls on what looks like `like`, as soon as there may be any.
     void makeRoom(const State &like)
     {
-        if (state.points() == like.points())
+        if ((acts.every == 0 && repeats == 0) || state.points() == like.points())
             return;
         state = like;
         pulls.setZero(like.points(), 2);

@@ -20,6 +20,28 @@ void mark(const Effect &effect, const State &state, Points among, std::vector<ch
     mark(effect, state, {among.first + half, among.count - half}, movers);
 }
 
+void markPulled(const Force &force, const State &state, Directions directions, std::vector<char> &touched)
+{
+    Eigen::ArrayX2d pulls = Eigen::ArrayX2d::Zero(state.points(), 2);
+    force.add(state, {0, state.points()}, 1.0, directions, pulls);
+    for (int i = 0; i < state.points(); ++i) {
+        if (pulls(i, 0) != 0.0 || pulls(i, 1) != 0.0)
+            touched[static_cast<std::size_t>(i)] = 1;
+    }
+}
+
+void markTied(const Effect &effect, const State &state, std::vector<char> &touched)
+{
+    std::vector<Tie> ties;
+    effect.ties(ties);
+    for (const auto &[one, other] : ties) {
+        for (const int end : {one, other}) {
+            if (state.feels(end))
+                touched[static_cast<std::size_t>(end)] = 1;
+        }
+    }
+}
+
 }
 
 std::vector<char> moversOf(const Effect &effect, const State &state)
@@ -32,23 +54,11 @@ std::vector<char> moversOf(const Effect &effect, const State &state)
 int pointsOf(const Effect &effect, const State &state, const std::vector<char> &movers, Directions directions)
 {
     std::vector<char> touched = movers;
-    if (const auto *force = dynamic_cast<const Force *>(&effect)) {
-        Eigen::ArrayX2d pulls = Eigen::ArrayX2d::Zero(state.points(), 2);
-        force->add(state, {0, state.points()}, 1.0, directions, pulls);
-        for (int i = 0; i < state.points(); ++i) {
-            if (pulls(i, 0) != 0.0 || pulls(i, 1) != 0.0)
-                touched[static_cast<std::size_t>(i)] = 1;
-        }
-    } else if (dynamic_cast<const Constraint *>(&effect)) {
-        std::vector<Tie> ties;
-        effect.ties(ties);
-        for (const auto &[one, other] : ties) {
-            for (const int end : {one, other}) {
-                if (state.feels(end))
-                    touched[static_cast<std::size_t>(end)] = 1;
-            }
-        }
-    }
+    const auto *force = dynamic_cast<const Force *>(&effect);
+    if (force)
+        markPulled(*force, state, directions, touched);
+    if (force ? force->balances(state) : dynamic_cast<const Constraint *>(&effect) != nullptr)
+        markTied(effect, state, touched);
     return static_cast<int>(std::count(touched.begin(), touched.end(), 1));
 }
 

@@ -26,11 +26,13 @@ private slots:
         };
         row("the window without a display", {},
             "there is no display for the window; set DISPLAY, or use a verb that needs none: lessons, trace, "
-            "accuracy, hardcases, screenshot.");
+            "accuracy, hardcases, cost, screenshot.");
         row("a verb with a slip", {"tracee", "x"},
-            "there is no verb \"tracee\"; the verbs are lessons, trace, accuracy, hardcases, screenshot.");
+            "there is no verb \"tracee\"; the verbs are lessons, trace, accuracy, hardcases, cost, "
+            "screenshot.");
         row("neither verb nor file", {"lesons"},
             "there is no verb and no file \"lesons\"; the verbs are lessons, trace, accuracy, hardcases, "
+            "cost, "
             "screenshot.");
         row("an unknown option", {"--fast"}, "Unknown option 'fast'; springstep --help tells what there is.");
         row("an unknown option of a verb", {"lessons", "--xml"},

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "app/model/experiment.h"
+
+namespace app {
+
+/// What an argument FILE|LESSON/STEP names: a file where there is one of that name, and else a step.
+/// @throws Refusal when it names neither, or what it names cannot be read
+Experiment experimentNamed(const QString &what, const LessonLibrary &library);
+
+}

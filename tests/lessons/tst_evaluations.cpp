@@ -1,0 +1,208 @@
+#include "tests/lessons/support.h"
+
+#include "sim/cost/cost.h"
+#include "sim/cost/probe.h"
+#include "sim/cost/touched.h"
+#include "sim/error.h"
+#include "sim/methods/methods.h"
+#include "sim/track.h"
+
+#include <QTest>
+
+#include <map>
+
+using namespace support;
+
+namespace {
+
+constexpr int frames = 6;
+
+/// How often each kind of effect is computed in one step, written down from what the methods are, in books and in the
+/// tutorials: not from how they are built here.
+struct Stages
+{
+    int forces = 1;
+    int drags = 1;         ///< with a rate: in halves where a step is symmetric
+    int flows = 1;         ///< drivers that go with time
+    bool hasDecay = false; ///< whether drags with a rate are part of its arithmetic
+};
+
+const std::map<std::string, Stages> &stagesByMethod()
+{
+    static const std::map<std::string, Stages> all = {
+        {"published", {1, 1, 1, false}},
+        {"semi_implicit_euler", {1, 1, 1, false}},
+        {"explicit_euler", {1, 1, 1, false}},
+        {"position_verlet", {1, 2, 2, false}},
+        {"velocity_verlet", {2, 2, 1, false}},
+        {"midpoint", {2, 0, 2, true}},
+        {"rk4", {4, 0, 4, true}},
+    };
+    return all;
+}
+
+/// A step's scene whose effects note what they are asked.
+struct Counted
+{
+    explicit Counted(sim::Script from) : script(std::move(from))
+    {
+        const sim::Scene plain = sim::sceneOf(script, script.values);
+        effects = plain.effects;
+        for (const sim::EffectPtr &effect : effects)
+            tallies.push_back(std::make_unique<sim::Tally>(sim::moversOf(*effect, plain.start)));
+        script.build = [this, build = script.build](const sim::Values &values) {
+            sim::Scene scene = build(values);
+            for (std::size_t i = 0; i < scene.effects.size(); ++i)
+                scene.effects[i] = sim::probeOf(scene.effects[i], *tallies[i]);
+            return scene;
+        };
+    }
+
+    sim::Script script;
+    std::vector<sim::EffectPtr> effects;
+    std::vector<std::unique_ptr<sim::Tally>> tallies;
+};
+
+bool anyMoves(const sim::Scene &scene)
+{
+    for (int i = 0; i < scene.start.points(); ++i) {
+        if (scene.start.feels(i) && scene.hasInertia(i))
+            return true;
+    }
+    return false;
+}
+
+/// How often a step of a fixed method computes `effect`.
+int expected(const sim::Effect &effect, const Stages &stages, const sim::Scene &scene)
+{
+    if (effect.idle() || effect.count(scene.start, {0, scene.start.points()}) == 0)
+        return 0;
+    if (dynamic_cast<const sim::Force *>(&effect) || dynamic_cast<const sim::Torque *>(&effect))
+        return stages.forces;
+    if (const auto *drag = dynamic_cast<const sim::Drag *>(&effect))
+        return drag->rate(0) || !stages.hasDecay ? stages.drags : 1;
+    const auto *driver = dynamic_cast<const sim::Driver *>(&effect);
+    if (!driver || driver->pace() == sim::Pace::once)
+        return 1;
+    return stages.hasDecay && !anyMoves(scene) ? 1 : stages.flows;
+}
+
+}
+
+/// How often each effect is computed, for every step of every lesson and every method that fits.
+class TestEvaluations : public QObject
+{
+    Q_OBJECT
+
+    static void addRows(const std::function<bool(const sim::Method &)> &accept)
+    {
+        QTest::addColumn<QString>("lesson");
+        QTest::addColumn<QString>("id");
+        QTest::addColumn<QString>("method");
+        for (const QString &lesson : lessonIds()) {
+            for (const lessons::Step &step : loadLesson(lesson).steps) {
+                for (const sim::MethodPtr &method : sim::allMethods()) {
+                    if (!accept(*method) || !fits(step, *method))
+                        continue;
+                    QTest::addRow("%s/%s with %s", qPrintable(lesson), qPrintable(step.id),
+                                  method->id().c_str())
+                        << lesson << step.id << QString::fromStdString(method->id());
+                }
+            }
+        }
+    }
+
+    static bool fits(const lessons::Step &step, const sim::Method &method)
+    {
+        const sim::Script script = scriptOf(step, method.id(), 1.0);
+        try {
+            sim::compose(sim::sceneOf(script, script.values), method, script.step);
+            return true;
+        } catch (const sim::Error &) {
+            return false;
+        }
+    }
+
+    static sim::Script scriptOfRow()
+    {
+        QFETCH(QString, lesson);
+        QFETCH(QString, id);
+        QFETCH(QString, method);
+        return scriptOf(loadLesson(lesson).step(id), method.toStdString(), 1.0);
+    }
+
+private slots:
+    void exactlyTheListedEffectsAtExactlyTheStagesOfTheMethod_data()
+    {
+        addRows([](const sim::Method &method) { return stagesByMethod().count(method.id()) > 0; });
+    }
+    void exactlyTheListedEffectsAtExactlyTheStagesOfTheMethod()
+    {
+        Counted counted(scriptOfRow());
+        sim::Track track(counted.script, 0);
+        track.seek({frames, 0});
+        QVERIFY(!track.stop());
+        const sim::Scene scene = sim::sceneOf(counted.script, counted.script.values);
+        const Stages &stages = stagesByMethod().at(counted.script.method->id());
+        for (std::size_t i = 0; i < counted.effects.size(); ++i) {
+            const sim::Effect &effect = *counted.effects[i];
+            const double found = counted.tallies[i]->evaluations;
+            QVERIFY2(
+                std::abs(found - frames * expected(effect, stages, scene)) < 1e-9,
+                qPrintable(QString("%1: %2 in %3 frames").arg(effect.id().c_str()).arg(found).arg(frames)));
+        }
+    }
+
+    /// Those that choose how often: each force as often as the run has counted, since it counts all forces at once.
+    void aMethodThatChoosesItsStagesComputesEveryForceInEach_data()
+    {
+        addRows([](const sim::Method &method) { return method.evaluations() == 0; });
+    }
+    void aMethodThatChoosesItsStagesComputesEveryForceInEach()
+    {
+        Counted counted(scriptOfRow());
+        sim::Track track(counted.script, 0);
+        track.seek({frames, 0});
+        const sim::Scene scene = sim::sceneOf(counted.script, counted.script.values);
+        for (std::size_t i = 0; i < counted.effects.size() && !track.stop(); ++i) {
+            const sim::Effect &effect = *counted.effects[i];
+            const bool isPull =
+                dynamic_cast<const sim::Force *>(&effect) || dynamic_cast<const sim::Torque *>(&effect);
+            const bool acts = !effect.idle() && effect.count(scene.start, {0, scene.start.points()}) > 0;
+            const double found = counted.tallies[i]->evaluations;
+            if (isPull && acts)
+                QCOMPARE(found, static_cast<double>(track.now().evaluations));
+            else if (!acts)
+                QCOMPARE(found, 0.0);
+            else if (dynamic_cast<const sim::Drag *>(&effect))
+                QCOMPARE(found, 0.0); // in the equations as a rate
+        }
+    }
+
+    /// What the ledger tells is what was counted.
+    void theLedgerTellsTheSameNumbers_data()
+    {
+        addRows([](const sim::Method &) { return true; });
+    }
+    void theLedgerTellsTheSameNumbers()
+    {
+        const sim::Script script = scriptOfRow();
+        const sim::Scene scene = sim::sceneOf(script, script.values);
+        sim::CostMeter meter(scene, script.method, script.step, scene.start);
+        QVERIFY(meter.round());
+        const sim::FrameCost cost = meter.result();
+        QCOMPARE(cost.rounds, 1);
+        QCOMPARE(cost.effects.size() + meter.pipeline().leftOut.size(), scene.effects.size());
+        const auto stages = stagesByMethod().find(script.method->id());
+        for (const sim::EffectCost &one : cost.effects) {
+            QVERIFY(one.ns >= 0.0 || one.evaluations > 0.0);
+            QVERIFY(one.points >= 0 && one.points <= scene.start.points());
+            if (stages != stagesByMethod().end())
+                QVERIFY2(std::abs(one.evaluations - expected(*one.effect, stages->second, scene)) < 1e-9,
+                         qPrintable(QString("%1: %2").arg(one.effect->id().c_str()).arg(one.evaluations)));
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(TestEvaluations)
+#include "tst_evaluations.moc"

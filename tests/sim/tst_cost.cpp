@@ -1,0 +1,287 @@
+#include "sim/cost/cost.h"
+#include "sim/effects/gravity.h"
+#include "sim/error.h"
+#include "sim/methods/methods.h"
+#include "support.h"
+
+#include <QTest>
+
+namespace {
+
+constexpr double ns = 1e-9;
+constexpr double reading = 30 * ns; ///< what each reading of the clock takes
+
+/// A time that passes only where something says what it takes.
+struct Time
+{
+    double now = 0.0;
+    void pass(double nanoseconds) { now += nanoseconds * ns; }
+    /// Reading takes time as well: half before the moment that it tells, half after.
+    sim::CostMeter::Clock clock()
+    {
+        return [this] {
+            now += reading;
+            return now - 0.5 * reading;
+        };
+    }
+};
+
+/// A force that takes the same time each call; its derivatives take twice that.
+class SlowForce : public sim::Force
+{
+public:
+    SlowForce(std::string id, double takes, Time &time) : m_id(std::move(id)), m_takes(takes), m_time(time) {}
+    std::string id() const override { return m_id; }
+    std::string title() const override { return m_id; }
+    sim::Kind kind() const override { return sim::Kind::gravity; }
+    std::vector<sim::Region> regions(sim::Directions) const override { return {}; }
+    int count(const sim::State &, sim::Points points) const override { return points.count; }
+    void add(const sim::State &, sim::Points, double, sim::Directions, Eigen::ArrayX2d &) const override
+    {
+        m_time.pass(m_takes);
+    }
+    bool addSlopes(const sim::State &, sim::Points, double, sim::Directions, sim::Slopes &) const override
+    {
+        m_time.pass(2 * m_takes);
+        return true;
+    }
+    std::vector<sim::Live> explain(const sim::State &, int, sim::Directions) const override { return {}; }
+
+private:
+    std::string m_id;
+    double m_takes;
+    Time &m_time;
+};
+
+/// An effect whose numbers are such that it changes nothing.
+class Idle : public sim::Gravity
+{
+public:
+    Idle() : sim::Gravity(0.0) {}
+    bool idle() const override { return true; }
+};
+
+/// Computes the scene's first force in a phase of its own, whose beginning is the method's, and the second one three
+/// times within a phase of the method's; and has a phase in which no effect has a part.
+class Rule : public sim::Method
+{
+public:
+    explicit Rule(Time &time) : m_time(time) {}
+    std::string id() const override { return "rule"; }
+    std::string title() const override { return "rule"; }
+    int order() const override { return 1; }
+    std::vector<std::string> needs() const override { return {}; }
+    sim::Directions directions() const override { return sim::Directions::apart; }
+    sim::Region region() const override { return {}; }
+    void prepare(sim::State &state) const override { state.acceleration.setZero(state.points(), 2); }
+    std::vector<sim::Phase> phases(const sim::Scene &scene, sim::StepSize) const override
+    {
+        const auto passing = [&time = m_time](double takes) {
+            return [&time, takes](sim::State &) { time.pass(takes); };
+        };
+        const auto force = [&](std::size_t which) {
+            const auto one = std::dynamic_pointer_cast<const sim::Force>(scene.effects[which]);
+            return [one](sim::State &state) {
+                one->add(state, {0, state.points()}, 1.0, sim::Directions::apart, state.acceleration);
+            };
+        };
+        sim::Phase own, first, within;
+        own.id = "own";
+        own.run = passing(5);
+        first.id = "first";
+        first.effect = scene.effects[0];
+        first.prelude = passing(20);
+        first.run = [prelude = passing(20), add = force(0)](sim::State &state) {
+            prelude(state);
+            add(state);
+        };
+        within.id = "within";
+        within.within = {scene.effects[1]};
+        within.run = [&time = m_time, add = force(1), second = scene.effects[1]](sim::State &state) {
+            time.pass(100);
+            for (int i = 0; i < 3; ++i)
+                add(state);
+            sim::Slopes slopes(state.points());
+            dynamic_cast<const sim::Force &>(*second).addSlopes(state, {0, state.points()}, 1.0,
+                                                                sim::Directions::apart, slopes);
+        };
+        return {own, first, within};
+    }
+
+private:
+    Time &m_time;
+};
+
+sim::Scene slowScene(Time &time)
+{
+    sim::Scene scene = support::pointsOf(2);
+    scene.effects = {std::make_shared<SlowForce>("slow", 40, time),
+                     std::make_shared<SlowForce>("slower", 300, time)};
+    return scene;
+}
+
+sim::CostMeter meterOf(const sim::Script &script)
+{
+    const sim::Scene scene = sim::sceneOf(script, script.values);
+    return {scene, script.method, script.step, scene.start};
+}
+
+bool near(double a, double b)
+{
+    return std::abs(a - b) < 1e-3 + 1e-6 * std::abs(b);
+}
+
+}
+
+/// What effects cost, by a clock that tells only what a test says. How the real one does is for instructions to tell.
+class TestCost : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void eachPartIsToldAsTheTimeThatItTakes_data()
+    {
+        QTest::addColumn<double>("h");
+        QTest::addColumn<int>("steps");  // a row
+        QTest::addColumn<int>("frames"); // a row
+        QTest::newRow("a step a frame") << 1.0 << 1 << 1;
+        QTest::newRow("four steps a frame") << 0.25 << 4 << 1;
+        QTest::newRow("a step in five frames") << 5.0 << 1 << 5;
+    }
+    void eachPartIsToldAsTheTimeThatItTakes()
+    {
+        QFETCH(double, h);
+        QFETCH(int, steps);
+        QFETCH(int, frames);
+        Time time;
+        const sim::Scene scene = slowScene(time);
+        sim::CostMeter meter(scene, std::make_shared<Rule>(time), sim::StepSize::of(h), scene.start,
+                             time.clock());
+        for (int i = 0; i < 3; ++i)
+            QVERIFY(meter.round());
+        const sim::FrameCost cost = meter.result();
+        const double perFrame = double(steps) / frames;
+        QCOMPARE(cost.rounds, 3);
+        QVERIFY(near(cost.ns, perFrame * (5 + 20 + 40 + 100 + 3 * 300 + 600)));
+        QVERIFY(near(cost.restNs, perFrame * (5 + 20 + 100)));
+        QCOMPARE(cost.effects.size(), std::size_t{2});
+        QVERIFY(near(cost.effects[0].ns, perFrame * 40));
+        QVERIFY(near(cost.effects[1].ns, perFrame * (3 * 300 + 600)));
+        QVERIFY(near(cost.effects[0].evaluations, perFrame));
+        QVERIFY(near(cost.effects[1].evaluations, 3 * perFrame));
+        QVERIFY(near(cost.sum(), cost.ns));
+        QVERIFY(near(cost.spread, 0) && near(cost.effects[1].spread, 0) && near(cost.restSpread, 0));
+    }
+
+    void effectsComeInTheOrderInWhichTheyRun()
+    {
+        const sim::Script script = support::script(support::sample("walkers"), "published");
+        const sim::Scene scene = sim::sceneOf(script, script.values);
+        sim::CostMeter meter(scene, script.method, script.step, scene.start);
+        std::vector<sim::EffectPtr> order;
+        for (const sim::Phase &phase : meter.pipeline().phases) {
+            if (phase.effect && std::find(order.begin(), order.end(), phase.effect) == order.end())
+                order.push_back(phase.effect);
+        }
+        const sim::FrameCost cost = meter.result();
+        QCOMPARE(cost.effects.size(), order.size());
+        for (std::size_t i = 0; i < order.size(); ++i)
+            QCOMPARE(cost.effects[i].effect, order[i]);
+    }
+
+    void pointsAreThoseThatAnEffectWorksOn_data()
+    {
+        QTest::addColumn<QString>("sample");
+        QTest::addColumn<QString>("effect");
+        QTest::addColumn<int>("points");
+        const auto row = [](const char *sample, const char *effect, int points) {
+            QTest::addRow("%s: %s", sample, effect) << sample << effect << points;
+        };
+        row("creature in a room", "radial_spring", 6); // ten pulls
+        row("creature in a room", "gravity", 6);
+        row("creature in a room", "walls", 6);
+        row("beside a handle", "offset_spring", 1); // the handle feels nothing
+        row("walkers", "leg_spring", 6);            // each foot's turn, and the body feels it
+        row("walkers", "ground", 4);
+    }
+    void pointsAreThoseThatAnEffectWorksOn()
+    {
+        QFETCH(QString, sample);
+        QFETCH(QString, effect);
+        QFETCH(int, points);
+        const sim::Script script =
+            support::script(support::sample(sample.toStdString()), "semi_implicit_euler");
+        const sim::Scene scene = sim::sceneOf(script, script.values);
+        const sim::CostMeter meter(scene, script.method, script.step, scene.start);
+        QStringList ids;
+        for (const sim::EffectCost &one : meter.result().effects) {
+            ids << QString::fromStdString(one.effect->id());
+            if (ids.back() == effect)
+                QCOMPARE(one.points, points);
+        }
+        QVERIFY2(ids.contains(effect), qPrintable(ids.join(' ')));
+    }
+
+    void anIdleEffectIsNotAmongThem()
+    {
+        sim::Scene scene = support::pointsOf(1);
+        const auto acting = std::make_shared<sim::Gravity>(0.5);
+        scene.effects = {std::make_shared<Idle>(), acting};
+        const sim::Script script = support::script(scene, "semi_implicit_euler");
+        const sim::CostMeter meter = meterOf(script);
+        QCOMPARE(meter.result().effects.size(), std::size_t{1});
+        QCOMPARE(meter.result().effects[0].effect, sim::EffectPtr(acting));
+        QCOMPARE(meter.pipeline().leftOut.size(), std::size_t{1});
+    }
+
+    void aRoundThatIsLeftOffIsForgotten()
+    {
+        Time time;
+        const sim::Scene scene = slowScene(time);
+        sim::CostMeter meter(scene, std::make_shared<Rule>(time), sim::StepSize::of(1), scene.start,
+                             time.clock());
+        int most = 0;
+        QVERIFY(meter.round([&] {
+            ++most;
+            return true;
+        }));
+        QVERIFY(most > 10);
+        for (int asked = 0; asked < most;
+             asked += 1 + most / 50) { // the next is shorter: it has nothing to choose
+            int left = asked;
+            const int before = meter.result().rounds;
+            const bool isDone = meter.round([&] { return left-- > 0; });
+            QCOMPARE(meter.result().rounds, before + (isDone ? 1 : 0));
+            QVERIFY(isDone || left < 0);
+            QVERIFY(near(meter.result().effects[1].ns, 1500));
+            QVERIFY(near(meter.result().restNs, 125));
+        }
+        sim::CostMeter fresh(scene, std::make_shared<Rule>(time), sim::StepSize::of(1), scene.start,
+                             time.clock());
+        QVERIFY(!fresh.round([] { return false; }));
+        QCOMPARE(fresh.result().rounds, 0);
+        QVERIFY(fresh.round());
+        QVERIFY(near(fresh.result().effects[1].ns, 1500));
+    }
+
+    void whatDoesNotFitIsRefused()
+    {
+        const sim::Script script = support::script(support::sample("walkers"), "backward_euler");
+        const sim::Scene scene = sim::sceneOf(script, script.values);
+        QVERIFY_THROWS_EXCEPTION(
+            sim::Error, sim::CostMeter(scene, sim::findMethod("dop853"), sim::StepSize::of(1), scene.start));
+    }
+
+    /// A run that stops being finite is measured as far as it goes.
+    void aRunThatEndsSoonIsMeasured()
+    {
+        sim::Scene scene = support::pointsOf(0);
+        scene.effects = {std::make_shared<sim::Gravity>(1e308)};
+        sim::CostMeter meter = meterOf(support::script(scene, "semi_implicit_euler"));
+        QVERIFY(meter.round());
+        QVERIFY(std::isfinite(meter.result().ns));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestCost)
+#include "tst_cost.moc"
