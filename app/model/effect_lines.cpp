@@ -31,6 +31,12 @@ QString frameFigure(double ns)
     return figure(ns, 1);
 }
 
+/// "±0.3", "±219".
+QString spreadFigure(double ns)
+{
+    return QChar(0x00B1) + fixedNumber(ns, ns >= 100.0 ? 0 : 1);
+}
+
 QString pointFigure(double ns)
 {
     return figure(ns, ns >= 100.0 ? 1 : 2);
@@ -70,9 +76,12 @@ Measured measured(const EffectFacts &facts, const std::string &id)
     return sum;
 }
 
-bool contains(const std::vector<sim::EffectPtr> &effects, const std::string &id)
+/// Whether of the effects with this id, which a scene may list twice, each is left out.
+bool isIdle(const EffectFacts &facts, const std::string &id)
 {
-    return std::any_of(effects.begin(), effects.end(), [&](const auto &one) { return one->id() == id; });
+    const auto isIt = [&](const sim::EffectPtr &one) { return one->id() == id; };
+    const auto left = std::count_if(facts.leftOut.begin(), facts.leftOut.end(), isIt);
+    return left > 0 && left == std::count_if(facts.listed.begin(), facts.listed.end(), isIt);
 }
 
 QString savingWords(const QString &title, double ns, const sim::FrameCost &cost)
@@ -89,7 +98,7 @@ void fillActing(EffectLine &line, const Measured &cost, const EffectFacts &facts
     }
     line.ns = cost.ns;
     line.frame = frameFigure(cost.ns);
-    line.spread = QChar(0x00B1) + frameFigure(cost.spread);
+    line.spread = spreadFigure(cost.spread);
     line.points = fixedNumber(cost.points, 0);
     if (cost.points > 0)
         line.point = pointFigure(cost.ns / cost.points);
@@ -130,7 +139,7 @@ EffectLine listedLine(const EffectFacts &facts, const sim::Effect &effect)
         line.role = EffectRole::off;
         line.frame = QStringLiteral("0");
         line.note = Text::tr("switched off");
-    } else if (contains(facts.leftOut, id) && !measured(facts, id).isKnown) {
+    } else if (isIdle(facts, id)) {
         line.role = EffectRole::idle;
         line.frame = QStringLiteral("0");
         line.note = Text::tr("changes nothing here");
@@ -151,7 +160,7 @@ EffectLine restLine(const sim::FrameCost *cost)
     line.ns = isKnown ? cost->restNs : 0.0;
     line.frame = isKnown ? frameFigure(cost->restNs) : QString(QChar(0x2026));
     if (isKnown)
-        line.spread = QChar(0x00B1) + frameFigure(cost->restSpread);
+        line.spread = spreadFigure(cost->restSpread);
     line.help = line.title + '\n' +
                 Text::tr("What no effect takes: moving the points, and the method's own sums. "
                          "It cannot be switched off.");

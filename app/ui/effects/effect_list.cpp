@@ -2,11 +2,9 @@
 
 #include "app/ui/effects/kind_mark.h"
 
-#include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QToolTip>
 
 #include <algorithm>
 
@@ -22,7 +20,7 @@ constexpr double barHeight = 7.0;
 constexpr double switchWidth = 30.0;
 constexpr double switchHeight = 18.0;
 constexpr double roomForPoints = 520.0; ///< px, of the list
-constexpr double roomForSpread = 460.0;
+constexpr double roomForSpread = 500.0;
 
 }
 
@@ -36,7 +34,7 @@ EffectColumns::EffectColumns(double width)
     frameRight = pointRight - (hasSpread ? 132.0 : 80.0);
     name = margin + markSize + 9.0;
     const double room = frameRight - 62.0 - name; // for name and bar
-    nameWidth = std::max(90.0, std::min(128.0, room * 0.55));
+    nameWidth = std::clamp(room * 0.55, 112.0, 128.0);
     bar = name + nameWidth + 8.0;
     barWidth = std::max(0.0, name + room - bar);
 }

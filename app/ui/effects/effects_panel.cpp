@@ -4,6 +4,7 @@
 #include "app/ui/panels/panel_title.h"
 
 #include <QAction>
+#include <QFrame>
 #include <QLabel>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -35,7 +36,7 @@ EffectsPanel::EffectsPanel(Session &session, const Theme &theme, CostFunction fu
     again->setFocusPolicy(Qt::TabFocus);
     m_title->addAction(again);
     m_remark->setObjectName("caption");
-    m_remark->setContentsMargins(16, 2, 16, 2);
+    m_remark->setContentsMargins(16, 5, 16, 3);
     m_remark->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 4);
@@ -43,6 +44,10 @@ EffectsPanel::EffectsPanel(Session &session, const Theme &theme, CostFunction fu
     column->addWidget(m_title);
     column->addWidget(new EffectHeads(theme, *m_list, this));
     column->addWidget(m_list, 1);
+    auto *line = new QFrame(this);
+    line->setObjectName("divider");
+    line->setFixedHeight(1);
+    column->addWidget(line);
     column->addWidget(m_remark);
     m_later.setSingleShot(true);
     connect(&m_later, &QTimer::timeout, this, &EffectsPanel::refreshNow);
