@@ -45,7 +45,7 @@ struct Live
 
 /// What the work of an effect on a point depends on, besides the effect's own numbers.
 enum class Sees {
-    tied,  ///< that point, and the points that Effect::ties() ties to it; nothing else of the State
+    tied, ///< that point, and those that Effect::ties() ties to it, straight or by way of others; nothing else
     scene, ///< anything in the State but the number of the frame
     time,  ///< the number of the frame, too: what is random is a hash of it
 };

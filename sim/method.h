@@ -30,7 +30,8 @@ struct Phase
     bool integrates = false;       ///< whether it is part of a step that forces and damping act in all along
     std::function<void(State &)> run;
     /// Only where the phase works point by point, or on ties of effects that see what is tied: does the same for a
-    /// part of its points. All parts, in any order, come to what `run` does.
+    /// part of its points. Parts that no tie leads out of come to what `run` does, in any order; one of several runs of
+    /// points is run by run, in order, and as one run where a constraint ties.
     std::function<void(State &, Points)> runOn;
     /// Only where `run` may take long: does the same, and leaves off when nobody waits any more. Returns whether it is
     /// done; if not, the state is good for nothing.

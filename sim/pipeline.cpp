@@ -61,7 +61,7 @@ Pipeline compose(const Scene &scene, const Method &method, StepSize step)
     if (adaptive != step.adaptive())
         throw Error(adaptive ? "needs-tolerance" : "needs-step", {{"method", method.id()}});
     Scene acting = scene;
-    Pipeline pipeline{{}, step, {}};
+    Pipeline pipeline{{}, step, {}, {}};
     const auto idle = [](const EffectPtr &effect) { return effect->idle(); };
     std::copy_if(scene.effects.begin(), scene.effects.end(), std::back_inserter(pipeline.leftOut), idle);
     std::erase_if(acting.effects, idle);
@@ -69,6 +69,7 @@ Pipeline compose(const Scene &scene, const Method &method, StepSize step)
     checkFit(acting, method, pipeline.phases);
     if (pipeline.phases.empty())
         throw Error("nothing-moves", {{"method", method.id()}});
+    pipeline.blocks = blocksOf(acting, pipeline.phases);
     return pipeline;
 }
 

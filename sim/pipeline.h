@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/blocks.h"
 #include "sim/method.h"
 
 #include <cstdint>
@@ -12,6 +13,8 @@ struct Pipeline
     std::vector<Phase> phases;
     StepSize step;
     std::vector<EffectPtr> leftOut; ///< listed, but idle: no phase computes them
+    std::vector<Block>
+        blocks; ///< the same step in blocks; empty: phase after phase is as good. See runStep()
 
     int phasesPerStep() const { return static_cast<int>(phases.size()); }
     int phasesPerRow() const { return phasesPerStep() * step.perRow; }

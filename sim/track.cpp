@@ -3,6 +3,7 @@
 #include "sim/flush.h"
 #include "sim/guilt.h"
 #include "sim/row_start.h"
+#include "sim/run_step.h"
 
 #include <algorithm>
 #include <limits>
@@ -86,7 +87,7 @@ bool Track::seek(Cursor target, const GoesOn &goesOn)
     // row tells whether the run ends here.
     while (next == Next::goesOn && (m_at < target || (m_at.phase > 0 && failureOf(m_now)))) {
         if (m_at.phase > 0 || !sleepOn(target.frame))
-            next = runPhase(goesOn);
+            next = runOn(target, goesOn);
     }
     if (next == Next::isLeftOff)
         restore(m_at.frame);
@@ -123,16 +124,29 @@ void Track::begin(State &state, std::int64_t rowEnd) const
     beginRow(state, m_script, segmentAt(rowEnd - rowFrames()), segmentAt(rowEnd), rowEnd);
 }
 
-Track::Next Track::runPhase(const GoesOn &goesOn)
+Track::Next Track::runOn(Cursor target, const GoesOn &goesOn)
 {
     if (m_at.phase == 0) {
         begin(m_now, m_at.frame + rowFrames());
         m_segment = segmentAt(m_at.frame + rowFrames());
     }
     const Pipeline &pipeline = m_segment->pipeline;
-    if (!run(pipeline.phaseAt(m_at.phase), m_now, goesOn))
+    const int step = pipeline.phasesPerStep();
+    const bool whole = m_at.phase % step == 0 && Cursor{m_at.frame, m_at.phase + step} <= target;
+    if (!(whole ? runWhole(pipeline, m_now, goesOn) : run(pipeline.phaseAt(m_at.phase), m_now, goesOn)))
         return Next::isLeftOff;
-    return ++m_at.phase < pipeline.phasesPerRow() ? Next::goesOn : endRow(goesOn);
+    m_at.phase += whole ? step : 1;
+    return m_at.phase < pipeline.phasesPerRow() ? Next::goesOn : endRow(goesOn);
+}
+
+bool Track::runWhole(const Pipeline &pipeline, State &state, const GoesOn &goesOn) const
+{
+    if (!pipeline.blocks.empty()) {
+        runStep(pipeline, state, m_crew);
+        return !goesOn || goesOn();
+    }
+    return std::all_of(pipeline.phases.begin(), pipeline.phases.end(),
+                       [&](const Phase &phase) { return run(phase, state, goesOn); });
 }
 
 Track::Next Track::endRow(const GoesOn &goesOn)
@@ -195,8 +209,8 @@ bool Track::runRow(State &state, std::int64_t rowEnd, const GoesOn &goesOn) cons
 {
     begin(state, rowEnd);
     const std::shared_ptr<const Segment> segment = segmentAt(rowEnd);
-    for (int phase = 0; phase < segment->pipeline.phasesPerRow(); ++phase) {
-        if (!run(segment->pipeline.phaseAt(phase), state, goesOn))
+    for (int step = 0; step < segment->pipeline.step.perRow; ++step) {
+        if (!runWhole(segment->pipeline, state, goesOn))
             return false;
     }
     return true;

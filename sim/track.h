@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/crew.h"
 #include "sim/history.h"
 #include "sim/segments.h"
 
@@ -76,8 +77,8 @@ public:
     /// the next row; past the end of the run it goes to stop()->frame, from inside the row that fails to the last
     /// phase that leaves good numbers.
     void seek(Cursor target);
-    /// The same, asking `goesOn` after each phase, and within one that takes long. Returns false when that said no:
-    /// the cursor is then at a moment that was kept before, and at 0 at worst.
+    /// The same, asking `goesOn` after each phase or step, and within a phase that takes long. Returns false when that
+    /// said no: the cursor is then at a moment that was kept before, and at 0 at worst.
     bool seek(Cursor target, const GoesOn &goesOn);
     /// The state at the cursor after the input that the next row begins with; `segment` is set to its segment.
     State preview(std::shared_ptr<const Segment> &segment) const;
@@ -120,7 +121,10 @@ private:
     void begin(State &state, std::int64_t rowEnd) const;
     /// Whether the run goes on.
     enum class Next { goesOn, ends, isLeftOff };
-    Next runPhase(const GoesOn &goesOn);
+    /// Runs the next step if `target` is not inside it, else the next phase.
+    Next runOn(Cursor target, const GoesOn &goesOn);
+    /// One step on a state that is at the beginning of one. Returns false when `goesOn` said no on the way.
+    bool runWhole(const Pipeline &pipeline, State &state, const GoesOn &goesOn) const;
     Next endRow(const GoesOn &goesOn);
     /// Takes `state`, at the end of the row before, through the row that ends at `rowEnd`. Returns whether it is done.
     bool runRow(State &state, std::int64_t rowEnd, const GoesOn &goesOn) const;
@@ -148,6 +152,7 @@ private:
     std::optional<Stop> m_stop;
     History m_history;
     SleepWatch m_watch;
+    mutable Crew m_crew; ///< for steps that are large enough to share
 };
 
 }

@@ -42,6 +42,12 @@ int AngleLimits::count(const State &, Points points) const
     }));
 }
 
+void AngleLimits::ties(std::vector<Tie> &into) const
+{
+    for (const AngleLimit &limit : m_limits)
+        into.insert(into.end(), {{limit.a, limit.joint}, {limit.joint, limit.b}});
+}
+
 void AngleLimits::enforce(State &state, Points points, Directions, double) const
 {
     for (const AngleLimit &limit : m_limits) {

@@ -114,6 +114,8 @@ public:
     Kind kind() const override { return Kind::stick; }
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
+    Sees sees() const override { return Sees::tied; }
+    void ties(std::vector<Tie> &into) const override;
     /// A limit has its turn with that of its points that has the highest number. Where one of them feels nothing,
     /// only the others move.
     void enforce(State &state, Points points, Directions directions, double h) const override;

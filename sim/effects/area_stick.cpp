@@ -12,6 +12,12 @@ int AreaStick::count(const State &state, Points points) const
     return points.contains(m_quad.right) && (state.feels(m_quad.left) || state.feels(m_quad.right)) ? 1 : 0;
 }
 
+void AreaStick::ties(std::vector<Tie> &into) const
+{
+    into.insert(into.end(),
+                {{m_quad.front, m_quad.back}, {m_quad.back, m_quad.left}, {m_quad.left, m_quad.right}});
+}
+
 Sides AreaStick::sidesOf(const State &state) const
 {
     const Heading spine =

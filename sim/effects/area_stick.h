@@ -67,6 +67,8 @@ public:
     Kind kind() const override { return Kind::stick; }
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
+    Sees sees() const override { return Sees::tied; }
+    void ties(std::vector<Tie> &into) const override;
     void enforce(State &state, Points points, Directions directions, double h) const override;
     std::vector<Live> explain(const State &before, const State &after, int point) const override;
 

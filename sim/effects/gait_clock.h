@@ -32,6 +32,7 @@ public:
     Kind kind() const override { return Kind::driver; }
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
+    Sees sees() const override { return Sees::scene; }
     void drive(State &state, double h) const override;
     Pace pace() const override { return Pace::flows; }
     std::vector<Live> explain(const State &before, const State &after, int point) const override;

@@ -53,6 +53,7 @@ public:
     Kind kind() const override { return Kind::contact; }
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
+    Sees sees() const override { return Sees::tied; }
     bool idle() const override { return std::isinf(m_soil.ground) && m_soil.ground > 0.0; }
     void resolve(State &state, Points points) const override;
     std::vector<Surface> surfaces(int point) const override;

@@ -17,6 +17,8 @@ public:
     Kind kind() const override { return Kind::stick; }
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
+    Sees sees() const override { return Sees::tied; }
+    void ties(std::vector<Tie> &into) const override { m_tree->ties(into); }
     /// A branch that feels nothing does not turn on either: it loses its spin.
     void drive(State &state, double h) const override;
     Pace pace() const override { return Pace::follows; }

@@ -63,6 +63,12 @@ int LegSpring::count(const State &state, Points points) const
     return total;
 }
 
+void LegSpring::ties(std::vector<Tie> &into) const
+{
+    for (const Leg &leg : m_legs)
+        into.emplace_back(leg.foot, leg.body);
+}
+
 Vec2 LegSpring::targetOf(const State &state, const Leg &leg) const
 {
     const Vec2 body = state.at(leg.body);

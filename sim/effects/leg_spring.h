@@ -90,6 +90,8 @@ public:
     Kind kind() const override { return Kind::spring; }
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
+    Sees sees() const override { return m_rule.aim == Aim::swing ? Sees::scene : Sees::tied; }
+    void ties(std::vector<Tie> &into) const override;
     bool idle() const override { return m_rule.k == 0.0; }
     /// A leg belongs to its foot: with Reaction::equal its body is pulled when the foot is among `movers`.
     void add(const State &state, Points movers, double scale, Directions directions,

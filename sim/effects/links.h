@@ -56,6 +56,12 @@ public:
         return total;
     }
 
+    void ties(std::vector<Tie> &into) const
+    {
+        for (const Link &link : m_links)
+            into.emplace_back(link.mover, link.anchor);
+    }
+
     /// The sum of what links have stored where `potential(link)` is that of one. A pair that pulls both ways stores it
     /// once. Empty where a link pulls one end only of two that can feel: it has no potential.
     template <class Potential>

@@ -33,6 +33,8 @@ public:
     Kind kind() const override { return Kind::spring; }
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override { return m_links.count(state, points); }
+    Sees sees() const override { return Sees::tied; }
+    void ties(std::vector<Tie> &into) const override { m_links.ties(into); }
     bool idle() const override { return m_k == 0.0; }
     void add(const State &state, Points movers, double scale, Directions directions,
              Eigen::ArrayX2d &into) const override;

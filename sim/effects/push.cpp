@@ -42,6 +42,12 @@ int Push::count(const State &state, Points points) const
     return total;
 }
 
+void Push::ties(std::vector<Tie> &into) const
+{
+    for (std::size_t i = 1; i < m_points.size(); ++i)
+        into.emplace_back(m_points[i - 1], m_points[i]);
+}
+
 PushPull Push::pushOn(const State &state, int one, int other, Directions directions) const
 {
     return push(state.at(one), state.at(other), m_k, m_distance, [&](Vec2 d) {

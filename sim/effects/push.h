@@ -48,6 +48,8 @@ public:
     Kind kind() const override { return Kind::spring; }
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
+    Sees sees() const override { return Sees::tied; }
+    void ties(std::vector<Tie> &into) const override;
     bool idle() const override { return m_k == 0.0 || m_distance <= 0.0; }
     /// A pair belongs to the point with the lower number: with Reaction::equal the other is pushed, too, when that
     /// one is among `movers`.

@@ -39,6 +39,7 @@ public:
     Kind kind() const override { return Kind::spring; }
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
+    Sees sees() const override { return Sees::tied; }
     bool idle() const override { return std::isinf(m_ease); }
     void drive(State &state, double h) const override;
     std::vector<Live> explain(const State &before, const State &after, int point) const override;

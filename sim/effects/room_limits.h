@@ -74,6 +74,7 @@ public:
     Kind kind() const override { return Kind::contact; }
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
+    Sees sees() const override { return Sees::tied; }
     void enforce(State &state, Points points, Directions directions, double h) const override;
     std::vector<Live> explain(const State &before, const State &after, int point) const override;
 

@@ -41,6 +41,12 @@ int SoftSticks::count(const State &state, Points points) const
     }));
 }
 
+void SoftSticks::ties(std::vector<Tie> &into) const
+{
+    for (const SoftStick &stick : m_sticks)
+        into.emplace_back(stick.mover, stick.anchor);
+}
+
 void SoftSticks::enforce(State &state, Points points, Directions, double h) const
 {
     const Strengths strength = strengthsIn(h, m_perFrame);

@@ -47,6 +47,8 @@ public:
     Kind kind() const override { return Kind::damping; }
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
+    Sees sees() const override { return Sees::tied; }
+    void ties(std::vector<Tie> &into) const override { into.emplace_back(m_mover, m_anchor); }
     void slow(State &state, Points points, double h) const override;
     std::vector<Live> explain(const State &before, const State &after, int point, double h) const override;
 

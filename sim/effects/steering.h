@@ -63,6 +63,7 @@ public:
     Kind kind() const override { return Kind::driver; }
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &, Points points) const override { return points.contains(m_body) ? 1 : 0; }
+    Sees sees() const override { return Sees::scene; }
     void drive(State &state, double h) const override;
     std::vector<Live> explain(const State &before, const State &after, int point) const override;
 

@@ -76,6 +76,12 @@ int Sticks::count(const State &state, Points points) const
     return total;
 }
 
+void Sticks::ties(std::vector<Tie> &into) const
+{
+    for (const Stick &one : m_sticks)
+        into.emplace_back(one.a, one.b);
+}
+
 void Sticks::enforce(State &state, Points points, Directions directions, double) const
 {
     forEach(points, [&](const Stick &one) {

@@ -19,6 +19,8 @@ public:
     Kind kind() const override { return Kind::stick; }
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
+    Sees sees() const override { return Sees::tied; }
+    void ties(std::vector<Tie> &into) const override;
     /// A stick has its turn with that of its ends that has the higher number. An end that feels nothing leaves the
     /// whole error to the other one.
     void enforce(State &state, Points points, Directions directions, double h) const override;

@@ -101,6 +101,8 @@ public:
     Kind kind() const override { return Kind::spring; }
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
+    Sees sees() const override { return Sees::tied; }
+    void ties(std::vector<Tie> &into) const override { m_tree->ties(into); }
     bool idle() const override { return (m_limbs.stiffness == 0.0).all(); }
     void add(const State &state, Points movers, double scale, Eigen::ArrayXd &into) const override;
     bool addSlopes(const State &state, Points movers, double scale, Slopes &into) const override;

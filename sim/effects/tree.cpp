@@ -41,6 +41,14 @@ void Tree::sprout(int from, double angle, double branchScale)
     ++children[row];
 }
 
+void Tree::ties(std::vector<std::pair<int, int>> &into) const
+{
+    for (int i = 0; i < branches(); ++i) {
+        if (const int from = parent[static_cast<std::size_t>(i)]; from >= 0)
+            into.emplace_back(i, from);
+    }
+}
+
 void checkGrowth(double slope, double minScale)
 {
     long branches = 1, level = 1;

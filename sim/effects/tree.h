@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace sim {
@@ -29,6 +30,8 @@ struct Tree
     /// Adds a branch at the end of branch `from`. All children of a branch are added before those of the next.
     void sprout(int from, double angle, double branchScale);
     int branches() const { return static_cast<int>(parent.size()); }
+    /// Each branch with the one that it grows from.
+    void ties(std::vector<std::pair<int, int>> &into) const;
 };
 
 using TreePtr = std::shared_ptr<const Tree>;

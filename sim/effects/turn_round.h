@@ -43,6 +43,7 @@ public:
     Kind kind() const override { return Kind::driver; }
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
+    Sees sees() const override { return Sees::scene; }
     bool idle() const override { return m_room.sidesAreFar(); }
     void drive(State &state, double h) const override;
     std::vector<Live> explain(const State &before, const State &after, int point) const override;

@@ -62,6 +62,7 @@ public:
     Kind kind() const override { return Kind::wind; }
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
+    Sees sees() const override { return Sees::scene; }
     bool idle() const override { return m_wind == 0.0; }
     void add(const State &state, Points movers, double scale, Eigen::ArrayXd &into) const override;
     /// A branch is pushed where it ends, so what it is pushed by depends on the angles of all branches below it, too:

@@ -137,9 +137,9 @@ void PhaseList::force(const std::shared_ptr<const Force> &force, const Share &sh
 {
     Phase phase = phaseOf(force, share);
     phase.regions.push_back(adding.forceShown);
-    phase.run = [force, add = adding.force, points = share.points, h = m_h](State &state) {
+    setWork(phase, [force, add = adding.force, h = m_h](State &state, Points points) {
         add(*force, state, points, h);
-    };
+    });
     phase.explain = [force, way = m_directions](const State &before, const State &after, int point) {
         std::vector<Live> live = force->explain(before, point, way);
         if (!live.empty() && before.speed(point) != after.speed(point))
@@ -153,9 +153,9 @@ void PhaseList::torque(const std::shared_ptr<const Torque> &torque, const Share 
 {
     Phase phase = phaseOf(torque, share);
     phase.regions.push_back(adding.torqueShown);
-    phase.run = [torque, add = adding.torque, points = share.points, h = m_h](State &state) {
+    setWork(phase, [torque, add = adding.torque, h = m_h](State &state, Points points) {
         add(*torque, state, points, h);
-    };
+    });
     phase.explain = [torque](const State &before, const State &after, int point) {
         std::vector<Live> live = torque->explain(before, point);
         if (!live.empty() && before.spin[point] != after.spin[point])
@@ -169,7 +169,7 @@ void PhaseList::drag(const std::shared_ptr<const Drag> &drag, const Share &share
 {
     Phase phase = phaseOf(drag, share);
     const double h = part * m_h;
-    phase.run = [drag, points = share.points, h](State &state) { drag->slow(state, points, h); };
+    setWork(phase, [drag, h](State &state, Points points) { drag->slow(state, points, h); });
     phase.explain = [drag, h](const State &before, const State &after, int point) {
         return drag->explain(before, after, point, h);
     };
@@ -191,11 +191,11 @@ void PhaseList::gather(const Share &share)
     // Nothing is gathered yet from where the step begins, or from where the last trial place was left.
     Phase &first = m_phases[m_gathers ? before : 0];
     m_gathers = true;
-    first.run = [run = first.run](State &state) {
-        state.acceleration.setZero();
-        state.turning.setZero();
-        run(state);
-    };
+    setWorkBefore(first, [](State &state, Points points) {
+        state.acceleration.middleRows(points.first, points.count).setZero();
+        if (state.turning.rows() > 0)
+            state.turning.segment(points.first, points.count).setZero();
+    });
 }
 
 void PhaseList::damping(const Share &share, double part)
@@ -223,11 +223,11 @@ void PhaseList::asListed(const Share &share, const Adding &adding)
     });
 }
 
-std::function<void(State &)> PhaseList::remembering(const Share &share) const
+std::function<void(State &, Points)> PhaseList::remembering(const Share &share) const
 {
     if (!hasConstraint(share))
         return nullptr;
-    return [points = share.points](State &state) {
+    return [](State &state, Points points) {
         if (state.previous.rows() != state.points())
             state.previous = state.position;
         state.previous.middleRows(points.first, points.count) =
@@ -240,7 +240,7 @@ void PhaseList::comeFrom(const Share &share)
     if (!hasConstraint(share))
         return;
     m_keepBefore = m_phases.size();
-    m_keep = [points = share.points, h = m_h](State &state) {
+    m_keep = [h = m_h](State &state, Points points) {
         if (state.previous.rows() != state.points())
             state.previous = state.position;
         state.previous.middleRows(points.first, points.count) =
@@ -251,13 +251,8 @@ void PhaseList::comeFrom(const Share &share)
 
 std::vector<Phase> PhaseList::take()
 {
-    if (m_keep && m_keepBefore < m_phases.size()) {
-        Phase &first = m_phases[m_keepBefore];
-        first.run = [keep = m_keep, run = first.run](State &state) {
-            keep(state);
-            run(state);
-        };
-    }
+    if (m_keep && m_keepBefore < m_phases.size())
+        setWorkBefore(m_phases[m_keepBefore], m_keep);
     return std::move(m_phases);
 }
 

@@ -158,8 +158,8 @@ private:
     std::vector<Points> inert(Points points) const;
     bool spins() const { return m_scene.start.spin.rows() > 0; }
     bool hasConstraint(const Share &share) const;
-    /// Keeps the places of a share's points in State::previous; null where no constraint asks for them.
-    std::function<void(State &)> remembering(const Share &share) const;
+    /// Keeps the places of points in State::previous; null where no constraint asks for them.
+    std::function<void(State &, Points)> remembering(const Share &share) const;
 
     void force(const std::shared_ptr<const Force> &force, const Share &share, const Adding &adding);
     void torque(const std::shared_ptr<const Torque> &torque, const Share &share, const Adding &adding);
@@ -175,8 +175,32 @@ private:
     std::vector<Phase> m_phases;
     bool m_gathers = false;       ///< whether a phase of the step gathers already
     std::size_t m_keepBefore = 0; ///< the phase before which m_keep runs
-    std::function<void(State &)> m_keep;
+    std::function<void(State &, Points)> m_keep;
 };
+
+/// Gives `phase`, which knows its points and its effect, its work on some of them: all of it is that on all of them.
+template <class Work>
+void setWork(Phase &phase, Work work)
+{
+    if (!phase.effect || phase.effect->sees() == Sees::tied)
+        phase.runOn = work;
+    phase.run = [work = std::move(work), points = phase.points](State &state) { work(state, points); };
+}
+
+/// What `phase` does first, on the same points.
+template <class Work>
+void setWorkBefore(Phase &phase, Work before)
+{
+    phase.run = [before, run = phase.run, points = phase.points](State &state) {
+        before(state, points);
+        run(state);
+    };
+    if (phase.runOn)
+        phase.runOn = [before, run = phase.runOn](State &state, Points points) {
+            before(state, points);
+            run(state, points);
+        };
+}
 
 template <class Type, class Visit>
 void PhaseList::forEach(const Share &share, Visit &&visit) const

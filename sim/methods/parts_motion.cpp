@@ -1,5 +1,7 @@
 #include "sim/methods/parts.h"
 
+#include <algorithm>
+
 namespace sim {
 
 namespace {
@@ -10,12 +12,13 @@ const char *half(double part, const char *whole, const char *halved)
     return part == 1.0 ? whole : halved;
 }
 
-/// Calls `visit(point)` for each point of `runs` that feels forces in `state`.
+/// Calls `visit(point)` for each point of `points` that is in `runs` and feels forces in `state`.
 template <class Visit>
-void forEachFree(const State &state, const std::vector<Points> &runs, Visit &&visit)
+void forEachFree(const State &state, const std::vector<Points> &runs, Points points, Visit &&visit)
 {
     for (const Points &run : runs) {
-        for (int i = run.first; i < run.end(); ++i) {
+        const int end = std::min(run.end(), points.end());
+        for (int i = std::max(run.first, points.first); i < end; ++i) {
             if (state.feels(i))
                 visit(i);
         }
@@ -36,12 +39,12 @@ void PhaseList::kick(const Share &share, double part)
         return;
     Phase phase = ownPhase("kick", half(part, SIM_TEXT("kick"), SIM_TEXT("half kick")), share);
     phase.kicks = part * m_h;
-    phase.run = [runs, h = part * m_h](State &state) {
-        forEachFree(state, runs, [&](int i) {
+    setWork(phase, [runs, h = part * m_h](State &state, Points points) {
+        forEachFree(state, runs, points, [&](int i) {
             const Vec2 a = {state.acceleration(i, 0), state.acceleration(i, 1)};
             state.push(i, sim::kick(state.speed(i), a, h));
         });
-    };
+    });
     phase.explain = [](const State &before, const State &after, int point) {
         return std::vector<Live>{{"v", after.speed(point), before.speed(point)}};
     };
@@ -52,10 +55,10 @@ void PhaseList::kickSpins(const Share &share, double part)
 {
     Phase phase = ownPhase("kick_spin", half(part, SIM_TEXT("kick"), SIM_TEXT("half kick")), share);
     phase.kicks = part * m_h;
-    phase.run = [runs = inert(share.points), h = part * m_h](State &state) {
-        forEachFree(state, runs,
+    setWork(phase, [runs = inert(share.points), h = part * m_h](State &state, Points points) {
+        forEachFree(state, runs, points,
                     [&](int i) { state.spin[i] = kickSpin(state.spin[i], state.turning[i], h); });
-    };
+    });
     phase.explain = [](const State &before, const State &after, int point) {
         return std::vector<Live>{{"spin", after.spin[point], before.spin[point]}};
     };
@@ -73,12 +76,12 @@ void PhaseList::move(const Share &share, double part)
     }
     Phase phase = ownPhase("move", half(part, SIM_TEXT("move"), SIM_TEXT("half move")), share);
     phase.moves = true;
-    const std::function<void(State &)> keep = remembering(share);
-    phase.run = [runs, h = part * m_h, keep](State &state) {
-        if (keep)
-            keep(state);
-        forEachFree(state, runs, [&](int i) { state.place(i, sim::move(state.at(i), state.speed(i), h)); });
-    };
+    setWork(phase, [runs, h = part * m_h](State &state, Points points) {
+        forEachFree(state, runs, points,
+                    [&](int i) { state.place(i, sim::move(state.at(i), state.speed(i), h)); });
+    });
+    if (const auto keep = remembering(share))
+        setWorkBefore(phase, keep);
     phase.explain = [](const State &before, const State &after, int point) {
         return std::vector<Live>{{"x", after.at(point), before.at(point)}};
     };
@@ -89,9 +92,10 @@ void PhaseList::turnAngles(const Share &share, double part)
 {
     Phase phase = ownPhase("turn", half(part, SIM_TEXT("turn"), SIM_TEXT("half turn")), share);
     phase.moves = true;
-    phase.run = [runs = inert(share.points), h = part * m_h](State &state) {
-        forEachFree(state, runs, [&](int i) { state.angle[i] = turn(state.angle[i], state.spin[i], h); });
-    };
+    setWork(phase, [runs = inert(share.points), h = part * m_h](State &state, Points points) {
+        forEachFree(state, runs, points,
+                    [&](int i) { state.angle[i] = turn(state.angle[i], state.spin[i], h); });
+    });
     phase.explain = [](const State &before, const State &after, int point) {
         return std::vector<Live>{{"angle", after.angle[point], before.angle[point]}};
     };
@@ -102,9 +106,9 @@ void PhaseList::constraints(const Share &share)
 {
     forEach<Constraint>(share, [&](const std::shared_ptr<const Constraint> &constraint) {
         Phase phase = phaseOf(constraint, share);
-        phase.run = [constraint, points = share.points, way = m_directions, h = m_h](State &state) {
+        setWork(phase, [constraint, way = m_directions, h = m_h](State &state, Points points) {
             constraint->enforce(state, points, way, h);
-        };
+        });
         phase.explain = [constraint](const State &before, const State &after, int point) {
             return constraint->explain(before, after, point);
         };
@@ -120,12 +124,12 @@ void PhaseList::velocities(const Share &share)
     if (runs.empty() || spins())
         return;
     Phase phase = ownPhase("came", SIM_TEXT("new velocity"), share);
-    phase.run = [runs, h = m_h](State &state) {
-        forEachFree(state, runs, [&](int i) {
+    setWork(phase, [runs, h = m_h](State &state, Points points) {
+        forEachFree(state, runs, points, [&](int i) {
             const Vec2 before = {state.previous(i, 0), state.previous(i, 1)};
             state.push(i, came(state.at(i), before, h));
         });
-    };
+    });
     phase.explain = [](const State &before, const State &after, int point) {
         return std::vector<Live>{{"v", after.speed(point), before.speed(point)}};
     };
@@ -136,7 +140,7 @@ void PhaseList::contacts(const Share &share)
 {
     forEach<Contact>(share, [&](const std::shared_ptr<const Contact> &contact) {
         Phase phase = phaseOf(contact, share);
-        phase.run = [contact, points = share.points](State &state) { contact->resolve(state, points); };
+        setWork(phase, [contact](State &state, Points points) { contact->resolve(state, points); });
         phase.explain = [](const State &before, const State &after, int point) {
             return changeOf(before, after, point);
         };

@@ -1,0 +1,57 @@
+#include "sim/run_step.h"
+
+#include <algorithm>
+
+namespace sim {
+
+namespace {
+
+/// So few blocks are done before another thread has woken up.
+constexpr std::size_t blocksWorthSharing = 16;
+
+void runBlock(const Pipeline &pipeline, const Block &block, State &state)
+{
+    for (const Piece &piece : block)
+        pipeline.phases[static_cast<std::size_t>(piece.phase)].runOn(state, piece.points);
+}
+
+/// Blocks share State::previous: the first phase that keeps places there would make room for all of them.
+void makeRoom(const Pipeline &pipeline, State &state)
+{
+    const auto constrains = [](const Phase &phase) {
+        return dynamic_cast<const Constraint *>(phase.effect.get()) != nullptr;
+    };
+    const bool remembers = std::any_of(pipeline.phases.begin(), pipeline.phases.end(), constrains);
+    if (remembers && state.previous.rows() != state.points())
+        state.previous = state.position;
+}
+
+}
+
+void runStep(const Pipeline &pipeline, State &state)
+{
+    Crew alone(1);
+    runStep(pipeline, state, alone);
+}
+
+void runStep(const Pipeline &pipeline, State &state, Crew &crew)
+{
+    if (pipeline.blocks.empty()) {
+        for (const Phase &phase : pipeline.phases)
+            phase.run(state);
+        return;
+    }
+    makeRoom(pipeline, state);
+    const int blocks = static_cast<int>(pipeline.blocks.size());
+    const auto run = [&](int number) {
+        runBlock(pipeline, pipeline.blocks[static_cast<std::size_t>(number)], state);
+    };
+    if (pipeline.blocks.size() >= blocksWorthSharing) {
+        crew.share(blocks, run);
+    } else {
+        for (int i = 0; i < blocks; ++i)
+            run(i);
+    }
+}
+
+}

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "sim/crew.h"
+#include "sim/pipeline.h"
+
+namespace sim {
+
+/// Runs all phases of one step: block after block where the pipeline has blocks, else phase after phase. Either way
+/// `state` comes out the same in every bit.
+void runStep(const Pipeline &pipeline, State &state);
+
+/// The same; what is large enough to gain by it `crew` shares among its threads. The same bits again.
+void runStep(const Pipeline &pipeline, State &state, Crew &crew);
+
+}

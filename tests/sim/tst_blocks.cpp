@@ -1,0 +1,249 @@
+#include "support.h"
+
+#include "tests/bench/crowd.h"
+
+#include "sim/effects/body_spring.h"
+#include "sim/effects/damping.h"
+#include "sim/effects/gait_clock.h"
+#include "sim/effects/gravity.h"
+#include "sim/effects/ground.h"
+#include "sim/effects/leg_spring.h"
+#include "sim/effects/point_spring.h"
+#include "sim/effects/push.h"
+#include "sim/effects/radial_spring.h"
+#include "sim/effects/room_limits.h"
+#include "sim/effects/split_damping.h"
+#include "sim/effects/sticks.h"
+#include "sim/error.h"
+#include "sim/islands.h"
+#include "sim/methods/methods.h"
+#include "sim/run_step.h"
+
+#include <QTest>
+
+namespace {
+
+using std::make_shared;
+
+/// Four kinds of islands, many of each and laid out kind by kind: pairs on a one-way spring with drag along and
+/// across, of several masses; bodies on two bones that pull them back; three points that push each other; and points on
+/// a spring of their own, of which the first is in a hand.
+sim::Scene mixed(int each)
+{
+    sim::Scene scene;
+    scene.start = sim::State::ofPoints(9 * each);
+    support::scatter(scene.start, 5, 300.0);
+    scene.groups = {{"first", {0, 4 * each}}, {"second", {4 * each, 5 * each}}};
+    std::vector<sim::Link> links;
+    std::vector<sim::Leg> legs;
+    std::vector<int> feet;
+    for (int i = 0; i < each; ++i) {
+        links.push_back({i, each + i});
+        links.push_back({each + i, i});
+        links.push_back({i, each + i}); // pulled twice
+        scene.start.inverseMass[i] = 1.0 / (1.0 + i % 3);
+        const int body = 2 * each + i;
+        legs.push_back({3 * each + i, body, 0.3, 0});
+        legs.push_back({4 * each + i, body, 2.0, 0});
+        feet.push_back(3 * each + i);
+        const std::vector<int> three = {5 * each + 3 * i, 5 * each + 3 * i + 1, 5 * each + 3 * i + 2};
+        scene.effects.push_back(make_shared<sim::Push>(three, 0.2, 80.0, sim::Reaction::equal));
+        scene.effects.push_back(make_shared<sim::SplitDamping>(i, each + i, 0.9, 0.7));
+        scene.effects.push_back(make_shared<sim::PointSpring>(8 * each + i, sim::Vec2{250.0, 90.0}, 0.05));
+    }
+    scene.start.inverseMass[8 * each] = 0.0;
+    const sim::LegRule rule{0.1, 50.0, 50.0, sim::Aim::below, sim::Reaction::equal};
+    scene.effects.insert(scene.effects.end(),
+                         {make_shared<sim::BodySpring>(links, 0.2), make_shared<sim::LegSpring>(legs, rule),
+                          make_shared<sim::Gravity>(0.5),
+                          make_shared<sim::Damping>(0.9, sim::Points{3, 6 * each}),
+                          make_shared<sim::Ground>(feet, sim::Soil{320.0, 0.2, sim::Traction::full})});
+    return scene;
+}
+
+/// Triangles of sticks in a room that rubs, one after the other. Their sticks are listed in no order.
+sim::Scene triangles(int count)
+{
+    sim::Scene scene;
+    scene.start = sim::State::ofPoints(3 * count);
+    support::scatter(scene.start, 6, 300.0);
+    scene.groups = {{"all", {0, 3 * count}}};
+    std::vector<sim::Stick> sticks;
+    for (int side = 0; side < 3; ++side) {
+        for (int i = count - 1; i >= 0; --i)
+            sticks.push_back({3 * i + (side + 1) % 3, 3 * i + side, 40.0 + side, 0.3});
+    }
+    const Eigen::ArrayXd half = Eigen::ArrayXd::Constant(3 * count, 5.0);
+    scene.effects = {make_shared<sim::Gravity>(0.5), make_shared<sim::Damping>(0.98),
+                     make_shared<sim::Sticks>(sticks, 3 * count, 4),
+                     make_shared<sim::RoomLimits>(sim::Room{200.0, 350.0, 300.0, 0.0}, half, 0.4)};
+    return scene;
+}
+
+sim::Scene sceneCalled(const QString &name)
+{
+    if (name == u"a crowd")
+        return bench::crowd::inTheRoom(40);
+    return name == u"many kinds" ? mixed(12) : triangles(30);
+}
+
+sim::Pipeline inBlocks(const sim::Scene &scene, const std::string &method, sim::BlockSize size)
+{
+    sim::Pipeline pipeline = sim::compose(scene, *sim::findMethod(method), sim::StepSize::of(0.5));
+    pipeline.blocks = sim::blocksOf(scene, pipeline.phases, size);
+    return pipeline;
+}
+
+}
+
+/// A step in blocks: the same as phase by phase.
+class Blocks : public QObject
+{
+    Q_OBJECT
+
+    static constexpr auto methods = {"published", "semi_implicit_euler", "explicit_euler", "position_verlet",
+                                     "velocity_verlet"};
+
+    static void addRows()
+    {
+        QTest::addColumn<QString>("scene");
+        QTest::addColumn<QString>("method");
+        QTest::addColumn<int>("points"); // in a block
+        for (const QString scene : {"a crowd", "many kinds", "triangles"}) {
+            for (const char *method : methods) {
+                for (const int points : {1, 20, 64})
+                    QTest::addRow("%s by %s, %d points a block", qPrintable(scene), method, points)
+                        << scene << QString(method) << points;
+            }
+        }
+    }
+
+private slots:
+    void bringTheSameBitsWithAnyNumberOfThreads_data() { addRows(); }
+    void bringTheSameBitsWithAnyNumberOfThreads()
+    {
+        QFETCH(QString, scene);
+        QFETCH(QString, method);
+        QFETCH(int, points);
+        const sim::Scene what = sceneCalled(scene);
+        const sim::Pipeline pipeline = inBlocks(what, method.toStdString(), {points, 1});
+        QVERIFY(pipeline.blocks.size() >= 2);
+        sim::State plain = what.start;
+        sim::findMethod(method.toStdString())->prepare(plain);
+        std::vector<sim::State> states(3, plain);
+        std::vector<sim::Crew> crews = {sim::Crew(1), sim::Crew(2), sim::Crew(3)};
+        for (plain.frame = 1; plain.frame <= 200; ++plain.frame) {
+            for (const sim::Phase &phase : pipeline.phases)
+                phase.run(plain);
+            for (std::size_t i = 0; i < states.size(); ++i) {
+                states[i].frame = plain.frame;
+                sim::runStep(pipeline, states[i], crews[i]);
+            }
+        }
+        for (sim::State &state : states) {
+            state.frame = plain.frame;
+            const std::string difference = support::difference(state, plain);
+            QVERIFY2(difference.empty(), difference.c_str());
+        }
+    }
+
+    void takeEachPointOfEachPhaseOnce_data() { addRows(); }
+    void takeEachPointOfEachPhaseOnce()
+    {
+        QFETCH(QString, scene);
+        QFETCH(QString, method);
+        QFETCH(int, points);
+        const sim::Scene what = sceneCalled(scene);
+        const sim::Pipeline pipeline = inBlocks(what, method.toStdString(), {points, 1});
+        const auto all = static_cast<std::size_t>(what.start.points());
+        std::vector<std::vector<int>> blockOf(pipeline.phases.size(), std::vector<int>(all, -1));
+        for (std::size_t block = 0; block < pipeline.blocks.size(); ++block) {
+            sim::Piece last{-1, {}};
+            for (const sim::Piece &piece : pipeline.blocks[block]) {
+                QVERIFY(piece.phase > last.phase ||
+                        (piece.phase == last.phase && piece.points.first > last.points.end()));
+                last = piece;
+                for (int i = piece.points.first; i < piece.points.end(); ++i) {
+                    int &owner = blockOf[static_cast<std::size_t>(piece.phase)][static_cast<std::size_t>(i)];
+                    QCOMPARE(owner, -1);
+                    owner = static_cast<int>(block);
+                }
+            }
+        }
+        for (std::size_t phase = 0; phase < pipeline.phases.size(); ++phase) {
+            for (std::size_t i = 0; i < all; ++i)
+                QCOMPARE(blockOf[phase][i] >= 0, pipeline.phases[phase].points.contains(static_cast<int>(i)));
+        }
+        for (const auto &island : sim::islandsOf(what)) { // and no island is in two
+            int block = -1;
+            for (const auto &ofPhase : blockOf) {
+                for (const sim::Points &run : island) {
+                    for (int i = run.first; i < run.end(); ++i) {
+                        const int here = ofPhase[static_cast<std::size_t>(i)];
+                        block = block < 0 ? here : block;
+                        QVERIFY(here < 0 || here == block);
+                    }
+                }
+            }
+        }
+    }
+
+    void areNotMadeWhereTheyCannotBeOrDoNotPay()
+    {
+        const auto count = [](const sim::Scene &scene, const char *method, sim::BlockSize size) {
+            return inBlocks(scene, method, size).blocks.size();
+        };
+        const sim::Scene crowd = bench::crowd::inTheRoom(40);
+        QVERIFY(count(crowd, "semi_implicit_euler", {60, 1}) > 1);
+        QCOMPARE(count(crowd, "rk4", {60, 1}), std::size_t{0});                  // stages of all at once
+        QCOMPARE(count(crowd, "semi_implicit_euler", {240, 1}), std::size_t{0}); // it is all one block
+        QVERIFY(count(crowd, "semi_implicit_euler", {60, 10}) > 1);
+        QCOMPARE(count(crowd, "semi_implicit_euler", {60, 11}), std::size_t{0}); // in pieces of 10
+        sim::Scene walking = crowd;
+        walking.start.gait.setZero(1);
+        walking.start.gaitSpeed.setZero(1);
+        walking.effects.push_back(make_shared<sim::GaitClock>());
+        QCOMPARE(count(walking, "semi_implicit_euler", {60, 1}), std::size_t{0});
+        // Sticks between points that are far apart in the list: their order would change.
+        sim::Scene apart = crowd;
+        apart.effects.push_back(make_shared<sim::Sticks>(std::vector<sim::Stick>{{0, 40, 30.0, 0.5}}, 240));
+        QCOMPARE(count(apart, "semi_implicit_euler", {60, 1}), std::size_t{0});
+    }
+
+    void aTrackGoesInBlocksAndStopsAtAnyPhase_data()
+    {
+        QTest::addColumn<QString>("method");
+        for (const char *method : methods)
+            QTest::newRow(method) << QString(method);
+    }
+    void aTrackGoesInBlocksAndStopsAtAnyPhase()
+    {
+        QFETCH(QString, method);
+        const sim::Scene crowd = bench::crowd::inTheRoom(3000);
+        const sim::Script script = support::script(crowd, method.toStdString(), 0.5);
+        sim::Track track(script, 0);
+        QVERIFY(track.shown().pipeline.blocks.size() > 1);
+        const sim::State plain = support::plainRun(crowd, method.toStdString(), 0.5, 6);
+        track.seek({6, 0});
+        QVERIFY(sim::sameBits(track.now(), plain));
+        QVERIFY(sim::sameBits(track.stateAt(6), plain));
+        QCOMPARE(support::seekMismatch(script, std::size_t{1} << 24, 2, 12, 3), std::string());
+    }
+
+    void aTrackThatIsNotWaitedForLeavesOff()
+    {
+        const sim::Script script =
+            support::script(bench::crowd::inTheRoom(1000), "semi_implicit_euler", 0.25);
+        sim::Track track(script, std::size_t{1} << 24);
+        QVERIFY(!track.shown().pipeline.blocks.empty());
+        int asked = 0;
+        QVERIFY(!track.seek({10, 0}, [&] { return ++asked < 7; })); // four steps a frame
+        QCOMPARE(asked, 7);
+        QVERIFY((track.at() == sim::Cursor{1, 0}));
+        QVERIFY(track.seek({10, 0}, [] { return true; }));
+        QVERIFY((track.at() == sim::Cursor{10, 0}));
+    }
+};
+
+QTEST_GUILESS_MAIN(Blocks)
+#include "tst_blocks.moc"
