@@ -47,6 +47,7 @@ void Session::edit(const QString &before, Change &&change)
     }
     if (forked)
         m_ghostName = before;
+    wakeUp();
     checkTries();
     emit runChanged();
     emit moved();

@@ -16,6 +16,11 @@ namespace {
 constexpr qint64 sliceMilliseconds = 12;
 constexpr std::int64_t sliceSteps = 64;
 
+/// How many frames later it is looked whether something to try is done by waiting. What sleeps is there at once; what does not
+/// yet is computed if its points are not too many.
+constexpr int manyPoints = 1000;
+constexpr std::int64_t laterFrames[] = {10, 30, 100, 300, 1000};
+
 }
 
 void Session::setSpeed(double speed)
@@ -29,6 +34,7 @@ void Session::play()
     if (isPlaying())
         return;
     m_goingTo.reset();
+    wakeUp();
     m_player.play();
     emit playingChanged();
 }
@@ -80,6 +86,7 @@ void Session::phaseBack()
 void Session::goTo(sim::Cursor cursor)
 {
     m_goingTo = {std::max<std::int64_t>(0, cursor.frame), cursor.phase};
+    wakeUp();
     approach();
     checkTries();
     emit moved();
@@ -146,6 +153,58 @@ void Session::advance(int frames)
         pause();
     }
     emit moved();
+    waitIfOver();
+}
+
+void Session::wakeUp()
+{
+    m_foresight.forget();
+    m_ghostForesight.forget();
+    m_player.goOn();
+}
+
+bool Session::isOver()
+{
+    const sim::Track *ghost = m_timeline->ghost();
+    const sim::Track *companion = m_companion ? m_companion->track() : nullptr;
+    return m_timeline->at().frame >= m_timeline->computed() && m_companionIsThere &&
+           (!companion || companion->isOver()) && m_foresight.isOver(m_timeline->track()) &&
+           (!ghost || m_ghostForesight.isOver(*ghost));
+}
+
+void Session::waitIfOver()
+{
+    if (!isPlaying() || !isOver() || timeAloneGetsSomethingDone())
+        return;
+    m_player.wait();
+    emit playingChanged();
+}
+
+bool Session::timeAloneGetsSomethingDone() const
+{
+    const std::vector<lessons::Try> &tries = step().tries;
+    const auto isOpen = [&](int i) {
+        const lessons::Try &one = tries[static_cast<std::size_t>(i)];
+        return !m_progress.isDone(lesson().id, step().id, i) && !one.done(*m_timeline);
+    };
+    std::vector<int> open;
+    for (int i = 0; i < static_cast<int>(tries.size()); ++i) {
+        if (isOpen(i))
+            open.push_back(i);
+    }
+    if (open.empty())
+        return false;
+    if (m_timeline->now().points() > manyPoints && !m_timeline->isOver())
+        return true; // to find out takes too long before it sleeps
+    sim::Timeline later = *m_timeline;
+    for (const std::int64_t frames : laterFrames) {
+        later.seek({m_timeline->at().frame + frames, 0});
+        for (const int i : open) {
+            if (tries[static_cast<std::size_t>(i)].done(later))
+                return true;
+        }
+    }
+    return false;
 }
 
 }
