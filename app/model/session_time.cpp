@@ -106,8 +106,10 @@ void Session::approach()
     if (target <= m_timeline->computed())
         m_timeline->seek({target, 0});
     while (m_timeline->at().frame + rowFrames <= target && clock.elapsed() < sliceMilliseconds &&
-           !m_timeline->stop())
-        m_timeline->seek({std::min(target, m_timeline->at().frame + slice), 0});
+           !m_timeline->stop()) {
+        const std::int64_t next = m_timeline->isOver() ? target : m_timeline->at().frame + slice;
+        m_timeline->seek({std::min(target, next), 0});
+    }
     const bool isThere = m_timeline->at().frame + rowFrames > target || m_timeline->stop();
     if (bringCompanion() && isThere) {
         const int phase = m_goingTo->phase;
