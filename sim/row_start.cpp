@@ -92,6 +92,17 @@ void beginRow(State &state, const Script &script, const std::shared_ptr<const Se
     state.place(held, state.hold.hand);
 }
 
+std::vector<int> grabbedIn(const Script &script, const Scene &scene, std::int64_t rowEnd)
+{
+    std::vector<int> points;
+    for (auto event = firstAfter(script, rowEnd - script.step.rowFrames);
+         event != script.input.end() && event->frame <= rowEnd; ++event) {
+        if (const Grab *grab = std::get_if<Grab>(&event->what))
+            points.push_back(scene.find(grab->body));
+    }
+    return points;
+}
+
 std::optional<std::int64_t> nextInput(const Script &script, std::int64_t frame)
 {
     const auto event = firstAfter(script, frame);

@@ -36,6 +36,11 @@ void runStep(const Pipeline &pipeline, State &state)
 
 void runStep(const Pipeline &pipeline, State &state, Crew &crew)
 {
+    runStep(pipeline, state, crew, {});
+}
+
+void runStep(const Pipeline &pipeline, State &state, Crew &crew, const std::vector<char> &asleep)
+{
     if (pipeline.blocks.empty()) {
         for (const Phase &phase : pipeline.phases)
             phase.run(state);
@@ -44,9 +49,12 @@ void runStep(const Pipeline &pipeline, State &state, Crew &crew)
     makeRoom(pipeline, state);
     const int blocks = static_cast<int>(pipeline.blocks.size());
     const auto run = [&](int number) {
-        runBlock(pipeline, pipeline.blocks[static_cast<std::size_t>(number)], state);
+        const auto block = static_cast<std::size_t>(number);
+        if (asleep.empty() || asleep[block] == 0)
+            runBlock(pipeline, pipeline.blocks[block], state);
     };
-    if (pipeline.blocks.size() >= blocksWorthSharing) {
+    const auto sleepers = static_cast<std::size_t>(std::count(asleep.begin(), asleep.end(), 1));
+    if (pipeline.blocks.size() - sleepers >= blocksWorthSharing) {
         crew.share(blocks, run);
     } else {
         for (int i = 0; i < blocks; ++i)

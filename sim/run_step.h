@@ -3,6 +3,8 @@
 #include "sim/crew.h"
 #include "sim/pipeline.h"
 
+#include <vector>
+
 namespace sim {
 
 /// Runs all phases of one step: block after block where the pipeline has blocks, else phase after phase. Either way
@@ -11,5 +13,8 @@ void runStep(const Pipeline &pipeline, State &state);
 
 /// The same; what is large enough to gain by it `crew` shares among its threads. The same bits again.
 void runStep(const Pipeline &pipeline, State &state, Crew &crew);
+
+/// The same without the blocks whose entry in `asleep` is not 0; empty: with all of them.
+void runStep(const Pipeline &pipeline, State &state, Crew &crew, const std::vector<char> &asleep);
 
 }

@@ -64,6 +64,8 @@ public:
     };
     /// Looks at `state`, which a run is in at the end of a row of `rowFrames` frames.
     std::optional<Again> look(const State &state, int rowFrames);
+    /// The state that it remembers; null if none.
+    const State *mark() const { return m_mark ? &*m_mark : nullptr; }
     /// Forgets what it remembers from `frame` on.
     void forget(std::int64_t frame);
 

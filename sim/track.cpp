@@ -6,7 +6,6 @@
 #include "sim/run_step.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace sim {
 
@@ -102,47 +101,52 @@ void Track::restore(std::int64_t frame)
     m_at = {m_now.frame, 0};
     m_segment = segmentAt(m_now.frame);
     m_computed = std::max(m_computed, m_at.frame);
-}
-
-std::int64_t Track::knownBefore(std::int64_t frame) const
-{
-    const std::int64_t kept = m_history.before(frame);
-    const Sleep *sleep = m_history.sleepBefore(frame);
-    const std::int64_t row = frame / rowFrames() * rowFrames();
-    return sleep ? std::max(kept, std::min(row, lastOf(*sleep))) : kept;
-}
-
-State Track::known(std::int64_t frame) const
-{
-    const std::int64_t nearest = knownBefore(frame);
-    const Sleep *sleep = sleepAt(nearest);
-    return sleep ? sleep->at(nearest) : m_history.at(nearest);
+    m_blocks.wakeAll();
 }
 
 void Track::begin(State &state, std::int64_t rowEnd) const
 {
-    beginRow(state, m_script, segmentAt(rowEnd - rowFrames()), segmentAt(rowEnd), rowEnd);
+    sim::beginRow(state, m_script, segmentAt(rowEnd - rowFrames()), segmentAt(rowEnd), rowEnd);
+}
+
+void Track::beginRow(Cursor target)
+{
+    const std::int64_t rowEnd = m_at.frame + rowFrames();
+    const int held = m_now.hold.point;
+    begin(m_now, rowEnd);
+    const std::shared_ptr<const Segment> segment = segmentAt(rowEnd);
+    if (segment != m_segment)
+        m_blocks.wakeAll();
+    m_segment = segment;
+    if (!m_blocks.asleep().empty()) {
+        m_blocks.wake(segment->pipeline, held);
+        for (const int point : grabbedIn(m_script, segment->scene, rowEnd))
+            m_blocks.wake(segment->pipeline, point);
+    }
+    m_skips = Cursor{rowEnd, 0} <= target; // inside a row even what rests may be elsewhere
 }
 
 Track::Next Track::runOn(Cursor target, const GoesOn &goesOn)
 {
-    if (m_at.phase == 0) {
-        begin(m_now, m_at.frame + rowFrames());
-        m_segment = segmentAt(m_at.frame + rowFrames());
-    }
+    if (m_at.phase == 0)
+        beginRow(target);
     const Pipeline &pipeline = m_segment->pipeline;
     const int step = pipeline.phasesPerStep();
     const bool whole = m_at.phase % step == 0 && Cursor{m_at.frame, m_at.phase + step} <= target;
-    if (!(whole ? runWhole(pipeline, m_now, goesOn) : run(pipeline.phaseAt(m_at.phase), m_now, goesOn)))
+    const std::vector<char> none;
+    const bool isDone = whole ? runWhole(pipeline, m_now, m_skips ? m_blocks.asleep() : none, goesOn)
+                              : run(pipeline.phaseAt(m_at.phase), m_now, goesOn);
+    if (!isDone)
         return Next::isLeftOff;
     m_at.phase += whole ? step : 1;
     return m_at.phase < pipeline.phasesPerRow() ? Next::goesOn : endRow(goesOn);
 }
 
-bool Track::runWhole(const Pipeline &pipeline, State &state, const GoesOn &goesOn) const
+bool Track::runWhole(const Pipeline &pipeline, State &state, const std::vector<char> &asleep,
+                     const GoesOn &goesOn) const
 {
     if (!pipeline.blocks.empty()) {
-        runStep(pipeline, state, m_crew);
+        runStep(pipeline, state, m_crew, asleep);
         return !goesOn || goesOn();
     }
     return std::all_of(pipeline.phases.begin(), pipeline.phases.end(),
@@ -210,7 +214,7 @@ bool Track::runRow(State &state, std::int64_t rowEnd, const GoesOn &goesOn) cons
     begin(state, rowEnd);
     const std::shared_ptr<const Segment> segment = segmentAt(rowEnd);
     for (int step = 0; step < segment->pipeline.step.perRow; ++step) {
-        if (!runWhole(segment->pipeline, state, goesOn))
+        if (!runWhole(segment->pipeline, state, {}, goesOn))
             return false;
     }
     return true;
@@ -227,56 +231,6 @@ std::optional<State> Track::rowState(std::int64_t frame, const GoesOn &goesOn) c
             return {};
     }
     return state;
-}
-
-const Sleep *Track::sleepAt(std::int64_t frame) const
-{
-    const Sleep *sleep = m_history.sleepBefore(frame);
-    return sleep && frame <= lastOf(*sleep) ? sleep : nullptr;
-}
-
-std::int64_t Track::lastOf(const Sleep &sleep) const
-{
-    const std::optional<std::int64_t> wakes = nextInput(m_script, sleep.from());
-    return wakes ? *wakes - rowFrames() : std::numeric_limits<std::int64_t>::max();
-}
-
-bool Track::isOver() const
-{
-    if (m_stop && m_at.frame == m_stop->frame)
-        return true;
-    const Sleep *sleep = this->sleep();
-    return m_at.phase == 0 && sleep && sleep->isStill() && !nextInput(m_script, sleep->from());
-}
-
-void Track::fallAsleep()
-{
-    if (m_sleeping == Sleeping::never)
-        return;
-    const std::optional<SleepWatch::Again> again = m_watch.look(m_now, rowFrames());
-    if (!again || nextInput(m_script, again->since).value_or(m_at.frame + 1) <= m_at.frame ||
-        keepsAwake(m_segment->pipeline, m_now))
-        return;
-    std::vector<std::shared_ptr<const State>> round = {std::make_shared<const State>(m_now)};
-    State state = m_now;
-    for (std::int64_t frame = again->since + rowFrames(); frame < m_at.frame; frame += rowFrames()) {
-        runRow(state, state.frame + rowFrames(), {});
-        round.push_back(std::make_shared<const State>(state));
-    }
-    m_history.add(Sleep(std::move(round), rowFrames(), again->evaluations));
-}
-
-bool Track::sleepOn(std::int64_t frame)
-{
-    const Sleep *sleep = sleepAt(m_at.frame);
-    const std::int64_t to = sleep ? std::min(frame, lastOf(*sleep)) : m_at.frame;
-    if (to <= m_at.frame)
-        return false;
-    sleep->take(m_now, to);
-    m_at = {to, 0};
-    m_segment = segmentAt(to);
-    m_computed = std::max(m_computed, to);
-    return true;
 }
 
 void Track::setBudget(std::size_t budget)

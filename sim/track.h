@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/block_sleep.h"
 #include "sim/crew.h"
 #include "sim/history.h"
 #include "sim/segments.h"
@@ -124,8 +125,12 @@ private:
     enum class Next { goesOn, ends, isLeftOff };
     /// Runs the next step if `target` is not inside it, else the next phase.
     Next runOn(Cursor target, const GoesOn &goesOn);
-    /// One step on a state that is at the beginning of one. Returns false when `goesOn` said no on the way.
-    bool runWhole(const Pipeline &pipeline, State &state, const GoesOn &goesOn) const;
+    /// One step on a state that is at the beginning of one, without the blocks that are `asleep` (see runStep()).
+    /// Returns false when `goesOn` said no on the way.
+    bool runWhole(const Pipeline &pipeline, State &state, const std::vector<char> &asleep,
+                  const GoesOn &goesOn) const;
+    /// Takes the state at the cursor into the next row.
+    void beginRow(Cursor target);
     Next endRow(const GoesOn &goesOn);
     /// Takes `state`, at the end of the row before, through the row that ends at `rowEnd`. Returns whether it is done.
     bool runRow(State &state, std::int64_t rowEnd, const GoesOn &goesOn) const;
@@ -138,8 +143,9 @@ private:
     const Sleep *sleepAt(std::int64_t frame) const;
     /// The last frame that `sleep` reaches: the next input ends it.
     std::int64_t lastOf(const Sleep &sleep) const;
-    /// At the end of a row: whether the run has come to rest.
+    /// At the end of a row: whether the run, or a block of it, has come to rest.
     void fallAsleep();
+    void blocksFallAsleep();
     /// Sleeps on, up to `frame` if nothing wakes it before. Returns whether it got anywhere.
     bool sleepOn(std::int64_t frame);
 
@@ -153,7 +159,9 @@ private:
     std::optional<Stop> m_stop;
     History m_history;
     SleepWatch m_watch;
-    mutable Crew m_crew; ///< for steps that are large enough to share
+    BlockSleep m_blocks;
+    bool m_skips = false; ///< whether the row under way leaves out the blocks that sleep
+    mutable Crew m_crew;  ///< for steps that are large enough to share
 };
 
 }

@@ -27,6 +27,7 @@ void Player::setSpeed(double speed)
 
 void Player::play()
 {
+    m_isPlaying = true;
     setSpeed(m_speed);
     m_owed = 0.0;
     m_clock.start();
@@ -35,7 +36,19 @@ void Player::play()
 
 void Player::pause()
 {
+    m_isPlaying = false;
     m_timer.stop();
+}
+
+void Player::wait()
+{
+    m_timer.stop();
+}
+
+void Player::goOn()
+{
+    if (isWaiting())
+        play();
 }
 
 void Player::tick()

@@ -6,7 +6,7 @@
 
 namespace app {
 
-/// Says how many frames are due while playing. Nothing runs while it is paused.
+/// Says how many frames are due while playing. Nothing runs while it is paused, or while it waits.
 class Player : public QObject
 {
     Q_OBJECT
@@ -18,11 +18,16 @@ public:
 
     explicit Player(QObject *parent = nullptr);
 
-    bool isPlaying() const { return m_timer.isActive(); }
+    bool isPlaying() const { return m_isPlaying; }
+    /// Whether it plays, but says nothing until it is told to go on.
+    bool isWaiting() const { return m_isPlaying && !m_timer.isActive(); }
     double speed() const { return m_speed; }
     void setSpeed(double speed);
     void play();
     void pause();
+    /// While playing: time stands still until goOn().
+    void wait();
+    void goOn();
 
 signals:
     void due(int frames);
@@ -30,6 +35,7 @@ signals:
 private:
     void tick();
 
+    bool m_isPlaying = false;
     QTimer m_timer;
     QElapsedTimer m_clock;
     double m_speed = 1.0;

@@ -2,6 +2,7 @@
 
 #include "app/model/companion_run.h"
 #include "app/model/experiment.h"
+#include "app/model/foresight.h"
 #include "app/model/player.h"
 #include "app/model/progress.h"
 #include "sim/gathered.h"
@@ -68,6 +69,8 @@ public:
 
     // Time
     bool isPlaying() const { return m_player.isPlaying(); }
+    /// Whether it plays, but everything rests: time stands still, and goes on with the next change.
+    bool isResting() const { return m_player.isWaiting(); }
     double speed() const { return m_player.speed(); }
     /// From 0.1 to 4 times 30 frames a second. Never changes the step.
     void setSpeed(double speed);
@@ -201,6 +204,13 @@ private:
     void advance(int frames);
     /// Says once, after a while, that playing falls behind: `played` of the frames that were `due`.
     void judgePace(int due, int played);
+    /// A change: what was foreseen no longer holds, and time goes on if it waited.
+    void wakeUp();
+    bool isOver();
+    /// While playing: waits if time alone shows nothing new and gets nothing done.
+    void waitIfOver();
+    /// Whether one of the things to try that are not done is done later if the learner does nothing.
+    bool timeAloneGetsSomethingDone() const;
     /// Takes the companion to the cursor. Returns whether it is there.
     bool bringCompanion();
     void bringCompanionLater();
@@ -224,6 +234,7 @@ private:
     std::optional<CompanionRun> m_companion; ///< where the step has one
     bool m_companionIsThere = false;         ///< at the cursor
     Player m_player;
+    Foresight m_foresight, m_ghostForesight;
     Progress m_progress;
     QString m_selected;
     QString m_ghostName;

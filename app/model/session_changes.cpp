@@ -52,6 +52,7 @@ bool Session::change(const QString &ghost, const Edit &edit)
     }
     if (forked)
         m_ghostName = ghost;
+    wakeUp();
     checkTries();
     emit runChanged();
     emit moved();

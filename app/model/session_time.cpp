@@ -21,6 +21,11 @@ constexpr qint64 mostMilliseconds = 40; ///< of computing between two pictures w
 constexpr int framesToJudge = 45;       ///< due while playing, after which a run that falls behind is said to
 constexpr double fallsBehind = 0.8;     ///< of what is due
 
+/// How many frames later it is looked whether something to try is done by waiting. What sleeps is there at once; what does not
+/// yet is computed if its points are not too many.
+constexpr int manyPoints = 1000;
+constexpr std::int64_t laterFrames[] = {10, 30, 100, 300, 1000};
+
 }
 
 void Session::setSpeed(double speed)
@@ -35,6 +40,7 @@ void Session::play()
         return;
     m_goingTo.reset();
     m_due = m_played = 0;
+    wakeUp();
     m_player.play();
     emit playingChanged();
 }
@@ -85,6 +91,7 @@ void Session::phaseBack()
 void Session::goTo(sim::Cursor cursor)
 {
     m_goingTo = {std::max<std::int64_t>(0, cursor.frame), cursor.phase};
+    wakeUp();
     approach();
     checkTries();
     emit moved();
@@ -111,8 +118,10 @@ void Session::approach()
         const std::optional<sim::Stop> &stop = m_timeline->stop();
         return m_timeline->at().frame + rowFrames > target || (stop && m_timeline->at().frame >= stop->frame);
     };
-    while (!isThere() && clock.elapsed() < sliceMilliseconds)
-        m_timeline->seek({std::min(target, m_timeline->at().frame + slice), 0});
+    while (!isThere() && clock.elapsed() < sliceMilliseconds) {
+        const std::int64_t next = m_timeline->isOver() ? target : m_timeline->at().frame + slice;
+        m_timeline->seek({std::min(target, next), 0});
+    }
     if (bringCompanion() && isThere()) {
         const int phase = m_goingTo->phase;
         m_goingTo.reset();
@@ -173,6 +182,58 @@ void Session::advance(int frames)
         pause();
     }
     emit moved();
+    waitIfOver();
+}
+
+void Session::wakeUp()
+{
+    m_foresight.forget();
+    m_ghostForesight.forget();
+    m_player.goOn();
+}
+
+bool Session::isOver()
+{
+    const sim::Track *ghost = m_timeline->ghost();
+    const sim::Track *companion = m_companion ? m_companion->track() : nullptr;
+    return m_timeline->at().frame >= m_timeline->computed() && m_companionIsThere &&
+           (!companion || companion->isOver()) && m_foresight.isOver(m_timeline->track()) &&
+           (!ghost || m_ghostForesight.isOver(*ghost));
+}
+
+void Session::waitIfOver()
+{
+    if (!isPlaying() || !isOver() || timeAloneGetsSomethingDone())
+        return;
+    m_player.wait();
+    emit playingChanged();
+}
+
+bool Session::timeAloneGetsSomethingDone() const
+{
+    const std::vector<lessons::Try> &tries = step().tries;
+    const auto isOpen = [&](int i) {
+        const lessons::Try &one = tries[static_cast<std::size_t>(i)];
+        return !m_progress.isDone(lesson().id, step().id, i) && !one.done(*m_timeline);
+    };
+    std::vector<int> open;
+    for (int i = 0; i < static_cast<int>(tries.size()); ++i) {
+        if (isOpen(i))
+            open.push_back(i);
+    }
+    if (open.empty())
+        return false;
+    if (m_timeline->now().points() > manyPoints && !m_timeline->isOver())
+        return true; // to find out takes too long before it sleeps
+    sim::Timeline later = *m_timeline;
+    for (const std::int64_t frames : laterFrames) {
+        later.seek({m_timeline->at().frame + frames, 0});
+        for (const int i : open) {
+            if (tries[static_cast<std::size_t>(i)].done(later))
+                return true;
+        }
+    }
+    return false;
 }
 
 }

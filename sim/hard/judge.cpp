@@ -165,7 +165,7 @@ State watchedRun(const HardCase &hard, const Script &script, const RunSize &size
 /// The second run: under a clock, in stretches of some milliseconds, and looked at only in the end.
 void repeatedRun(const Script &script, const State &end, Onlooker &onlooker, Verdict &verdict)
 {
-    Track track(script, 0);
+    Track track(script, 0, Sleeping::never); // as what is asleep costs nothing
     const double whole = static_cast<double>(verdict.frames);
     double seconds = 0.0;
     std::int64_t stretch = track.rowFrames();

@@ -1,0 +1,69 @@
+#include "sim/block_sleep.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace sim {
+
+namespace {
+
+bool contains(const Block &block, int point)
+{
+    return std::any_of(block.begin(), block.end(),
+                       [point](const Piece &piece) { return piece.points.contains(point); });
+}
+
+/// Whether the rows of `points` are the same in two arrays that have one row a point, or none at all.
+template <class Array>
+bool sameRows(const Array &a, const Array &b, Points points)
+{
+    if (a.rows() != b.rows() || a.cols() != b.cols())
+        return false;
+    const auto bytes = static_cast<std::size_t>(points.count) * sizeof *a.data();
+    for (Eigen::Index column = 0; a.rows() > 0 && column < a.cols(); ++column) {
+        if (std::memcmp(&a(points.first, column), &b(points.first, column), bytes) != 0)
+            return false;
+    }
+    return true;
+}
+
+bool sameRows(const State &a, const State &b, Points points)
+{
+    return sameRows(a.position, b.position, points) && sameRows(a.velocity, b.velocity, points) &&
+           sameRows(a.angle, b.angle, points) && sameRows(a.spin, b.spin, points) &&
+           sameRows(a.acceleration, b.acceleration, points) && sameRows(a.turning, b.turning, points) &&
+           sameRows(a.previous, b.previous, points) && sameRows(a.inverseMass, b.inverseMass, points) &&
+           sameRows(a.resting, b.resting, points);
+}
+
+}
+
+void BlockSleep::look(const Pipeline &pipeline, const State &before, const State &after)
+{
+    wakeAll();
+    if (after.stages.size() > 0)
+        return;
+    m_asleep.assign(pipeline.blocks.size(), 0);
+    bool any = false;
+    for (std::size_t i = 0; i < m_asleep.size(); ++i) {
+        const Block &block = pipeline.blocks[i];
+        const bool held = contains(block, before.hold.point) || contains(block, after.hold.point);
+        const bool rests = !held && std::all_of(block.begin(), block.end(), [&](const Piece &piece) {
+            return sameRows(before, after, piece.points);
+        });
+        m_asleep[i] = rests ? 1 : 0;
+        any = any || rests;
+    }
+    if (!any)
+        wakeAll();
+}
+
+void BlockSleep::wake(const Pipeline &pipeline, int point)
+{
+    for (std::size_t i = 0; point >= 0 && i < m_asleep.size(); ++i) {
+        if (m_asleep[i] != 0 && contains(pipeline.blocks[i], point))
+            m_asleep[i] = 0;
+    }
+}
+
+}
