@@ -1,5 +1,7 @@
 #include "app/ui/effects/kind_mark.h"
 
+#include <QPainterPath>
+
 namespace app {
 
 namespace {
