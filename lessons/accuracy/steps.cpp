@@ -50,7 +50,8 @@ Look crowdInRoom(const sim::Scene &scene, int count)
     const sim::Room room = crowd::roomFor(count);
     const double border = 20.0;
     const double high = crowd::heightFor(count) + border;
-    look.room = room;
+    if (acts(scene, sim::Kind::contact))
+        look.room = room;
     look.stage = {room.left - border, room.floor - high, room.right - room.left + 2.0 * border,
                   high + border};
     return look;

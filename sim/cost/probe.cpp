@@ -4,6 +4,14 @@ namespace sim {
 
 namespace {
 
+/// Leaves `slopes` without entries and with the memory that it has: to ask for more takes as long as the state of the
+/// heap will have it, which is no cost of an effect.
+void empty(Slopes &slopes, const State &state)
+{
+    const Slopes none(state.points());
+    slopes = none;
+}
+
 /// What is the same for every kind of effect.
 template <class Base>
 class Probe : public Base
@@ -42,13 +50,15 @@ public:
     bool addSlopes(const State &state, Points movers, double scale, Directions directions,
                    Slopes &into) const override
     {
-        const auto alone = [seen = m_seen, movers, scale, directions](const State &at) {
-            Slopes slopes(at.points());
+        const auto alone = [seen = m_seen, movers, scale, directions](const State &at, Slopes &slopes) {
+            empty(slopes, at);
             seen->addSlopes(at, movers, scale, directions, slopes);
         };
-        m_tally.slopes.add([&] { return replayOf([alone, state] { alone(state); }); });
+        m_tally.slopes.add([&] {
+            return replayOf([alone, state, slopes = Slopes(0)]() mutable { alone(state, slopes); });
+        });
         for (int i = 0; i < m_tally.repeats; ++i)
-            alone(state);
+            alone(state, m_tally.found);
         return m_seen->addSlopes(state, movers, scale, directions, into);
     }
     std::optional<double> energy(const State &state) const override { return m_seen->energy(state); }
@@ -96,13 +106,15 @@ public:
     }
     bool addSlopes(const State &state, Points movers, double scale, Slopes &into) const override
     {
-        const auto alone = [seen = m_seen, movers, scale](const State &at) {
-            Slopes slopes(at.points());
+        const auto alone = [seen = m_seen, movers, scale](const State &at, Slopes &slopes) {
+            empty(slopes, at);
             seen->addSlopes(at, movers, scale, slopes);
         };
-        m_tally.slopes.add([&] { return replayOf([alone, state] { alone(state); }); });
+        m_tally.slopes.add([&] {
+            return replayOf([alone, state, slopes = Slopes(0)]() mutable { alone(state, slopes); });
+        });
         for (int i = 0; i < m_tally.repeats; ++i)
-            alone(state);
+            alone(state, m_tally.found);
         return m_seen->addSlopes(state, movers, scale, into);
     }
     std::optional<double> energy(const State &state) const override { return m_seen->energy(state); }

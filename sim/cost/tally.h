@@ -70,6 +70,7 @@ public:
     Eigen::ArrayX2d pulls; ///< where repeated calls of forces add to
     Eigen::ArrayXd turns;  ///< the same of torques
     State state;           ///< what repeated calls of drivers drive
+    Slopes found{0};       ///< where repeated calls for derivatives put them
 
     /// Nothing was asked so far. What is kept stays.
     void restart()

@@ -139,7 +139,7 @@ private slots:
     void exactlyTheListedEffectsAtExactlyTheStagesOfTheMethod()
     {
         Counted counted(scriptOfRow());
-        sim::Track track(counted.script, 0);
+        sim::Track track(counted.script, 0, sim::Sleeping::never);
         track.seek({frames, 0});
         QVERIFY(!track.stop());
         const sim::Scene scene = sim::sceneOf(counted.script, counted.script.values);
@@ -161,7 +161,7 @@ private slots:
     void aMethodThatChoosesItsStagesComputesEveryForceInEach()
     {
         Counted counted(scriptOfRow());
-        sim::Track track(counted.script, 0);
+        sim::Track track(counted.script, 0, sim::Sleeping::never);
         track.seek({frames, 0});
         const sim::Scene scene = sim::sceneOf(counted.script, counted.script.values);
         for (std::size_t i = 0; i < counted.effects.size() && !track.stop(); ++i) {

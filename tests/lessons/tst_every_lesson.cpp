@@ -57,6 +57,15 @@ class EveryLesson : public QObject
         }
     }
 
+    /// Where many creatures touch something in each frame, each touch ends a step of a method that chooses its steps, for
+    /// all of them: a frame takes seconds.
+    static bool takesLong(const lessons::Step &step, const sim::Method &method)
+    {
+        const sim::Script script = scriptOf(step, "semi_implicit_euler", 1.0);
+        return method.stepping() == sim::Stepping::adaptive &&
+               sim::sceneOf(script, script.values).start.points() > 500;
+    }
+
     /// Each step with the methods that it is taught with and one other, in turn, so that each has its share of steps.
     static void addStepAndSomeMethodRows()
     {
@@ -70,7 +79,7 @@ class EveryLesson : public QObject
                 for (const sim::MethodPtr &method : sim::allMethods()) {
                     const bool isTaught =
                         method->id() == "published" || method->id() == "semi_implicit_euler";
-                    if (fits(step, *method))
+                    if (fits(step, *method) && !takesLong(step, *method))
                         (isTaught ? taught : others).push_back(method);
                 }
                 if (!others.empty())

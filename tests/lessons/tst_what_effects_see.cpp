@@ -156,7 +156,12 @@ std::vector<sim::State> statesOf(const sim::Script &script)
     blown.outside.newTargets.push_back({100.0, 300.0});
     blown.outside.keys.left = true;
     blown.gale = {900.0, 0.0};
-    return {state, blown};
+    sim::State close = state; // some effects see those nearby only, or do nothing to what stands still
+    for (int i = 0; i < close.points(); ++i) {
+        close.place(i, close.at(0) + 0.05 * (close.at(i) - close.at(0)));
+        close.push(i, {3.0 + i, 2.0 - i});
+    }
+    return {state, blown, close};
 }
 
 /// Some points of a scene, its first and its last among them.
