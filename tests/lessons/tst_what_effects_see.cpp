@@ -161,7 +161,9 @@ std::vector<sim::State> statesOf(const sim::Script &script)
         close.place(i, close.at(0) + 0.05 * (close.at(i) - close.at(0)));
         close.push(i, {3.0 + i, 2.0 - i});
     }
-    return {state, blown, close};
+    sim::State outside = state; // or at a wall
+    outside.position.col(0) -= 1e4;
+    return {state, blown, close, outside};
 }
 
 /// Some points of a scene, its first and its last among them.
