@@ -54,9 +54,8 @@ public:
             empty(slopes, at);
             seen->addSlopes(at, movers, scale, directions, slopes);
         };
-        m_tally.slopes.add([&] {
-            return replayOf([alone, state, slopes = Slopes(0)]() mutable { alone(state, slopes); });
-        });
+        m_tally.slopes.add(
+            [&] { return replayOf([alone, state, slopes = Slopes(0)]() mutable { alone(state, slopes); }); });
         for (int i = 0; i < m_tally.repeats; ++i)
             alone(state, m_tally.found);
         return m_seen->addSlopes(state, movers, scale, directions, into);
@@ -110,9 +109,8 @@ public:
             empty(slopes, at);
             seen->addSlopes(at, movers, scale, slopes);
         };
-        m_tally.slopes.add([&] {
-            return replayOf([alone, state, slopes = Slopes(0)]() mutable { alone(state, slopes); });
-        });
+        m_tally.slopes.add(
+            [&] { return replayOf([alone, state, slopes = Slopes(0)]() mutable { alone(state, slopes); }); });
         for (int i = 0; i < m_tally.repeats; ++i)
             alone(state, m_tally.found);
         return m_seen->addSlopes(state, movers, scale, into);
