@@ -34,11 +34,13 @@ std::uint64_t hashOfRun(const sim::Script &script)
     return hash;
 }
 
-/// Where many creatures touch something in each frame, each touch ends a step of a method that chooses its steps, for
-/// all of them: a frame takes seconds.
+/// In a crowd each touch ends a step of a method that chooses its steps, for all of them, and an implicit one solves for
+/// all of them together: a frame of those takes up to seconds.
 bool takesLong(const sim::Script &script)
 {
-    return script.step.adaptive() && sim::sceneOf(script, script.values).start.points() > 500;
+    const std::vector<std::string> needs = script.method->needs();
+    const bool solves = std::find(needs.begin(), needs.end(), "slopes") != needs.end();
+    return (solves || script.step.adaptive()) && sim::sceneOf(script, script.values).start.points() > 500;
 }
 
 }

@@ -8,6 +8,7 @@
 #include <QSet>
 #include <QTest>
 
+#include <algorithm>
 #include <random>
 
 using namespace support;
@@ -57,12 +58,14 @@ class EveryLesson : public QObject
         }
     }
 
-    /// Where many creatures touch something in each frame, each touch ends a step of a method that chooses its steps, for
-    /// all of them: a frame takes seconds.
+    /// In a crowd each touch ends a step of a method that chooses its steps, for all of them, and an implicit one solves
+    /// for all of them together: a frame of those takes up to seconds.
     static bool takesLong(const lessons::Step &step, const sim::Method &method)
     {
+        const std::vector<std::string> needs = method.needs();
+        const bool solves = std::find(needs.begin(), needs.end(), "slopes") != needs.end();
         const sim::Script script = scriptOf(step, "semi_implicit_euler", 1.0);
-        return method.stepping() == sim::Stepping::adaptive &&
+        return (solves || method.stepping() == sim::Stepping::adaptive) &&
                sim::sceneOf(script, script.values).start.points() > 500;
     }
 
