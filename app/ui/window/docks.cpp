@@ -47,7 +47,7 @@ void MainWindow::makeDocks(CostFunction cost)
     m_effectsDock->hide();
     tabifyDockWidget(m_energyDock, m_effectsDock); // beside each other they would not fit below the picture
     connect(m_effectsDock, &QDockWidget::visibilityChanged, m_effects,
-            [this](bool seen) { m_effects->setCovered(!seen); });
+            [effects = m_effects](bool seen) { effects->setCovered(!seen); });
 
     makeCodeDock();
     makeParameterDock();
