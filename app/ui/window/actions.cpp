@@ -164,7 +164,7 @@ void MainWindow::makeViewActions()
     effects->setToolTip(tr("What each effect of the scene costs, with a switch for each (Ctrl+4)"));
     effects->setObjectName("showEffects");
     connect(m_effectsDock, &QDockWidget::visibilityChanged, effects,
-            [this, effects] { effects->setChecked(!m_effectsDock->isHidden()); });
+            [dock = m_effectsDock, effects] { effects->setChecked(!dock->isHidden()); });
     addAction(m_effects->measureAgain());
     m_actions.push_back({m_effects->measureAgain(), window});
     m_stabilityAction = add(tr("&Stability of the step"), {QKeySequence("Ctrl+L")}, window,
