@@ -1,6 +1,7 @@
 #include "app/cli/command_line.h"
 #include "app/cli/screenshot_arguments.h"
 #include "app/cli/terminal.h"
+#include "app/ui/window/appearance.h"
 
 #include <QApplication>
 
@@ -45,6 +46,8 @@ int start(int argc, char **argv, const QString &file)
                                                  "verb that needs none: %1.")
                                   .arg(app::verbs().join(", ")));
     qInstallMessageHandler(nullptr);
+    if (const int size = app::keptSize(); size != 100 && qEnvironmentVariableIsEmpty("QT_SCALE_FACTOR"))
+        qputenv("QT_SCALE_FACTOR", QByteArray::number(size / 100.0));
     QApplication application(argc, argv);
     return app::runWindow(application, file);
 }

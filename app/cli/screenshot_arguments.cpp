@@ -44,11 +44,16 @@ QSize pictureSize(const QString &text)
     return {match.captured(1).toInt(), match.captured(2).toInt()};
 }
 
-bool isDark(const QString &text)
+Scheme schemeOf(const QString &text)
 {
-    if (text != "light" && text != "dark")
-        throw Refusal(Text::tr("--theme is %1; it can be \"light\" or \"dark\".").arg(quoted(text)));
-    return text == "dark";
+    if (text == "light")
+        return Scheme::light;
+    if (text == "dark")
+        return Scheme::dark;
+    if (text == "contrast")
+        return Scheme::highContrast;
+    throw Refusal(
+        Text::tr("--theme is %1; it can be \"light\", \"dark\" or \"contrast\".").arg(quoted(text)));
 }
 
 bool isMeasuring(const QString &text)
@@ -85,7 +90,7 @@ ScreenshotRequest requestFrom(const QCommandLineParser &parser)
     request.frame = wholeNumber("frame", parser.value("frame"), mostFrames);
     request.phase = int(wholeNumber("phase", parser.value("phase"), std::numeric_limits<int>::max()));
     request.size = pictureSize(parser.value("size"));
-    request.dark = isDark(parser.value("theme"));
+    request.scheme = schemeOf(parser.value("theme"));
     request.measuring = isMeasuring(parser.value("mode"));
     request.energy = parser.isSet("energy");
     request.effects = parser.isSet("effects");
@@ -102,7 +107,7 @@ void addScreenshotOptions(QCommandLineParser &parser)
         {"frame", Text::tr("Go to frame N (default 0)."), "N", "0"},
         {"phase", Text::tr("Stop after P phases inside the next frame (default 0)."), "P", "0"},
         {"size", Text::tr("Width and height in pixels (default 1280x800)."), "WxH", "1280x800"},
-        {"theme", Text::tr("light or dark (default light)."), "THEME", "light"},
+        {"theme", Text::tr("light, dark or contrast (default light)."), "THEME", "light"},
         {"mode", Text::tr("learn or measure (default learn)."), "MODE", "learn"},
         {"energy", Text::tr("Show where energy went, below the picture.")},
         {"effects", Text::tr("Show what each effect costs.")},

@@ -53,7 +53,7 @@ private slots:
         row("screenshot without a size", {"screenshot", "a/b", "a.png", "--size", "0x0"},
             "--size is \"0x0\"; it can be WIDTHxHEIGHT in pixels, each from 100 to 9999, such as 1280x800.");
         row("screenshot in blue", {"screenshot", "a/b", "a.png", "--theme", "blue"},
-            "--theme is \"blue\"; it can be \"light\" or \"dark\".");
+            "--theme is \"blue\"; it can be \"light\", \"dark\" or \"contrast\".");
         row("screenshot in a mode that is none", {"screenshot", "a/b", "a.png", "--mode", "dance"},
             "--mode is \"dance\"; it can be \"learn\" or \"measure\".");
     }

@@ -119,6 +119,12 @@ void CodeView::paintRow(QPainter &painter, std::size_t row) const
         paintSymbol(painter, row);
         paintChip(painter, row);
     }
+    const QColor frame = m_theme.tokens().washLine;
+    if (isResult(its) && frame.alpha() > 0) {
+        painter.setPen(QPen(frame, 2));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRect(rect.adjusted(textLeft - 3, 1, -1, -1));
+    }
 }
 
 void CodeView::paintHeading(QPainter &painter, std::size_t row) const

@@ -154,11 +154,9 @@ void EffectDelegate::paint(QPainter *painter, const QStyleOptionViewItem &option
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
     const bool chosen = (option.state & QStyle::State_HasFocus) && (option.state & QStyle::State_Selected);
-    if (chosen || (option.state & QStyle::State_MouseOver)) {
-        painter->setPen(Qt::NoPen);
-        painter->setBrush(chosen ? t.sunk : t.hover);
-        painter->drawRoundedRect(row.adjusted(4, 1, -4, -1), 6, 6);
-    }
+    if (chosen || (option.state & QStyle::State_MouseOver))
+        m_theme.paintSurface(*painter, row.adjusted(4, 1, -4, -1), 6,
+                             chosen ? Surface::chosen : Surface::hovered);
     const QRectF mark(row.x() + margin, row.center().y() - markSize / 2.0, markSize, markSize);
     const bool isThere = line.role == EffectRole::acts;
     drawKindMark(*painter, mark, line.kind, isThere ? MarkFill::solid : MarkFill::hollow, m_theme);

@@ -90,11 +90,9 @@ void EnergyDelegate::paint(QPainter *painter, const QStyleOptionViewItem &option
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
     const bool chosen = (option.state & QStyle::State_HasFocus) && (option.state & QStyle::State_Selected);
-    if (chosen || (option.state & QStyle::State_MouseOver)) {
-        painter->setPen(Qt::NoPen);
-        painter->setBrush(chosen ? t.sunk : t.hover);
-        painter->drawRoundedRect(row.adjusted(4, 1, -4, -1), 6, 6);
-    }
+    if (chosen || (option.state & QStyle::State_MouseOver))
+        m_theme.paintSurface(*painter, row.adjusted(4, 1, -4, -1), 6,
+                             chosen ? Surface::chosen : Surface::hovered);
     const QRectF mark(row.x() + margin, row.y() + 5, markSize, markSize);
     painter->setPen(QPen(ink, 1.2));
     painter->setBrush(isDrift ? driftBrush(m_theme)

@@ -62,11 +62,8 @@ void LessonDelegate::paintRow(QPainter &painter, const QStyleOptionViewItem &opt
 {
     const QRectF row = QRectF(option.rect).adjusted(sideMargin, 0, -sideMargin, 0);
     const bool hovered = option.state & QStyle::State_MouseOver;
-    if (open || hovered) {
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(open ? m_theme.tokens().sunk : m_theme.tokens().hover);
-        painter.drawRoundedRect(row, radius, radius);
-    }
+    if (open || hovered)
+        m_theme.paintSurface(painter, row, radius, open ? Surface::chosen : Surface::hovered);
     if ((option.state & QStyle::State_HasFocus) && (option.state & QStyle::State_KeyboardFocusChange)) {
         painter.setPen(QPen(m_theme.tokens().ink, 2));
         painter.setBrush(Qt::NoBrush);

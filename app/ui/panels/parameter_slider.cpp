@@ -96,7 +96,7 @@ void ParameterSlider::paintEvent(QPaintEvent *)
         painter.setBrush(color);
         painter.drawRoundedRect(QRectF(from, middle - grooveHeight / 2, to - from, grooveHeight), 2, 2);
     };
-    QColor groove = tokens.line2;
+    QColor groove = tokens.computed;
     groove.setAlphaF(0.75F);
     bar(xOf(0), xOf(maximum()), groove);
     bar(xOf(0), at, tokens.ink2);
@@ -104,9 +104,8 @@ void ParameterSlider::paintEvent(QPaintEvent *)
         painter.setBrush(tokens.ghost);
         painter.drawRoundedRect(QRectF(xOf(positionOf(*m_ghost)) - 1, middle - 6, 2, 12), 1, 1);
     }
-    const bool dark = m_theme.scheme() == Scheme::dark;
     painter.setPen(QPen(tokens.ink, 1.2));
-    painter.setBrush(dark ? tokens.ink : tokens.scene);
+    painter.setBrush(m_theme.isDark() ? tokens.ink : tokens.scene);
     painter.drawEllipse(QPointF(at, middle), handle / 2.0 - 0.6, handle / 2.0 - 0.6);
 }
 

@@ -81,11 +81,8 @@ void FlatButton::paintEvent(QPaintEvent *)
     const Tokens &t = m_theme.tokens();
     QPainter p(this);
     p.setRenderHint(QPainter::Antialiasing);
-    if (underMouse() || isDown()) {
-        p.setPen(Qt::NoPen);
-        p.setBrush(t.hover);
-        p.drawRoundedRect(rect(), 6, 6);
-    }
+    if (underMouse() || isDown())
+        m_theme.paintSurface(p, rect(), 6, Surface::hovered);
     int x = m_icon.isEmpty() || !m_value.isEmpty() || !m_caption.isEmpty() ? padding : (width() - glyph) / 2;
     if (!m_icon.isEmpty()) {
         m_theme.icon(m_icon).paint(&p, QRect(x, (rect().height() - glyph) / 2, glyph, glyph));

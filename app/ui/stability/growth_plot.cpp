@@ -49,7 +49,7 @@ void GrowthPlot::dress()
     dressAxis(*xAxis, m_theme);
     dressAxis(*yAxis, m_theme);
     // Ever darker on a light ground, ever brighter on a dark one: it reads without hue.
-    const bool isDark = m_theme.scheme() == Scheme::dark;
+    const bool isDark = m_theme.isDark();
     const QColor far = isDark ? mixed(t.near, Qt::white, 0.65) : mixed(t.past, Qt::black, 0.5);
     m_gradient.clearColorStops();
     m_gradient.setColorInterpolation(QCPColorGradient::ciRGB);

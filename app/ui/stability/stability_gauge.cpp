@@ -120,11 +120,8 @@ void StabilityGauge::paintEvent(QPaintEvent *)
     const Tokens &tokens = m_theme.tokens();
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    if (underMouse() || isChecked()) {
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(tokens.hover);
-        painter.drawRoundedRect(rect(), 6, 6);
-    }
+    if (underMouse() || isChecked())
+        m_theme.paintSurface(painter, rect(), 6, Surface::hovered);
     const QFont font = m_theme.ui(12);
     const QFontMetricsF metrics(font);
     painter.setFont(font);

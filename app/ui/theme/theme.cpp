@@ -7,6 +7,7 @@
 #include <QFile>
 #include <QFontDatabase>
 #include <QHash>
+#include <QPainter>
 #include <QPalette>
 #include <QRegularExpression>
 
@@ -18,11 +19,13 @@ Tokens lightTokens()
 {
     Tokens t;
     t.win = "#F4F2ED", t.panel = "#FBFAF7", t.scene = "#FFFFFF";
-    t.sunk = "#ECE9E2", t.hover = "#E9E6DE";
+    t.sunk = "#ECE9E2", t.onSunk = "#22262B", t.hover = "#E9E6DE";
+    t.well = t.wellLine = t.sunk;
+    t.track = t.sunk, t.computed = "#CFCABE";
     t.line = "#E0DCD2", t.line2 = "#CFCABE", t.ctl = "#8B8880";
     t.ink = "#22262B", t.ink2 = "#555B62", t.ink3 = "#6A6F75";
     t.button = "#22262B", t.buttonText = "#FFFFFF";
-    t.now = "#F5B301", t.nowText = "#5C3F00", t.wash = "#FFF1C7", t.wash2 = "#FFF8E3";
+    t.now = "#F5B301", t.nowText = "#5C3F00", t.wash = "#FFF1C7", t.wash2 = "#FFF8E3", t.washLine = QColor(0, 0, 0, 0);
     t.link = "#1450A8", t.ok = "#1B7F5C", t.near = "#B25E00", t.past = "#C0262D";
     t.body = "#2E3B4E", t.bodyInk = "#FFFFFF", t.ghost = "#8C929A", t.dots = "#E6E2D9";
     t.keyword = "#7A3E9D", t.number = "#1D6F5B", t.type = "#2F5D8C", t.comment = "#6A7077",
@@ -41,11 +44,13 @@ Tokens darkTokens()
 {
     Tokens t;
     t.win = "#17191C", t.panel = "#1C1F22", t.scene = "#131518";
-    t.sunk = "#262A2E", t.hover = "#2A2E33";
+    t.sunk = "#262A2E", t.onSunk = "#E9E7E2", t.hover = "#2A2E33";
+    t.well = t.wellLine = t.sunk;
+    t.track = t.sunk, t.computed = "#3D4349";
     t.line = "#2B2F34", t.line2 = "#3D4349", t.ctl = "#70767D";
     t.ink = "#E9E7E2", t.ink2 = "#AEB2B6", t.ink3 = "#8D9399";
     t.button = "#E9E7E2", t.buttonText = "#17191C";
-    t.now = "#FFC53D", t.nowText = "#2B1E00", t.wash = "#3B3116", t.wash2 = "#2A2516";
+    t.now = "#FFC53D", t.nowText = "#2B1E00", t.wash = "#3B3116", t.wash2 = "#2A2516", t.washLine = QColor(0, 0, 0, 0);
     t.link = "#7FB8FF", t.ok = "#46C08F", t.near = "#F0A23C", t.past = "#FF6B66";
     t.body = "#E8E3D6", t.bodyInk = "#17191C", t.ghost = "#7A8189", t.dots = "#24282C";
     t.keyword = "#CBA6F0", t.number = "#8FD0B4", t.type = "#8FBCE8", t.comment = "#858B91",
@@ -60,9 +65,38 @@ Tokens darkTokens()
     return t;
 }
 
+Tokens highContrastTokens()
+{
+    Tokens t;
+    t.win = t.panel = t.scene = "#000000";
+    t.sunk = "#FFFFFF", t.onSunk = "#000000", t.hover = "#3A3A3A";
+    t.well = "#000000", t.wellLine = "#FFFFFF";
+    t.track = "#4A4A4A", t.computed = "#8F8F8F";
+    t.line = t.line2 = t.ctl = "#FFFFFF";
+    t.ink = t.ink2 = "#FFFFFF", t.ink3 = "#E0E0E0";
+    t.button = "#FFFFFF", t.buttonText = "#000000";
+    t.now = "#FFD60A", t.nowText = "#000000", t.wash = t.wash2 = "#000000", t.washLine = t.now;
+    t.link = "#8CC4FF", t.ok = "#4DE3A8", t.near = "#FFB84D", t.past = "#FF7A75";
+    t.body = "#FFFFFF", t.bodyInk = "#000000", t.ghost = "#BFBFBF", t.dots = "#404040";
+    t.keyword = t.number = t.type = t.comment = "#FFFFFF";
+    t.chip = "#000000";
+    t.spring = "#4FA3FF", t.gravity = "#FF8330", t.damping = "#D79BDD", t.contact = "#FFFFFF";
+    t.driver = "#35C88C", t.wind = "#6FE0FF", t.stick = "#F2EA60";
+    t.methods = darkTokens().methods;
+    return t;
+}
+
 Tokens tokensOf(Scheme scheme)
 {
-    return scheme == Scheme::dark ? darkTokens() : lightTokens();
+    switch (scheme) {
+    case Scheme::dark:
+        return darkTokens();
+    case Scheme::highContrast:
+        return highContrastTokens();
+    case Scheme::light:
+        break;
+    }
+    return lightTokens();
 }
 
 QFont font(const char *family, QFontDatabase::SystemFont fallback, double pixels)
@@ -122,6 +156,21 @@ QFont Theme::mono(double pixels) const
     return font("Hack", QFontDatabase::FixedFont, pixels);
 }
 
+void Theme::paintSurface(QPainter &painter, const QRectF &place, double radius, Surface surface) const
+{
+    const bool chosen = surface == Surface::chosen;
+    if (m_scheme == Scheme::highContrast && chosen) {
+        painter.setPen(QPen(m_tokens.ink, 2.0));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRoundedRect(place.adjusted(1.0, 1.0, -1.0, -1.0), radius, radius);
+        return;
+    }
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(chosen ? m_tokens.sunk : m_tokens.hover);
+    painter.drawRoundedRect(place, radius, radius);
+    painter.setBrush(Qt::NoBrush);
+}
+
 QIcon Theme::icon(const QString &name, const QColor &color) const
 {
     return iconOf(name, color.isValid() ? color : m_tokens.ink2);
@@ -141,7 +190,7 @@ void Theme::apply(QApplication &application) const
     p.setColor(QPalette::Base, t.scene);
     p.setColor(QPalette::AlternateBase, t.panel);
     p.setColor(QPalette::Highlight, t.sunk);
-    p.setColor(QPalette::HighlightedText, t.ink);
+    p.setColor(QPalette::HighlightedText, t.onSunk);
     p.setColor(QPalette::ToolTipBase, t.panel);
     p.setColor(QPalette::ToolTipText, t.ink);
     p.setColor(QPalette::PlaceholderText, t.ink3);
@@ -170,7 +219,12 @@ QString Theme::styleSheet() const
         {"panel", t.panel},
         {"scene", t.scene},
         {"sunk", t.sunk},
+        {"onSunk", t.onSunk},
+        {"well", t.well},
+        {"wellLine", t.wellLine},
         {"hover", t.hover},
+        {"modeOn", m_scheme == Scheme::highContrast ? t.sunk : t.panel},
+        {"modeOnText", t.onSunk},
         {"line", t.line},
         {"line2", t.line2},
         {"ctl", t.ctl},

@@ -106,11 +106,8 @@ void SpeedButton::paintEvent(QPaintEvent *)
     const Tokens &t = m_theme.tokens();
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    if (underMouse() || isDown()) {
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(t.hover);
-        painter.drawRoundedRect(rect(), 6, 6);
-    }
+    if (underMouse() || isDown())
+        m_theme.paintSurface(painter, rect(), 6, Surface::hovered);
     double x = padding;
     const auto write = [&](const QString &text, const QFont &font, const QColor &color) {
         painter.setFont(font);

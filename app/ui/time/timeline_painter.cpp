@@ -73,8 +73,8 @@ void paintBar(QPainter &painter, double from, double to, const QColor &color)
 void paintTrack(QPainter &painter, const TimelineAxis &axis, const RunView &view, const Theme &theme)
 {
     const Tokens &t = theme.tokens();
-    paintBar(painter, axis.left(), axis.right(), t.sunk);
-    paintBar(painter, axis.left(), axis.xOf(view.computed), t.line2);
+    paintBar(painter, axis.left(), axis.right(), t.track);
+    paintBar(painter, axis.left(), axis.xOf(view.computed), t.computed);
     paintBar(painter, axis.left(), axis.xOf(view.at), t.ink2);
     for (const Stretch &stretch : view.input) {
         // What is over in a moment can still be seen.

@@ -170,16 +170,7 @@ void MainWindow::makeViewActions()
     m_stabilityAction = add(tr("&Stability of the step"), {QKeySequence("Ctrl+L")}, window,
                             [this](bool shown) { showStability(shown); });
     m_stabilityAction->setCheckable(true);
-    m_dark = add(tr("&Dark"), {QKeySequence("Ctrl+Shift+D")}, window, [this](bool dark) {
-        m_theme.setScheme(dark ? Scheme::dark : Scheme::light);
-        QSettings().setValue("window/dark", dark);
-    });
-    m_dark->setCheckable(true);
-    m_dark->setChecked(m_theme.scheme() == Scheme::dark);
-    QAction *full = add(tr("F&ull screen"), {QKeySequence("F11")}, window, [this](bool on) {
-        setWindowState(on ? windowState() | Qt::WindowFullScreen : windowState() & ~Qt::WindowFullScreen);
-    });
-    full->setCheckable(true);
+    makeAppearanceActions();
 }
 
 void MainWindow::showHelp()

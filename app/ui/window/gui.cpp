@@ -2,6 +2,7 @@
 
 #include "app/model/session.h"
 #include "app/ui/effects/effects_panel.h"
+#include "app/ui/window/appearance.h"
 #include "app/ui/window/main_window.h"
 #include "app/ui/window/stop_notice.h"
 
@@ -36,7 +37,7 @@ int runWindow(QApplication &application, const QString &file)
     const LessonLibrary library = LessonLibrary::load(LessonLibrary::folders());
     if (library.lessons.empty())
         return refuse(noLessons());
-    Theme theme(QSettings().value("window/dark").toBool() ? Scheme::dark : Scheme::light);
+    Theme theme(keptScheme());
     theme.apply(application);
     Session session(library);
     MainWindow window(session, theme);
@@ -58,7 +59,7 @@ int takeScreenshot(QApplication &application, const ScreenshotRequest &request)
         return refuse(noLessons());
     try {
         const Experiment experiment = newExperiment(request.lesson, request.step, library);
-        Theme theme(request.dark ? Scheme::dark : Scheme::light);
+        Theme theme(request.scheme);
         theme.apply(application);
         Session session(library);
         session.open(experiment);

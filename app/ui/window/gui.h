@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/model/map_plane.h"
+#include "app/ui/theme/theme.h"
 
 #include <QSize>
 #include <QString>
@@ -20,7 +21,7 @@ struct ScreenshotRequest
     std::int64_t frame = 0;
     int phase = 0; ///< phases done inside the frame
     QSize size{1280, 800};
-    bool dark = false;
+    Scheme scheme = Scheme::light;
     bool measuring = false;      ///< arranged for measuring, with all that is measured
     bool energy = false;         ///< whether the ledger of energy is shown
     bool effects = false;        ///< whether the ledger of effects is shown, and measured

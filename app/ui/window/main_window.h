@@ -81,6 +81,11 @@ private:
     void makeTimeActions();
     void makeViewActions();
     void makeModeActions();
+    void makeAppearanceActions();
+    void makeSchemeActions();
+    void makeSizeActions();
+    void makeFocusActions();
+    void setFocusMode(bool on);
     QWidget *modeSwitch();
     void arrangeForMeasuring();
     QWidget *header();
@@ -124,7 +129,8 @@ private:
     QAction *m_undo = nullptr;
     QAction *m_redo = nullptr;
     QAction *m_helpAction = nullptr;
-    QAction *m_dark = nullptr;
+    QAction *m_focusAction = nullptr;
+    QByteArray m_docksBeforeFocus; ///< the arrangement that comes back when focus mode ends
     QActionGroup *m_modes = nullptr;
 
     LearnPanel *m_learn = nullptr;

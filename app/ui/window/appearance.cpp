@@ -1,0 +1,139 @@
+// How the window looks: colours, size, motion, and the scene alone.
+
+#include "app/ui/window/appearance.h"
+
+#include "app/ui/window/main_window.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QDockWidget>
+#include <QMenu>
+#include <QSettings>
+#include <QStatusBar>
+
+#include <algorithm>
+#include <array>
+
+namespace app {
+
+namespace {
+
+constexpr const char *schemeKey = "window/scheme";
+constexpr const char *sizeKey = "window/size";
+constexpr const char *motionKey = "window/lessMotion";
+constexpr std::array sizes{100, 125, 150, 175, 200}; ///< percent
+
+const char *nameOf(Scheme scheme)
+{
+    switch (scheme) {
+    case Scheme::dark:
+        return "dark";
+    case Scheme::highContrast:
+        return "contrast";
+    case Scheme::light:
+        break;
+    }
+    return "light";
+}
+
+}
+
+Scheme keptScheme()
+{
+    const QString name = QSettings().value(schemeKey).toString();
+    for (const Scheme scheme : {Scheme::dark, Scheme::highContrast}) {
+        if (name == nameOf(scheme))
+            return scheme;
+    }
+    return Scheme::light;
+}
+
+int keptSize()
+{
+    const int kept = QSettings().value(sizeKey, sizes.front()).toInt();
+    return std::find(sizes.begin(), sizes.end(), kept) == sizes.end() ? sizes.front() : kept;
+}
+
+void MainWindow::makeAppearanceActions()
+{
+    m_view->addSeparator();
+    makeSchemeActions();
+    makeSizeActions();
+    QAction *still = action(tr("Less &motion"), {}, tr("Window"));
+    still->setObjectName("lessMotion");
+    still->setToolTip(tr("Panels come and go at once; only the scene moves"));
+    still->setCheckable(true);
+    m_view->addAction(still);
+    connect(still, &QAction::toggled, this, [this](bool on) {
+        setAnimated(!on);
+        QSettings().setValue(motionKey, on);
+    });
+    still->setChecked(QSettings().value(motionKey).toBool());
+    makeFocusActions();
+}
+
+void MainWindow::makeSchemeActions()
+{
+    auto *schemes = new QActionGroup(this); // none of them: light
+    schemes->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
+    const auto add = [&](const QString &text, const QKeySequence &key, Scheme scheme) {
+        QAction *made = action(text, {key}, tr("Window"));
+        made->setObjectName(nameOf(scheme));
+        made->setCheckable(true);
+        made->setChecked(m_theme.scheme() == scheme);
+        schemes->addAction(made);
+        m_view->addAction(made);
+        connect(made, &QAction::triggered, this, [this, scheme](bool on) {
+            m_theme.setScheme(on ? scheme : Scheme::light);
+            QSettings().setValue(schemeKey, nameOf(m_theme.scheme()));
+        });
+    };
+    add(tr("&Dark"), QKeySequence("Ctrl+Shift+D"), Scheme::dark);
+    add(tr("&High contrast"), QKeySequence("Ctrl+Shift+H"), Scheme::highContrast);
+}
+
+void MainWindow::makeSizeActions()
+{
+    auto *menu = m_view->addMenu(tr("Si&ze of text and controls"));
+    auto *group = new QActionGroup(this);
+    for (const int size : sizes) {
+        QAction *made = menu->addAction(tr("%1\u2009%").arg(size));
+        made->setCheckable(true);
+        made->setChecked(size == keptSize());
+        group->addAction(made);
+        connect(made, &QAction::triggered, this, [this, size] {
+            QSettings().setValue(sizeKey, size);
+            emit m_session.said(tr("At its next start, Springstep is drawn at %1\u2009%.").arg(size));
+        });
+    }
+}
+
+void MainWindow::makeFocusActions()
+{
+    m_focusAction = action(tr("Scene &only"), {QKeySequence(Qt::Key_F11)}, tr("Window"));
+    m_focusAction->setToolTip(tr("Nothing but the scene and its time; again brings the panels back (F11)"));
+    m_focusAction->setCheckable(true);
+    m_view->addAction(m_focusAction);
+    connect(m_focusAction, &QAction::toggled, this, &MainWindow::setFocusMode);
+    QAction *full = action(tr("F&ull screen"), {QKeySequence("Shift+F11")}, tr("Window"));
+    full->setCheckable(true);
+    m_view->addAction(full);
+    connect(full, &QAction::triggered, this, [this](bool on) {
+        setWindowState(on ? windowState() | Qt::WindowFullScreen : windowState() & ~Qt::WindowFullScreen);
+    });
+}
+
+void MainWindow::setFocusMode(bool on)
+{
+    if (on) {
+        showStability(false);
+        m_docksBeforeFocus = saveState();
+        for (QDockWidget *dock : findChildren<QDockWidget *>())
+            dock->hide();
+        return;
+    }
+    restoreState(m_docksBeforeFocus);
+    fitParameters();
+}
+
+}
