@@ -123,7 +123,7 @@ void LessonDelegate::paintStep(QPainter &painter, const QRect &row, const QModel
 void LessonDelegate::paintProblem(QPainter &painter, const QRect &row, const QModelIndex &index) const
 {
     const QRect place = row.adjusted(sideMargin + padding, 0, -sideMargin - padding, 0);
-    paintText(painter, place, index.data().toString(), m_theme.ui(12), m_theme.tokens().near);
+    paintText(painter, place, index.data().toString(), m_theme.ui(12), m_theme.tokens().past);
 }
 
 void LessonDelegate::paintRing(QPainter &painter, const QRectF &place, double share) const

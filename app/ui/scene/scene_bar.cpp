@@ -209,19 +209,26 @@ void SceneBar::fillShow()
 {
     struct Item
     {
+        const char *id;
         QString text;
         bool Extras::*member;
     };
-    const std::array items{
-        Item{tr("Trails"), &Extras::trails},     Item{tr("Velocity arrows"), &Extras::velocities},
-        Item{tr("Grid"), &Extras::grid},         Item{tr("Explaining lines"), &Extras::guides},
-        Item{tr("Eyes"), &Extras::eyes},         Item{tr("Ghost"), &Extras::ghost},
-        Item{tr("Onion skins"), &Extras::onion}, Item{tr("Reference"), &Extras::reference}};
+    const std::array items{Item{"trails", tr("Trails"), &Extras::trails},
+                           Item{"velocities", tr("Velocity arrows"), &Extras::velocities},
+                           Item{"grid", tr("Grid"), &Extras::grid},
+                           Item{"guides", tr("Explaining lines"), &Extras::guides},
+                           Item{"eyes", tr("Eyes"), &Extras::eyes},
+                           Item{"ghost", tr("Ghost"), &Extras::ghost},
+                           Item{"onion", tr("Onion skins"), &Extras::onion},
+                           Item{"reference", tr("Reference"), &Extras::reference}};
     auto *menu = new QMenu(m_show);
     for (const Item &item : items) {
         QAction *action = menu->addAction(item.text);
         action->setCheckable(true);
         action->setChecked(m_view->extras().*item.member);
+        action->setData(QString(item.id));
+        connect(action, &QAction::triggered, this,
+                [this, id = QString(item.id)](bool on) { emit chosen(id, on); });
         connect(action, &QAction::toggled, this, [this, member = item.member](bool on) {
             Extras extras = m_view->extras();
             extras.*member = on;
@@ -232,6 +239,22 @@ void SceneBar::fillShow()
     }
     m_show->setMenu(menu);
     arrange();
+}
+
+void SceneBar::choose(const QString &id, bool on)
+{
+    for (QAction *action : m_show->menu()->actions()) {
+        if (action->data().toString() == id)
+            action->setChecked(on);
+    }
+}
+
+QStringList SceneBar::choices() const
+{
+    QStringList ids;
+    for (const QAction *action : m_show->menu()->actions())
+        ids << action->data().toString();
+    return ids;
 }
 
 void SceneBar::showValues()

@@ -24,8 +24,16 @@ public:
 
     /// The view that "Show" and the zoom are about.
     void attach(SceneView &view);
+    /// Shows an entry of "Show" or not, as the learner left it; ids as in chosen(). An unknown one changes nothing.
+    void choose(const QString &id, bool on);
+    /// The ids of the entries of "Show".
+    QStringList choices() const;
     /// Without the captions of method and step.
     QSize minimumSizeHint() const override;
+
+signals:
+    /// The learner switched an entry of "Show".
+    void chosen(const QString &id, bool on);
 
 protected:
     void paintEvent(QPaintEvent *event) override;

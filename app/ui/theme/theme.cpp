@@ -25,7 +25,8 @@ Tokens lightTokens()
     t.line = "#E0DCD2", t.line2 = "#CFCABE", t.ctl = "#8B8880";
     t.ink = "#22262B", t.ink2 = "#555B62", t.ink3 = "#6A6F75";
     t.button = "#22262B", t.buttonText = "#FFFFFF";
-    t.now = "#F5B301", t.nowText = "#5C3F00", t.wash = "#FFF1C7", t.wash2 = "#FFF8E3", t.washLine = QColor(0, 0, 0, 0);
+    t.now = "#F5B301", t.nowText = "#5C3F00", t.wash = "#FFF1C7", t.wash2 = "#FFF8E3",
+    t.washLine = QColor(0, 0, 0, 0);
     t.link = "#1450A8", t.ok = "#1B7F5C", t.near = "#B25E00", t.past = "#C0262D";
     t.body = "#2E3B4E", t.bodyInk = "#FFFFFF", t.ghost = "#8C929A", t.dots = "#E6E2D9";
     t.keyword = "#7A3E9D", t.number = "#1D6F5B", t.type = "#2F5D8C", t.comment = "#6A7077",
@@ -50,7 +51,8 @@ Tokens darkTokens()
     t.line = "#2B2F34", t.line2 = "#3D4349", t.ctl = "#70767D";
     t.ink = "#E9E7E2", t.ink2 = "#AEB2B6", t.ink3 = "#8D9399";
     t.button = "#E9E7E2", t.buttonText = "#17191C";
-    t.now = "#FFC53D", t.nowText = "#2B1E00", t.wash = "#3B3116", t.wash2 = "#2A2516", t.washLine = QColor(0, 0, 0, 0);
+    t.now = "#FFC53D", t.nowText = "#2B1E00", t.wash = "#3B3116", t.wash2 = "#2A2516",
+    t.washLine = QColor(0, 0, 0, 0);
     t.link = "#7FB8FF", t.ok = "#46C08F", t.near = "#F0A23C", t.past = "#FF6B66";
     t.body = "#E8E3D6", t.bodyInk = "#17191C", t.ghost = "#7A8189", t.dots = "#24282C";
     t.keyword = "#CBA6F0", t.number = "#8FD0B4", t.type = "#8FBCE8", t.comment = "#858B91",

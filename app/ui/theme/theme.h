@@ -19,18 +19,18 @@ namespace app {
 /// The colours of one scheme, by role.
 struct Tokens
 {
-    QColor win, panel, scene;                    ///< header and status bar, docks, scene and inputs
-    QColor sunk, onSunk, hover;                  ///< selected entry and its text, hovered button
-    QColor well, wellLine;                       ///< a card, the ground of a switch, and its edge
-    QColor track, computed;                      ///< time to come, and what of it is computed
-    QColor line, line2, ctl;                     ///< dividers, input frames, empty boxes
-    QColor ink, ink2, ink3;                      ///< text, labels and icons, captions
-    QColor button, buttonText;                   ///< Play, Next
-    QColor now, nowText, wash, wash2;            ///< the present: head, code line, its region
-    QColor washLine;                             ///< the frame of the code line; invisible where a wash shows it
-    QColor link, ok, near, past;                 ///< links, ticks, warnings, failures
-    QColor body, bodyInk, ghost, dots;           ///< creature, its eyes, the old run, the grid
-    QColor keyword, number, type, comment, chip; ///< code
+    QColor win, panel, scene;          ///< header and status bar, docks, scene and inputs
+    QColor sunk, onSunk, hover;        ///< selected entry and its text, hovered button
+    QColor well, wellLine;             ///< a card, the ground of a switch, and its edge
+    QColor track, computed;            ///< time to come, and what of it is computed
+    QColor line, line2, ctl;           ///< dividers, input frames, empty boxes
+    QColor ink, ink2, ink3;            ///< text, labels and icons, captions
+    QColor button, buttonText;         ///< Play, Next
+    QColor now, nowText, wash, wash2;  ///< the present: head, code line, its region
+    QColor washLine;                   ///< the frame of the code line; invisible where a wash shows it
+    QColor link, ok, near, past;       ///< links, ticks, warnings, failures
+    QColor body, bodyInk, ghost, dots; ///< creature, its eyes, the old run, the grid
+    QColor keyword, number, type, comment, chip;                   ///< code
     QColor spring, gravity, damping, contact, driver, wind, stick; ///< kinds of effects
     /// Methods in plots, by family: Euler, Verlet, Runge-Kutta, adaptive, implicit; three shades each. Shape and label
     /// tell them apart, too.

@@ -2,6 +2,7 @@
 
 #include "app/ui/window/appearance.h"
 
+#include "app/ui/scene/scene_bar.h"
 #include "app/ui/window/main_window.h"
 
 #include <QAction>
@@ -70,6 +71,18 @@ void MainWindow::makeAppearanceActions()
     });
     still->setChecked(QSettings().value(motionKey).toBool());
     makeFocusActions();
+    rememberChoices();
+}
+
+void MainWindow::rememberChoices()
+{
+    const QString key = "show/";
+    for (const QString &id : m_sceneBar->choices()) {
+        if (const QVariant kept = QSettings().value(key + id); kept.isValid())
+            m_sceneBar->choose(id, kept.toBool());
+    }
+    connect(m_sceneBar, &SceneBar::chosen, this,
+            [key](const QString &id, bool on) { QSettings().setValue(key + id, on); });
 }
 
 void MainWindow::makeSchemeActions()

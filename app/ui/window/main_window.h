@@ -85,6 +85,7 @@ private:
     void makeSchemeActions();
     void makeSizeActions();
     void makeFocusActions();
+    void rememberChoices();
     void setFocusMode(bool on);
     QWidget *modeSwitch();
     void arrangeForMeasuring();

@@ -1,0 +1,338 @@
+// The whole window without a mouse, and how the learner wants it to look.
+
+#include "app/model/session.h"
+#include "app/ui/scene/scene_view.h"
+#include "app/ui/window/appearance.h"
+#include "app/ui/window/main_window.h"
+
+#include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QAbstractSlider>
+#include <QAbstractSpinBox>
+#include <QAccessible>
+#include <QAction>
+#include <QApplication>
+#include <QButtonGroup>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMenuBar>
+#include <QScrollBar>
+#include <QSettings>
+#include <QTabBar>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+using namespace app;
+
+namespace {
+
+struct Bench
+{
+    LessonLibrary library = LessonLibrary::load({LESSON_DIR});
+    Theme theme{keptScheme()};
+    Session session{library};
+    MainWindow window{session, theme};
+
+    explicit Bench(const char *lesson = "gravity_walls", const char *step = "gravity")
+    {
+        theme.apply(*qApp);
+        session.openStep(lesson, step);
+        window.resize(1920, 1080);
+        window.show();
+        QApplication::setActiveWindow(&window);
+        QCoreApplication::processEvents();
+    }
+
+    QAction *action(const char *name) const { return window.findChild<QAction *>(name); }
+    QStringList docksSeen() const
+    {
+        QStringList seen;
+        for (const QDockWidget *dock : window.findChildren<QDockWidget *>()) {
+            if (dock->isVisible())
+                seen << dock->objectName();
+        }
+        seen.sort();
+        return seen;
+    }
+};
+
+/// Something that answers to a learner: a control, or a widget of ours that takes the focus.
+bool isInteractive(const QWidget &widget)
+{
+    if (!widget.isVisible() || !widget.isEnabled() || qobject_cast<const QScrollBar *>(&widget) ||
+        qobject_cast<const QMenuBar *>(&widget)) // Alt and a letter, or F10
+        return false;
+    if (qobject_cast<const QTabBar *>(&widget))
+        return true;
+    if (widget.parentWidget() && (qobject_cast<const QAbstractSpinBox *>(widget.parentWidget()) ||
+                                  qobject_cast<const QTabBar *>(widget.parentWidget()) ||
+                                  qobject_cast<const QComboBox *>(widget.parentWidget())))
+        return false;                   // a part of a control
+    if (widget.inherits("app::TryRow")) // shows what is done; a learner cannot tick it
+        return false;
+    return qobject_cast<const QAbstractButton *>(&widget) || qobject_cast<const QAbstractSlider *>(&widget) ||
+           qobject_cast<const QAbstractSpinBox *>(&widget) || qobject_cast<const QLineEdit *>(&widget) ||
+           qobject_cast<const QComboBox *>(&widget) || qobject_cast<const QAbstractItemView *>(&widget) ||
+           (widget.focusPolicy() & Qt::TabFocus);
+}
+
+QString nameOf(const QWidget &widget)
+{
+    QString name = QString("%1 \"%2\"").arg(widget.metaObject()->className(), widget.objectName());
+    for (const QWidget *holder = widget.parentWidget(); holder; holder = holder->parentWidget())
+        name += QString(" in %1").arg(holder->metaObject()->className());
+    return name;
+}
+
+/// Whether it is one of several of which one is on: Tab comes to that one, arrow keys to the others.
+bool standsFor(const QWidget &walked, const QWidget &widget)
+{
+    const auto *one = qobject_cast<const QAbstractButton *>(&walked);
+    const auto *other = qobject_cast<const QAbstractButton *>(&widget);
+    if (!one || !other || one->parentWidget() != other->parentWidget())
+        return false;
+    const bool sameGroup = one->group() && one->group() == other->group() && one->group()->exclusive();
+    return sameGroup || (one->autoExclusive() && other->autoExclusive());
+}
+
+/// What has the focus, one after the other, while Tab is pressed until it comes round.
+std::set<QWidget *> walkedByTab(QWidget &window)
+{
+    std::set<QWidget *> walked;
+    for (int i = 0; i < 1000; ++i) {
+        QWidget *at = QApplication::focusWidget();
+        if (!at || at->window() != &window || !walked.insert(at).second)
+            break;
+        QTest::keyClick(at, Qt::Key_Tab);
+    }
+    return walked;
+}
+
+}
+
+class KeyboardTest : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase();
+    void init() { QSettings().clear(); }
+    void tabReachesEverythingAndComesRound_data();
+    void tabReachesEverythingAndComesRound();
+    void everythingThatTakesTheFocusHasANameForReadersOfTheScreen_data();
+    void everythingThatTakesTheFocusHasANameForReadersOfTheScreen();
+    void theSceneAloneIsOneKeyAwayAndBack();
+    void theColoursChosenAreThereAtTheNextStart_data();
+    void theColoursChosenAreThereAtTheNextStart();
+    void textHasItsContrast_data();
+    void textHasItsContrast();
+    void theSizeChosenHoldsFromTheNextStartOn();
+    void whatThePictureShowsIsRemembered();
+    void lessMotionStopsThePanels();
+
+private:
+    QTemporaryDir m_folder;
+};
+
+void KeyboardTest::initTestCase()
+{
+    QSettings::setDefaultFormat(QSettings::IniFormat);
+    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_folder.path());
+}
+
+void KeyboardTest::tabReachesEverythingAndComesRound_data()
+{
+    QTest::addColumn<MainWindow::Mode>("mode");
+    QTest::newRow("learning") << MainWindow::Mode::learn;
+    QTest::newRow("measuring") << MainWindow::Mode::measure;
+}
+
+void KeyboardTest::tabReachesEverythingAndComesRound()
+{
+    QFETCH(const MainWindow::Mode, mode);
+    Bench bench;
+    bench.window.setMode(mode);
+    bench.window.showEnergy(true);
+    bench.window.showEffects(true);
+    QCoreApplication::processEvents();
+    auto *view = bench.window.findChild<SceneView *>();
+    view->setFocus();
+    const std::set<QWidget *> walked = walkedByTab(bench.window);
+    QTRY_VERIFY(QApplication::focusWidget());
+    QStringList missed;
+    int found = 0;
+    for (QWidget *widget : bench.window.findChildren<QWidget *>()) {
+        if (!isInteractive(*widget) || widget->window() != &bench.window)
+            continue;
+        ++found;
+        const QWidget *proxy = widget->focusProxy() ? widget->focusProxy() : widget;
+        const bool inside = std::any_of(walked.begin(), walked.end(), [&](const QWidget *at) {
+            return at == proxy || at == widget || standsFor(*at, *widget);
+        });
+        if (!inside)
+            missed << nameOf(*widget);
+    }
+    QVERIFY(found > 30);
+    QVERIFY2(missed.isEmpty(), qPrintable("Tab does not come to:\n" + missed.join('\n')));
+}
+
+void KeyboardTest::everythingThatTakesTheFocusHasANameForReadersOfTheScreen_data()
+{
+    tabReachesEverythingAndComesRound_data();
+}
+
+void KeyboardTest::everythingThatTakesTheFocusHasANameForReadersOfTheScreen()
+{
+    QFETCH(const MainWindow::Mode, mode);
+    Bench bench;
+    bench.window.setMode(mode);
+    bench.window.showEnergy(true);
+    bench.window.showEffects(true);
+    QCoreApplication::processEvents();
+    bench.window.findChild<SceneView *>()->setFocus();
+    QStringList nameless;
+    for (QWidget *widget : walkedByTab(bench.window)) {
+        QAccessibleInterface *reader = QAccessible::queryAccessibleInterface(widget);
+        if (!reader || reader->text(QAccessible::Name).isEmpty())
+            nameless << nameOf(*widget);
+    }
+    QVERIFY2(nameless.isEmpty(), qPrintable("Nameless:\n" + nameless.join('\n')));
+}
+
+void KeyboardTest::theSceneAloneIsOneKeyAwayAndBack()
+{
+    Bench bench;
+    const QStringList before = bench.docksSeen();
+    QVERIFY(before.contains("lessons") && before.contains("code"));
+    QTest::keyClick(&bench.window, Qt::Key_F11);
+    QCOMPARE(bench.docksSeen(), QStringList());
+    QVERIFY(bench.window.findChild<SceneView *>()->isVisible());
+    QTest::keyClick(&bench.window, Qt::Key_F11);
+    QCOMPARE(bench.docksSeen(), before);
+}
+
+void KeyboardTest::theColoursChosenAreThereAtTheNextStart_data()
+{
+    QTest::addColumn<Qt::Key>("key");
+    QTest::addColumn<Scheme>("scheme");
+    QTest::newRow("dark") << Qt::Key_D << Scheme::dark;
+    QTest::newRow("high contrast") << Qt::Key_H << Scheme::highContrast;
+}
+
+void KeyboardTest::theColoursChosenAreThereAtTheNextStart()
+{
+    QFETCH(const Qt::Key, key);
+    QFETCH(const Scheme, scheme);
+    {
+        Bench bench;
+        QCOMPARE(bench.theme.scheme(), Scheme::light);
+        QTest::keyClick(&bench.window, key, Qt::ControlModifier | Qt::ShiftModifier);
+        QCOMPARE(bench.theme.scheme(), scheme);
+    }
+    QCOMPARE(keptScheme(), scheme);
+    Bench again;
+    QCOMPARE(again.theme.scheme(), scheme);
+    QTest::keyClick(&again.window, key, Qt::ControlModifier | Qt::ShiftModifier);
+    QCOMPARE(keptScheme(), Scheme::light);
+}
+
+namespace {
+
+/// Relative luminance and contrast as in WCAG 2.1.
+double luminance(const QColor &color)
+{
+    const auto part = [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
+    return 0.2126 * part(color.redF()) + 0.7152 * part(color.greenF()) + 0.0722 * part(color.blueF());
+}
+
+double contrast(const QColor &one, const QColor &other)
+{
+    const double a = luminance(one);
+    const double b = luminance(other);
+    return (std::max(a, b) + 0.05) / (std::min(a, b) + 0.05);
+}
+
+}
+
+void KeyboardTest::textHasItsContrast_data()
+{
+    QTest::addColumn<Scheme>("scheme");
+    QTest::addColumn<double>("least");
+    QTest::newRow("light") << Scheme::light << 4.5;
+    QTest::newRow("dark") << Scheme::dark << 4.5;
+    QTest::newRow("high contrast") << Scheme::highContrast << 7.0;
+}
+
+void KeyboardTest::textHasItsContrast()
+{
+    QFETCH(const Scheme, scheme);
+    QFETCH(const double, least);
+    const Tokens t = Theme(scheme).tokens();
+    for (const QColor &text : {t.ink, t.ink2, t.ink3, t.link, t.past}) {
+        for (const QColor &ground : {t.win, t.panel, t.scene})
+            QVERIFY2(contrast(text, ground) >= least, qPrintable(text.name() + " on " + ground.name()));
+    }
+    QVERIFY(contrast(t.onSunk, t.sunk) >= least);
+    QVERIFY(contrast(t.ink, t.hover) >= least);
+    QVERIFY(contrast(t.buttonText, t.button) >= least);
+    QVERIFY(contrast(t.nowText, t.now) >= 4.5);
+    for (const QColor &mark :
+         {t.near, t.ok, t.spring, t.gravity, t.damping, t.contact, t.driver, t.wind, t.stick})
+        QVERIFY2(contrast(mark, t.panel) >= 3.0, qPrintable(mark.name()));
+}
+
+void KeyboardTest::theSizeChosenHoldsFromTheNextStartOn()
+{
+    QCOMPARE(keptSize(), 100);
+    {
+        Bench bench;
+        QAction *larger = nullptr;
+        for (QAction *one : bench.window.findChildren<QAction *>()) {
+            if (one->text().startsWith("150"))
+                larger = one;
+        }
+        QVERIFY(larger);
+        larger->trigger();
+    }
+    QCOMPARE(keptSize(), 150);
+    QSettings().setValue("window/size", 17); // by another hand
+    QCOMPARE(keptSize(), 100);
+}
+
+void KeyboardTest::whatThePictureShowsIsRemembered()
+{
+    const auto grid = [](const Bench &bench) { return bench.window.findChild<SceneView *>()->extras().grid; };
+    {
+        Bench bench;
+        QVERIFY(grid(bench));
+        for (QAction *one : bench.window.findChildren<QAction *>()) {
+            if (one->data().toString() == "grid")
+                one->trigger();
+        }
+        QVERIFY(!grid(bench));
+    }
+    const Bench again;
+    QVERIFY(!grid(again));
+    QVERIFY(again.window.findChild<SceneView *>()->extras().trails);
+}
+
+void KeyboardTest::lessMotionStopsThePanels()
+{
+    {
+        const Bench bench;
+        QVERIFY(bench.window.isAnimated());
+        bench.action("lessMotion")->trigger();
+        QVERIFY(!bench.window.isAnimated());
+    }
+    const Bench again;
+    QVERIFY(!again.window.isAnimated());
+}
+
+QTEST_MAIN(KeyboardTest)
+#include "tst_keyboard.moc"
