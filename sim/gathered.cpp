@@ -4,6 +4,15 @@
 
 namespace sim {
 
+namespace {
+
+void dropIdle(std::vector<Gathered> &all)
+{
+    std::erase_if(all, [](const Gathered &one) { return (one.acceleration == 0.0).all(); });
+}
+
+}
+
 std::vector<Gathered> gathered(const Track &track)
 {
     std::vector<Gathered> all;
@@ -29,7 +38,23 @@ std::vector<Gathered> gathered(const Track &track)
         // Positions change only when a phase moves, so what was gathered can be found again from where things are.
         force->add(state, phase.points, 1.0, directions, found->acceleration);
     }
-    std::erase_if(all, [](const Gathered &one) { return (one.acceleration == 0.0).all(); });
+    dropIdle(all);
+    return all;
+}
+
+std::vector<Gathered> pullsNow(const Track &track)
+{
+    std::vector<Gathered> all;
+    const State &state = track.now();
+    const Directions directions = track.script().method->directions();
+    for (const EffectPtr &effect : track.shown().scene.effects) {
+        const auto *force = dynamic_cast<const Force *>(effect.get());
+        if (!force)
+            continue;
+        all.push_back({effect, Eigen::ArrayX2d::Zero(state.points(), 2)});
+        force->add(state, {0, state.points()}, 1.0, directions, all.back().acceleration);
+    }
+    dropIdle(all);
     return all;
 }
 

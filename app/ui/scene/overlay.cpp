@@ -94,6 +94,9 @@ void Overlay::draw(QPainter &painter, const Camera &camera, QRectF view) const
     drawReferenceLabel(painter, m_shown, m_theme, camera, freeArea(m_shown, view).adjusted(8, 28, -8, -44),
                        std::move(taken));
     drawCaption(painter, camera, view);
+    drawClock(painter, view);
+    if (m_shown.extras.ruler)
+        drawRuler({painter, m_shown, m_theme, camera, view}, m_shown.ruler);
     const double end = drawScale(painter, camera, view);
     drawLegend(painter, view, end);
     if (m_shown.focusVisible)
@@ -107,6 +110,16 @@ void Overlay::drawCaption(QPainter &painter, const Camera &camera, QRectF view) 
     painter.setFont(m_shown.text);
     painter.setPen(m_theme.tokens().ink2);
     painter.drawText(captionBox(m_shown, camera, view), Qt::TextWordWrap, m_shown.caption);
+}
+
+void Overlay::drawClock(QPainter &painter, QRectF view) const
+{
+    if (!m_shown.extras.clock)
+        return;
+    painter.setFont(m_shown.figures);
+    painter.setPen(m_theme.tokens().ink);
+    const QRectF top = view.adjusted(margin, 12.0, -margin, 0.0);
+    painter.drawText(top, Qt::AlignTop | Qt::AlignRight, m_shown.clock);
 }
 
 QColor Overlay::captionInk() const
@@ -149,7 +162,7 @@ std::vector<Overlay::Entry> Overlay::legend() const
         entries.push_back(
             {Entry::Mark::pull, unitArrow + 8.0, Text::tr("%1\u2009px/frame²").arg(plain(m_shown.pullUnit))});
     if (m_shown.hasSum())
-        entries.push_back({Entry::Mark::sum, unitArrow + 2.0, Text::tr("sum so far")});
+        entries.push_back({Entry::Mark::sum, unitArrow + 2.0, sumWords(m_shown)});
     return entries;
 }
 

@@ -22,6 +22,7 @@ private:
     /// For words on the background: stronger on a coloured sky.
     QColor captionInk() const;
     void drawCaption(QPainter &painter, const Camera &camera, QRectF view) const;
+    void drawClock(QPainter &painter, QRectF view) const;
     /// Returns where it ends.
     double drawScale(QPainter &painter, const Camera &camera, QRectF view) const;
     void drawLegend(QPainter &painter, QRectF view, double from) const;

@@ -43,7 +43,7 @@ std::vector<Row> rowsOf(const Shown &shown, const Theme &theme)
     }
     if (shown.hasSum())
         rows.push_back(
-            {Text::tr("sum so far"), shownMagnitude(shownLength(shown.sumOnSelected())), theme.tokens().ink});
+            {sumWords(shown), shownMagnitude(shownLength(shown.sumOnSelected())), theme.tokens().ink});
     return rows;
 }
 

@@ -220,7 +220,10 @@ void SceneBar::fillShow()
                            Item{"eyes", tr("Eyes"), &Extras::eyes},
                            Item{"ghost", tr("Ghost"), &Extras::ghost},
                            Item{"onion", tr("Onion skins"), &Extras::onion},
-                           Item{"reference", tr("Reference"), &Extras::reference}};
+                           Item{"reference", tr("Reference"), &Extras::reference},
+                           Item{"pulls", tr("Pulls of all forces"), &Extras::pulls},
+                           Item{"ruler", tr("Ruler"), &Extras::ruler},
+                           Item{"clock", tr("Clock"), &Extras::clock}};
     auto *menu = new QMenu(m_show);
     for (const Item &item : items) {
         QAction *action = menu->addAction(item.text);

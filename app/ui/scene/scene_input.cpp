@@ -18,6 +18,7 @@ namespace app {
 namespace {
 
 constexpr double handStep = 10.0;     ///< px that a key carries a body
+constexpr double rulerStep = 5.0;     ///< px that a key moves an end of the ruler
 constexpr double toolStep = 20.0;     ///< px that a key moves the pointer or the target
 constexpr double wheelOctave = 480.0; ///< eighths of a degree that double the zoom
 constexpr double wheelPan = 0.5;      ///< px of the screen an eighth of a degree
@@ -51,7 +52,9 @@ void SceneView::mousePressEvent(QMouseEvent *event)
 {
     m_pointer = event->position();
     event->accept();
-    if (event->button() == Qt::LeftButton) {
+    if (event->button() == Qt::LeftButton && takeRuler()) {
+        setFocus(Qt::MouseFocusReason);
+    } else if (event->button() == Qt::LeftButton) {
         const int point = Hand::bodyAt(m_shown, camera(), m_pointer);
         const bool pointed = point >= 0 && point == m_shown.picture.look->pointed;
         if (pointed)
@@ -73,6 +76,12 @@ void SceneView::mousePressEvent(QMouseEvent *event)
     updateCursor();
 }
 
+bool SceneView::takeRuler()
+{
+    m_ruled = m_shown.extras.ruler ? m_shown.ruler.endAt(camera(), m_pointer) : std::nullopt;
+    return m_ruled.has_value();
+}
+
 void SceneView::mouseDoubleClickEvent(QMouseEvent *event)
 {
     mousePressEvent(event);
@@ -82,7 +91,10 @@ void SceneView::mouseMoveEvent(QMouseEvent *event)
 {
     m_pointer = event->position();
     event->accept();
-    if (m_hand.isDown()) {
+    if (m_ruled) {
+        m_shown.ruler.at(*m_ruled) = camera().back(m_pointer);
+        viewport()->update();
+    } else if (m_hand.isDown()) {
         m_hand.carry(camera().back(m_pointer), m_pointer);
     } else if (m_tools.isPointing()) {
         m_tools.moveTo(camera().back(m_pointer));
@@ -98,6 +110,7 @@ void SceneView::mouseReleaseEvent(QMouseEvent *event)
     m_pointer = event->position();
     event->accept();
     if (event->button() == Qt::LeftButton) {
+        m_ruled.reset();
         m_hand.letGo();
         if (m_tools.isPointing())
             m_tools.letUp();
@@ -125,7 +138,13 @@ void SceneView::keyPressEvent(QKeyEvent *event)
 {
     const std::optional<sim::Vec2> way = arrowKey(event->key());
     event->accept();
-    if (way && (event->modifiers() & ~Qt::KeypadModifier) == Qt::AltModifier)
+    const auto modifiers = event->modifiers() & ~Qt::KeypadModifier;
+    if (way && m_shown.extras.ruler &&
+        (modifiers & ~Qt::ShiftModifier) == (Qt::AltModifier | Qt::ControlModifier)) {
+        sim::Vec2 &end = m_shown.ruler.at(modifiers & Qt::ShiftModifier ? Ruler::End::from : Ruler::End::to);
+        end = end + rulerStep * *way;
+        viewport()->update();
+    } else if (way && modifiers == Qt::AltModifier)
         carrySelected(handStep * *way);
     else if (event->key() == Qt::Key_BracketRight)
         selectNext();
@@ -257,8 +276,10 @@ QString SceneView::tipAt(QPointF place)
 void SceneView::updateCursor()
 {
     Qt::CursorShape shape = Qt::ArrowCursor;
-    if (m_hand.isDown())
+    if (m_hand.isDown() || m_ruled)
         shape = Qt::ClosedHandCursor;
+    else if (m_shown.extras.ruler && m_shown.ruler.endAt(camera(), m_pointer))
+        shape = Qt::OpenHandCursor;
     else if (m_panFrom)
         shape = Qt::SizeAllCursor;
     else if (m_tools.isPointing())

@@ -1,11 +1,13 @@
 #include "app/ui/scene/scene_view.h"
 
 #include "app/model/accuracy_study.h"
+#include "app/model/player.h"
 #include "app/ui/scene/body_text.h"
 #include "app/ui/scene/caption.h"
 #include "app/ui/scene/layers.h"
 #include "app/ui/scene/reference_marks.h"
 
+#include <QLocale>
 #include <QScrollBar>
 
 #include <algorithm>
@@ -106,7 +108,7 @@ void SceneView::refresh()
     if (m_shown.ghost && !differ(*m_shown.ghost, m_shown.picture))
         m_shown.ghost.reset();
     m_shown.ghostName = m_session.ghostName();
-    m_shown.gathered = m_session.gathered();
+    takePulls();
     m_shown.caption = frameCaption(timeline);
     if (m_shown.caption.isEmpty())
         m_shown.caption = m_session.note();
@@ -123,6 +125,17 @@ void SceneView::refresh()
     follow();
     updateCursor();
     viewport()->update();
+}
+
+void SceneView::takePulls()
+{
+    const sim::Timeline &timeline = m_session.timeline();
+    m_shown.pullsAreAll = m_shown.extras.pulls && timeline.at().phase == 0;
+    m_shown.gathered = m_shown.pullsAreAll ? sim::pullsNow(timeline.track()) : m_session.gathered();
+    m_shown.clock =
+        tr("frame %1 = %2\u2009s")
+            .arg(timeline.at().frame)
+            .arg(QLocale().toString(double(timeline.at().frame) / Player::framesPerSecond, 'f', 2));
 }
 
 void SceneView::describe()
@@ -152,6 +165,11 @@ void SceneView::setExtras(const Extras &extras)
         m_wantsVelocities = extras.velocities;
     if (extras.onion != m_shown.extras.onion)
         m_wantsOnion = extras.onion;
+    if (extras.ruler && !m_shown.extras.ruler) { // it comes to the middle of what is seen
+        const QPointF middle = viewRect().center();
+        m_shown.ruler = {camera().back(middle - QPointF(80.0, 0.0)),
+                         camera().back(middle + QPointF(80.0, 0.0))};
+    }
     m_shown.extras = extras;
     refresh();
 }

@@ -80,6 +80,7 @@ private:
     void describe();
     void takeExtrasOfStep();
     void takeOnion();
+    void takePulls();
     void takeReference();
     void takeCompanion();
     void readTheme();
@@ -101,6 +102,8 @@ private:
     void selectBeside(int step);
     void carrySelected(sim::Vec2 by);
     bool useTools(const QKeyEvent &event);
+    /// Whether the pointer is on an end of the ruler, which it then moves.
+    bool takeRuler();
 
     Session &m_session;
     const AccuracyStudy *m_study = nullptr;
@@ -120,6 +123,7 @@ private:
     std::optional<bool> m_wantsVelocities; ///< as the learner chose; a step's look decides before
     std::optional<bool> m_wantsOnion;
     std::optional<QPointF> m_panFrom;
+    std::optional<Ruler::End> m_ruled; ///< the end of the ruler that the pointer moves
     QPointF m_pointer{-1.0, -1.0};
 };
 

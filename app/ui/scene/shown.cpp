@@ -1,5 +1,7 @@
 #include "app/ui/scene/shown.h"
 
+#include <QCoreApplication>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -80,6 +82,12 @@ void measureArrows(Shown &shown, bool playing)
     // What rests still feels pulls of a billionth: those are not blown up to arrows.
     shown.pullUnit = std::max(finestPull, arrowUnit(pull, settled(shown.pullUnit)));
     shown.velocityUnit = arrowUnit(fastest(shown), settled(shown.velocityUnit));
+}
+
+QString sumWords(const Shown &shown)
+{
+    return shown.pullsAreAll ? QCoreApplication::translate("SceneOverlay", "sum of all pulls")
+                             : QCoreApplication::translate("SceneOverlay", "sum so far");
 }
 
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/model/session.h"
+#include "app/ui/scene/ruler.h"
 #include "app/ui/scene/trail.h"
 #include "app/ui/theme/theme.h"
 
@@ -39,6 +40,9 @@ struct Extras
     bool ghost = true;
     bool onion = false;
     bool reference = true;
+    bool pulls = false; ///< between two frames, too
+    bool ruler = false;
+    bool clock = false;
 };
 
 /// All that is drawn at one moment: the layers and the overlay read this and nothing else.
@@ -55,10 +59,14 @@ struct Shown
     Trail trail;
     std::vector<sim::State> onion; ///< earlier moments, the latest first; empty unless they are shown
     Extras extras;
+    Ruler ruler;
+    QString clock;             ///< the time of the run, in words
     int selected = -1;         ///< a point, or -1
     double pullUnit = 1.0;     ///< px/frame^2 that the legend's arrow stands for
     double velocityUnit = 1.0; ///< px/frame that the legend's arrow stands for
     bool hasPulls = false;     ///< whether any arrow in px/frame^2 is drawn
+    bool pullsAreAll =
+        false; ///< `gathered` is all that pulls, not what a frame under way has gathered so far
     bool focusVisible = false; ///< the keyboard is here
     QFont text;                ///< captions and labels
     QFont figures;             ///< numbers that matter
@@ -79,6 +87,9 @@ struct Shown
     sim::Vec2 sumOnSelected() const;
     bool hasSum() const { return selected >= 0 && gathered.size() > 1; }
 };
+
+/// What the sum of the pulls is called.
+QString sumWords(const Shown &shown);
 
 /// What the arrow of a legend stands for, so that the longest of the arrows drawn to that scale stays readable:
 /// 1, 2 or 5 times a power of ten. While `settled` is given and fits well enough, it stays.

@@ -101,14 +101,15 @@ double footOf(const Shown &shown)
 SkyColors skyColors(Scheme scheme)
 {
     if (scheme == Scheme::highContrast)
-        return {{QColor("#000000"), QColor("#000000"), QColor("#000000"), QColor("#000000"), QColor("#000000")},
-                QColor(0, 0, 0, 0),
-                QColor(0, 0, 0, 0),
-                QColor(0, 0, 0, 0),
-                QColor("#2A2A2A"),
-                QColor("#FFFFFF"),
-                QColor("#FFFFFF"),
-                {QColor("#FFFFFF"), QColor("#E0E0E0"), QColor("#BFBFBF")}};
+        return {
+            {QColor("#000000"), QColor("#000000"), QColor("#000000"), QColor("#000000"), QColor("#000000")},
+            QColor(0, 0, 0, 0),
+            QColor(0, 0, 0, 0),
+            QColor(0, 0, 0, 0),
+            QColor("#2A2A2A"),
+            QColor("#FFFFFF"),
+            QColor("#FFFFFF"),
+            {QColor("#FFFFFF"), QColor("#E0E0E0"), QColor("#BFBFBF")}};
     if (scheme == Scheme::dark)
         return {
             {QColor("#161B33"), QColor("#3A3760"), QColor("#8A5578"), QColor("#D67F73"), QColor("#F0AE7C")},

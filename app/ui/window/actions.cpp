@@ -192,6 +192,10 @@ void MainWindow::showHelp()
         m_helpPage->addGesture(tr("Picture"), tr("Alt, Shift and an arrow key"),
                                tr("move the pointer or the target 20 px"));
         m_helpPage->addGesture(tr("Picture"), tr("Alt and Enter"), tr("pointer button down or up"));
+        m_helpPage->addGesture(tr("Picture"), tr("Drag an end of the ruler"),
+                               tr("measure a length and an angle (switch it on under Show)"));
+        m_helpPage->addGesture(tr("Picture"), tr("Ctrl, Alt and an arrow key"),
+                               tr("move the ruler's far end 5 px; with Shift the near one"));
         m_helpPage->addGesture(tr("Picture"), tr("Esc"), tr("let go"));
         m_helpPage->addGesture(tr("Time"), tr("Drag the timeline"), tr("go anywhere in time"));
         m_helpPage->addGesture(tr("Time"), tr("Click a phase"), tr("run to it"));
