@@ -128,6 +128,8 @@ private slots:
     void everythingThatTakesTheFocusHasANameForReadersOfTheScreen_data();
     void everythingThatTakesTheFocusHasANameForReadersOfTheScreen();
     void theSceneAloneIsOneKeyAwayAndBack();
+    void panelsGiveWayOnASmallScreen_data();
+    void panelsGiveWayOnASmallScreen();
     void theColoursChosenAreThereAtTheNextStart_data();
     void theColoursChosenAreThereAtTheNextStart();
     void textHasItsContrast_data();
@@ -217,6 +219,34 @@ void KeyboardTest::theSceneAloneIsOneKeyAwayAndBack()
     QCOMPARE(bench.docksSeen(), before);
 }
 
+void KeyboardTest::panelsGiveWayOnASmallScreen_data()
+{
+    QTest::addColumn<QSize>("room");
+    QTest::addColumn<bool>("lessons");
+    QTest::addColumn<bool>("code");
+    QTest::newRow("1920 x 1080") << QSize(1920, 1080) << true << true;
+    QTest::newRow("1280 x 800") << QSize(1280, 800) << true << true;
+    QTest::newRow("1920 x 1080 at 200 %") << QSize(960, 540) << false << true;
+    QTest::newRow("1280 x 800 at 150 %") << QSize(853, 533) << false << true;
+    QTest::newRow("as small as can be") << QSize(800, 500) << false << true;
+}
+
+void KeyboardTest::panelsGiveWayOnASmallScreen()
+{
+    QFETCH(const QSize, room);
+    QFETCH(const bool, lessons);
+    QFETCH(const bool, code);
+    Bench bench;
+    bench.window.fitInto(room);
+    QCoreApplication::processEvents();
+    QCOMPARE(bench.docksSeen().contains("lessons"), lessons);
+    QCOMPARE(bench.docksSeen().contains("code"), code);
+    QVERIFY2(bench.window.width() <= room.width() && bench.window.height() <= room.height(),
+             qPrintable(QString("%1 x %2").arg(bench.window.width()).arg(bench.window.height())));
+    QTest::keyClick(&bench.window, Qt::Key_1, Qt::ControlModifier); // and comes back when asked for
+    QCOMPARE(bench.docksSeen().contains("lessons"), !lessons);
+}
+
 void KeyboardTest::theColoursChosenAreThereAtTheNextStart_data()
 {
     QTest::addColumn<Qt::Key>("key");
@@ -301,6 +331,9 @@ void KeyboardTest::theSizeChosenHoldsFromTheNextStartOn()
         larger->trigger();
     }
     QCOMPARE(keptSize(), 150);
+    QVERIFY(hasRoomFor(200, {1920, 1080}));
+    QVERIFY(hasRoomFor(150, {1280, 800}) && !hasRoomFor(175, {1280, 800}));
+    QVERIFY(hasRoomFor(100, {640, 480}));
     QSettings().setValue("window/size", 17); // by another hand
     QCOMPARE(keptSize(), 100);
 }

@@ -3,17 +3,21 @@
 #include "app/ui/window/appearance.h"
 
 #include "app/ui/scene/scene_bar.h"
+#include "app/ui/scene/scene_view.h"
 #include "app/ui/window/main_window.h"
 
 #include <QAction>
 #include <QActionGroup>
 #include <QDockWidget>
+#include <QLayout>
 #include <QMenu>
+#include <QScreen>
 #include <QSettings>
 #include <QStatusBar>
 
 #include <algorithm>
 #include <array>
+#include <initializer_list>
 
 namespace app {
 
@@ -23,6 +27,7 @@ constexpr const char *schemeKey = "window/scheme";
 constexpr const char *sizeKey = "window/size";
 constexpr const char *motionKey = "window/lessMotion";
 constexpr std::array sizes{100, 125, 150, 175, 200}; ///< percent
+constexpr QSize leastRoom{800, 500};                 ///< px at 100 % that the scene with its time needs
 
 const char *nameOf(Scheme scheme)
 {
@@ -53,6 +58,13 @@ int keptSize()
 {
     const int kept = QSettings().value(sizeKey, sizes.front()).toInt();
     return std::find(sizes.begin(), sizes.end(), kept) == sizes.end() ? sizes.front() : kept;
+}
+
+bool hasRoomFor(int size, QSize screen)
+{
+    const QSize room = screen * 100 / size;
+    return size == sizes.front() ||
+           (room.width() >= leastRoom.width() && room.height() >= leastRoom.height());
 }
 
 void MainWindow::makeAppearanceActions()
@@ -109,11 +121,18 @@ void MainWindow::makeSizeActions()
 {
     auto *menu = m_view->addMenu(tr("Si&ze of text and controls"));
     auto *group = new QActionGroup(this);
+    menu->setToolTipsVisible(true);
     for (const int size : sizes) {
         QAction *made = menu->addAction(tr("%1\u2009%").arg(size));
         made->setCheckable(true);
         made->setChecked(size == keptSize());
         group->addAction(made);
+        connect(menu, &QMenu::aboutToShow, made, [this, made, size] {
+            made->setEnabled(hasRoomFor(size, screen()->availableSize() * keptSize() / 100));
+            made->setToolTip(made->isEnabled()
+                                 ? tr("Text, buttons and the picture, from the next start on")
+                                 : tr("This screen is too small for the scene with its time at that size"));
+        });
         connect(made, &QAction::triggered, this, [this, size] {
             QSettings().setValue(sizeKey, size);
             emit m_session.said(tr("At its next start, Springstep is drawn at %1\u2009%.").arg(size));
@@ -147,6 +166,27 @@ void MainWindow::setFocusMode(bool on)
     }
     restoreState(m_docksBeforeFocus);
     fitParameters();
+}
+
+void MainWindow::fitInto(QSize room)
+{
+    const auto isTooLarge = [&] {
+        layout()->activate();
+        const QSize least = minimumSizeHint();
+        return least.width() > room.width() || least.height() > room.height();
+    };
+    if (isTooLarge()) {
+        m_gaveWay = true;
+        m_scene->setMinimumSize(320, 160);
+    }
+    for (const std::initializer_list<QDockWidget *> &side :
+         {std::initializer_list<QDockWidget *>{m_left}, {m_codeDock, m_parameterDock}}) {
+        if (!isTooLarge())
+            break;
+        for (QDockWidget *dock : side)
+            dock->hide();
+    }
+    resize(size().boundedTo(room));
 }
 
 }

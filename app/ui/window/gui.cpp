@@ -8,6 +8,7 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QScreen>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTextStream>
@@ -41,6 +42,7 @@ int runWindow(QApplication &application, const QString &file)
     theme.apply(application);
     Session session(library);
     MainWindow window(session, theme);
+    window.fitInto(window.screen()->availableSize());
     window.show();
     if (!file.isEmpty())
         window.openFile(file);

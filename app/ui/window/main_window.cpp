@@ -163,7 +163,8 @@ void MainWindow::closeEvent(QCloseEvent *event)
     QSettings settings;
     settings.setValue("window/geometry", saveGeometry());
     showStability(false);
-    settings.setValue("window/docks", m_mode == Mode::learn ? saveState() : m_learnDocks);
+    if (!m_gaveWay)
+        settings.setValue("window/docks", m_mode == Mode::learn ? saveState() : m_learnDocks);
     QMainWindow::closeEvent(event);
 }
 

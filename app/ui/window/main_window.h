@@ -62,6 +62,10 @@ public:
     /// The map of growth, where the step has one.
     void showGrowthMap(MapPlane plane);
 
+    /// Lets panels give way, lessons first, then code and parameters, until the window goes into `room`, px, or nothing
+    /// is left to give, and makes it no larger than that. Their keys bring them back; the arrangement is not kept for a larger screen.
+    void fitInto(QSize room);
+
     /// Opens an experiment file. A file that is refused is named with the reason, and nothing changes.
     void openFile(const QString &path);
     /// Writes the run so far. Returns whether it was written; a failure is shown.
@@ -164,8 +168,9 @@ private:
     QLabel *m_status = nullptr;
     QString m_said;
     bool m_docksKnown =
-        false;      ///< whether the docks have the sizes that the learner left or that fit the window
-    QString m_path; ///< the experiment's file, if it has one
+        false;              ///< whether the docks have the sizes that the learner left or that fit the window
+    bool m_gaveWay = false; ///< panels went away because the screen is too small for them
+    QString m_path;         ///< the experiment's file, if it has one
 };
 
 }
