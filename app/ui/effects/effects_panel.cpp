@@ -1,5 +1,6 @@
 #include "app/ui/effects/effects_panel.h"
 
+#include "app/model/rest_words.h"
 #include "app/ui/effects/effect_list.h"
 #include "app/ui/panels/panel_title.h"
 
@@ -22,7 +23,7 @@ constexpr int refreshMilliseconds = 100; ///< while playing: words that change f
 EffectsPanel::EffectsPanel(Session &session, const Theme &theme, CostFunction function, QWidget *parent)
     : QWidget(parent), m_session(session), m_ledger(session, std::move(function)),
       m_title(new PanelTitle(tr("Effects"), PanelTitle::CaptionPlace::besideTitle, theme, this)),
-      m_list(new EffectList(theme, this)), m_remark(new QLabel(this)),
+      m_list(new EffectList(theme, this)), m_remark(new QLabel(this)), m_rest(new QLabel(this)),
       m_again(new QAction(tr("&Measure the effects again"), this))
 {
     setObjectName("panel");
@@ -38,6 +39,9 @@ EffectsPanel::EffectsPanel(Session &session, const Theme &theme, CostFunction fu
     m_remark->setObjectName("caption");
     m_remark->setContentsMargins(16, 5, 16, 3);
     m_remark->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_rest->setObjectName("caption");
+    m_rest->setContentsMargins(16, 0, 16, 5);
+    m_rest->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 4);
     column->setSpacing(0);
@@ -49,6 +53,7 @@ EffectsPanel::EffectsPanel(Session &session, const Theme &theme, CostFunction fu
     line->setFixedHeight(1);
     column->addWidget(line);
     column->addWidget(m_remark);
+    column->addWidget(m_rest);
     m_later.setSingleShot(true);
     connect(&m_later, &QTimer::timeout, this, &EffectsPanel::refreshNow);
     connect(again, &QToolButton::clicked, m_again, &QAction::trigger);
@@ -109,6 +114,8 @@ void EffectsPanel::refreshRemark()
     if (!line || line->saving.isEmpty())
         line = costliest();
     m_remark->setText(line ? line->saving : QString());
+    m_rest->setText(restSentence(m_session.timeline().track()));
+    m_rest->setToolTip(m_rest->text());
 }
 
 bool EffectsPanel::isSettled() const

@@ -56,6 +56,7 @@ private:
     PanelTitle *m_title;
     EffectList *m_list;
     QLabel *m_remark;
+    QLabel *m_rest; ///< what the scene costs once it rests
     QAction *m_again;
     QElapsedTimer m_sinceRefresh;
     QTimer m_later;

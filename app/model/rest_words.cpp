@@ -1,0 +1,35 @@
+#include "app/model/rest_words.h"
+
+#include "app/model/sentences.h"
+#include "sim/awake.h"
+
+#include <QCoreApplication>
+
+namespace app {
+
+namespace {
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(RestWords)
+};
+
+}
+
+QString restSentence(const sim::Track &track)
+{
+    if (track.sleep())
+        return Text::tr("Everything rests: a frame costs nothing until something is touched.");
+    const sim::Awake awake = sim::awakeBy(track.shown().pipeline, track.now());
+    switch (awake.why) {
+    case sim::Awake::Why::time:
+        return Text::tr("Nothing rests now: “%1” changes with the time.").arg(phrase(awake.effect->title()));
+    case sim::Awake::Why::ownSteps:
+        return Text::tr("With a method that chooses its own steps, what rests costs as much as what moves.");
+    case sim::Awake::Why::nothing:
+        break;
+    }
+    return Text::tr("What comes to rest costs nothing until it is touched.");
+}
+
+}
