@@ -5,6 +5,7 @@
 #include "sim/effects/body_spring.h"
 #include "sim/effects/damping.h"
 #include "sim/effects/point_spring.h"
+#include "sim/effects/radial_spring.h"
 #include "sim/effects/sticks.h"
 #include "sim/methods/methods.h"
 #include "sim/stability/trials.h"
@@ -114,6 +115,29 @@ private slots:
             const State &end = track.now(); // springs without length: all in one place, at rest
             for (int i = 0; i < end.points(); ++i)
                 QVERIFY(length(end.at(i) - end.at(0)) < 1e-6 && length(end.speed(i)) < 1e-6);
+        }
+    }
+
+    void whatOnlyKeepsStiffLegsTumblingIsNotOffered()
+    {
+        // Legs with a length: at 1/32 they stay within some hundred px, and never rest.
+        Script script = star(3);
+        script.build = [](const Values &values) {
+            Scene scene = support::pointsOf(3);
+            const std::vector<Vec2> places = {{322, 154}, {210, 170}, {265, 272}};
+            for (int i = 0; i < 3; ++i)
+                scene.start.place(i, places[static_cast<std::size_t>(i)]);
+            scene.effects = {std::make_shared<RadialSpring>(support::legs(3), 1000.0, 50.0),
+                             std::make_shared<Damping>(values["damp"])};
+            return scene;
+        };
+        const std::vector<Remedy> found = remediesAfter(script, stopOf(script), &drag, patient);
+        QVERIFY(find(found, Remedy::Kind::smallerStep));
+        for (const Remedy &remedy : found) {
+            Track track(mended(script, remedy), 0);
+            track.seek({2000, 0});
+            QVERIFY(!track.stop());
+            QVERIFY2(track.now().velocity.abs().maxCoeff() < 1e-3, remedy.method->id().c_str());
         }
     }
 
