@@ -1,5 +1,6 @@
 #include "sim/effects/tree_wind.h"
 
+#include "sim/effects/tree_walk.h"
 #include "sim/random.h"
 
 namespace sim {
@@ -11,6 +12,53 @@ constexpr int pointerNumber = -1;
 
 const char *const here = "sim/effects/tree_wind.h";
 const char *const tree = "sim/effects/tree.h";
+
+/// Calls `visit` with what says how a branch resists: `strength(resistance, distance, scale)`.
+template <class Visit>
+auto resisted(Resistance::By by, const Visit &visit)
+{
+    switch (by) {
+    case Resistance::By::distance:
+        return visit([](const Resistance &, double distance, double) { return byDistance(distance); });
+    case Resistance::By::thickness:
+        return visit([](const Resistance &resistance, double distance, double scale) {
+            return byThickness(distance, scale, resistance.amount);
+        });
+    case Resistance::By::ease:
+        break;
+    }
+    return visit([](const Resistance &resistance, double, double) { return resistance.amount; });
+}
+
+/// The formulas without the rule for an end that the pointer is on.
+struct Corrected
+{
+    Vec2 pointer;
+
+    Breeze breeze(Vec2 origin, Vec2 reach, double scale) const
+    {
+        return windAt(branchEnd(origin, reach, scale), pointer, [](Vec2 d) { return direction(d); });
+    }
+    double turn(double angle, double wind, double strength, double h) const
+    {
+        return bend(angle, wind, strength, h);
+    }
+};
+
+/// As printed: it needs no rule.
+struct AsPrinted
+{
+    Vec2 pointer;
+
+    Breeze breeze(Vec2 origin, Vec2 reach, double scale) const
+    {
+        return windPublished(sightPublished(pointer, origin, reach, scale).d);
+    }
+    double turn(double angle, double wind, double strength, double h) const
+    {
+        return bendPublished(angle, wind, strength, h);
+    }
+};
 
 }
 
@@ -61,28 +109,46 @@ double TreeWind::gustNow(const State &state) const
 
 double TreeWind::strength(double distance, int point) const
 {
-    switch (m_resistance.by) {
-    case Resistance::By::distance:
-        return byDistance(distance);
-    case Resistance::By::thickness:
-        return byThickness(distance, m_tree->scale[static_cast<std::size_t>(point)], m_resistance.amount);
-    case Resistance::By::ease:
-        break;
-    }
-    return m_resistance.amount;
+    const double scale = m_tree->scale[static_cast<std::size_t>(point)];
+    return resisted(m_resistance.by, [&](auto strength) { return strength(m_resistance, distance, scale); });
+}
+
+double TreeWind::turned(const State &state, int i, double gust, double h) const
+{
+    const auto turn = m_formula == TreeFormula::published ? bendPublished : bend;
+    const Breeze breeze = breezeAt(m_formula, i, state.at(i), state.angle[i], *state.outside.pointer);
+    return turn(state.angle[i], gusty(breeze.wind, gust), strength(breeze.distance, i), h);
+}
+
+template <class Bend>
+void TreeWind::bendAll(State &state, double h, const Bend &bendBy) const
+{
+    const double gust = gustNow(state);
+    const double degrees = degreesOf(m_formula);
+    const auto all = [&](auto strengthOf) {
+        fromTheTrunkTogether(
+            *m_tree, state, degrees,
+            [=, scales = m_tree->scale.data(), length = m_tree->baseLength,
+             resistance = m_resistance](int i, Vec2 origin, double angle) {
+                const Vec2 reach = branchReach(angle, length, degrees);
+                const Breeze breeze = bendBy.breeze(origin, reach, scales[i]);
+                const double strength = strengthOf(resistance, breeze.distance, scales[i]);
+                return TurnedBranch{bendBy.turn(angle, gusty(breeze.wind, gust), strength, h),
+                                    breeze.distance};
+            },
+            [&](int i) { return turned(state, i, gust, h); });
+    };
+    resisted(m_resistance.by, all);
 }
 
 void TreeWind::drive(State &state, double h) const
 {
     if (!blows(state))
         return;
-    const Vec2 pointer = *state.outside.pointer;
-    const double gust = gustNow(state);
-    const auto turn = m_formula == TreeFormula::published ? bendPublished : bend;
-    fromTheTrunk(*m_tree, state, degreesOf(m_formula), [&](int i) {
-        const Breeze breeze = breezeAt(m_formula, i, state.at(i), state.angle[i], pointer);
-        state.angle[i] = turn(state.angle[i], gusty(breeze.wind, gust), strength(breeze.distance, i), h);
-    });
+    if (m_formula == TreeFormula::published)
+        bendAll(state, h, AsPrinted{*state.outside.pointer});
+    else
+        bendAll(state, h, Corrected{*state.outside.pointer});
 }
 
 std::vector<Live> TreeWind::explain(const State &before, const State &after, int point) const

@@ -8,6 +8,7 @@
 #include "sim/track.h"
 #include "sim/wide.h"
 
+#include <algorithm>
 #include <cstdio>
 
 namespace {
