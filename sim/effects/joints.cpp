@@ -16,7 +16,9 @@ int Joints::count(const State &, Points points) const
 
 void Joints::drive(State &state, double) const
 {
-    carryAll(*m_tree, state, m_degrees);
+    TreeWalk walk(*m_tree, state, m_degrees);
+    for (Points run = walk.next({}); run.count > 0; run = walk.next(run))
+        walk.carry(run);
     if (state.spin.rows() > 0)
         state.spin = (state.inverseMass == 0.0).select(0.0, state.spin);
 }

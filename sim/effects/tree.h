@@ -19,6 +19,7 @@ struct Tree
     std::vector<int> children;   ///< how many
     std::vector<double> rest;    ///< degrees, clockwise from the x axis; -90 is straight up
     std::vector<double> scale;   ///< length and thickness as a share of the trunk's
+    int carriers = 0;            ///< all branches from this one on are twigs
     double baseLength = 100.0;   ///< px, of a branch of scale 1
 
     /// A trunk that stands straight up, of scale 1.
@@ -139,7 +140,7 @@ inline Vec2 endOf(const Tree &tree, const State &state, int i, double degrees)
 
 /// Goes through the tree from the trunk to the twigs: calls `turn(i)` for each branch that feels anything, when it
 /// stands where it belongs, then moves its children to its end. A branch in a hand stays where the hand is.
-/// See fromTheTrunkTogether() for what is large.
+/// TreeWalk does it for many.
 template <class Turn>
 void fromTheTrunk(const Tree &tree, State &state, double degrees, Turn &&turn)
 {

@@ -1,6 +1,7 @@
 #include "sim/effects/tree_wind.h"
 
 #include "sim/effects/tree_walk.h"
+#include "sim/free_points.h"
 #include "sim/random.h"
 
 namespace sim {
@@ -45,7 +46,7 @@ struct Corrected
     }
 };
 
-/// As printed: it needs no rule.
+/// As printed, which has no such rule.
 struct AsPrinted
 {
     Vec2 pointer;
@@ -59,6 +60,31 @@ struct AsPrinted
         return bendPublished(angle, wind, strength, h);
     }
 };
+
+/// How the wind comes to each branch of `run`, whose reach is found. Returns whether the pointer is on no end.
+template <class Bend>
+bool findBreeze(const TreeWalk &walk, const State &state, const double *scales, Points run,
+                const Bend &bendBy, TreeRow &wind, TreeRow &distance)
+{
+    std::int64_t close = 0;
+    runFast([&, bendBy] {
+        const double *x = state.position.data() + run.first, *y = x + state.position.rows();
+        const double *reachX = walk.reachX().data(), *reachY = walk.reachY().data();
+        const double *scale = scales + run.first;
+        double *to = wind.data(), *far = distance.data();
+        std::int64_t any = 0;
+        const int count = run.count;
+        SIM_TURNS_ARE_APART
+        for (int i = 0; i < count; ++i) {
+            const Breeze breeze = bendBy.breeze({x[i], y[i]}, {reachX[i], reachY[i]}, scale[i]);
+            to[i] = breeze.wind;
+            far[i] = breeze.distance;
+            any |= breeze.distance < inOnePlace ? std::int64_t{1} : std::int64_t{0};
+        }
+        close = any;
+    });
+    return close == 0;
+}
 
 }
 
@@ -124,21 +150,31 @@ template <class Bend>
 void TreeWind::bendAll(State &state, double h, const Bend &bendBy) const
 {
     const double gust = gustNow(state);
-    const double degrees = degreesOf(m_formula);
-    const auto all = [&](auto strengthOf) {
-        fromTheTrunkTogether(
-            *m_tree, state, degrees,
-            [=, scales = m_tree->scale.data(), length = m_tree->baseLength,
-             resistance = m_resistance](int i, Vec2 origin, double angle) {
-                const Vec2 reach = branchReach(angle, length, degrees);
-                const Breeze breeze = bendBy.breeze(origin, reach, scales[i]);
-                const double strength = strengthOf(resistance, breeze.distance, scales[i]);
-                return TurnedBranch{bendBy.turn(angle, gusty(breeze.wind, gust), strength, h),
-                                    breeze.distance};
-            },
-            [&](int i) { return turned(state, i, gust, h); });
-    };
-    resisted(m_resistance.by, all);
+    TreeWalk walk(*m_tree, state, degreesOf(m_formula));
+    TreeRow wind, distance, angle; // what they hold has been written before
+    for (Points run = walk.next({}); run.count > 0; run = walk.next(run)) {
+        walk.findReach(run);
+        const bool isSure = findBreeze(walk, state, m_tree->scale.data(), run, bendBy, wind, distance);
+        const auto turnAll = [&](auto strengthOf) {
+            runFast([&, bendBy, gust, h, resistance = m_resistance] {
+                const double *old = state.angle.data() + run.first, *scale = m_tree->scale.data() + run.first;
+                const double *to = wind.data(), *far = distance.data();
+                double *into = angle.data();
+                const int count = run.count;
+                SIM_TURNS_ARE_APART
+                for (int i = 0; i < count; ++i) {
+                    const double strength = strengthOf(resistance, far[i], scale[i]);
+                    into[i] = bendBy.turn(old[i], gusty(to[i], gust), strength, h);
+                }
+            });
+        };
+        resisted(m_resistance.by, turnAll);
+        for (int i = 0; !isSure && i < run.count; ++i)
+            angle[static_cast<std::size_t>(i)] = turned(state, run.first + i, gust, h);
+        replaceFree(state.inverseMass, run, state.angle.data(),
+                    [from = angle.data(), first = run.first](int i) { return from[i - first]; });
+        walk.carry(run);
+    }
 }
 
 void TreeWind::drive(State &state, double h) const

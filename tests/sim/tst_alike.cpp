@@ -101,7 +101,11 @@ private slots:
                 QCOMPARE(std::signbit(alike::atan2(y, x)), std::signbit(std::atan2(y, x)));
             }
         }
-        QVERIFY(std::isnan(alike::atan2(std::numeric_limits<double>::quiet_NaN(), 1.0)));
+        for (const double none :
+             {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+            QVERIFY(std::isnan(alike::atan2(none, 1.0)));
+            QVERIFY(std::isnan(alike::atan2(1.0, none)));
+        }
     }
 
     void remainderIsTheLibrarysToTheLastBit()
