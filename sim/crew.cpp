@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cfenv>
+#include <chrono>
 #include <cstdint>
 #include <limits>
 #include <thread>
@@ -84,12 +85,11 @@ private:
         }
     }
 
-    /// Looks again for a moment before it sleeps: while frames follow each other, the next job comes soon, and to be
+    /// Looks again for a while before it sleeps: while frames follow each other, the next job comes soon, and to be
     /// woken takes longer than that.
     void waitForJob(unsigned seen)
     {
-        for (int i = 0; i < looks && m_job == seen; ++i)
-            pause();
+        lookUntil([&] { return m_job != seen; });
         m_job.wait(seen);
     }
 
@@ -107,12 +107,18 @@ private:
     void close()
     {
         int inside = m_inside.fetch_add(closed) + closed;
-        for (int i = 0; i < looks && inside != closed; ++i) {
-            pause();
-            inside = m_inside;
-        }
+        lookUntil([&] { return (inside = m_inside) == closed; });
         for (; inside != closed; inside = m_inside)
             m_inside.wait(inside);
+    }
+
+    /// Asks `isSo` again and again until it is, for `patience` at most.
+    template <class Ask>
+    static void lookUntil(const Ask &isSo)
+    {
+        const auto end = std::chrono::steady_clock::now() + patience;
+        while (!isSo() && std::chrono::steady_clock::now() < end)
+            pause();
     }
 
     static void pause()
@@ -123,7 +129,9 @@ private:
     }
 
     static constexpr int closed = std::numeric_limits<int>::min() / 2;
-    static constexpr int looks = 200;
+    /// By the clock: what a processor takes for a pause differs by a factor of ten. About what it takes to be woken in a
+    /// virtual machine, and next to nothing of the time between two pictures.
+    static constexpr std::chrono::microseconds patience{100};
 
     std::vector<Portion> m_portions; ///< one a thread, the calling one first
     const std::function<void(int)> *m_work = nullptr;

@@ -6,7 +6,7 @@ namespace sim {
 
 namespace {
 
-/// So many take 0.2 ms on one thread: 12 us each in bench_blocks, where 10,000 creatures are 30 blocks.
+/// So many take more than 0.1 ms on one thread: 9 us each in bench_blocks, where 10,000 creatures are 40 blocks.
 constexpr std::size_t blocksWorthSharing = 16;
 
 void runBlock(const Pipeline &pipeline, const Block &block, State &state)

@@ -7,24 +7,27 @@ namespace sim {
 
 namespace {
 
-bool found()
+Instructions found()
 {
 #if defined(__GNUC__) && defined(__x86_64__)
     const char *said = std::getenv("SPRINGSTEP_INSTRUCTIONS");
-    if (said && std::string_view(said) == "baseline")
-        return false;
-    return __builtin_cpu_supports("avx2");
+    const std::string_view most = said ? said : "";
+    if (most == "baseline" || !__builtin_cpu_supports("avx2"))
+        return Instructions::baseline;
+    const bool has512 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+                        __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw");
+    return has512 && most != "avx2" ? Instructions::avx512 : Instructions::avx2;
 #else
-    return false;
+    return Instructions::baseline;
 #endif
 }
 
 }
 
-bool hasWideInstructions()
+Instructions instructions()
 {
-    static const bool wide = found();
-    return wide;
+    static const Instructions widest = found();
+    return widest;
 }
 
 }

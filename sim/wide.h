@@ -11,9 +11,16 @@
 
 namespace sim {
 
-/// Whether this machine computes with four numbers at a time (AVX2). The environment variable
-/// SPRINGSTEP_INSTRUCTIONS=baseline says no in its place. Found out once.
-bool hasWideInstructions();
+/// The instructions that loops over many numbers run with.
+enum class Instructions {
+    baseline, ///< those of every machine of its kind
+    avx2,     ///< four numbers at a time
+    avx512,   ///< eight
+};
+
+/// The widest that this machine has. The environment variable SPRINGSTEP_INSTRUCTIONS=baseline, or avx2, says that it
+/// may be no wider. Found out once.
+Instructions instructions();
 
 #if defined(__GNUC__) && defined(__x86_64__)
 
@@ -21,6 +28,15 @@ bool hasWideInstructions();
 /// purpose: it rounds once where two instructions round twice, and the same input would not give the same bits.
 template <class Work>
 [[gnu::target("avx2"), gnu::flatten, gnu::noinline]] void runWide(const Work &work)
+{
+    work();
+}
+
+/// The same for AVX-512. It has that instruction, too: -ffp-contract=off keeps it out.
+template <class Work>
+[[gnu::target("avx512f,avx512vl,avx512dq,avx512bw,prefer-vector-width=512"), gnu::flatten,
+  gnu::noinline]] void
+runWidest(const Work &work)
 {
     work();
 }
@@ -37,15 +53,21 @@ void runPlain(const Work &work)
     work();
 }
 
-/// Runs `work`, a loop over many numbers, in the form that is the fastest on this machine. Both forms come to the same
+/// Runs `work`, a loop over many numbers, in the form that is the fastest on this machine. All forms come to the same
 /// bits.
 template <class Work>
 void runFast(const Work &work)
 {
 #if defined(__GNUC__) && defined(__x86_64__)
-    if (hasWideInstructions()) {
+    switch (instructions()) {
+    case Instructions::avx512:
+        runWidest(work);
+        return;
+    case Instructions::avx2:
         runWide(work);
         return;
+    case Instructions::baseline:
+        break;
     }
 #endif
     runPlain(work);

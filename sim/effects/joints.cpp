@@ -1,5 +1,7 @@
 #include "sim/effects/joints.h"
 
+#include "sim/effects/tree_walk.h"
+
 namespace sim {
 
 std::vector<Region> Joints::regions(Directions) const
@@ -14,7 +16,9 @@ int Joints::count(const State &, Points points) const
 
 void Joints::drive(State &state, double) const
 {
-    fromTheTrunk(*m_tree, state, m_degrees, [](int) {});
+    TreeWalk walk(*m_tree, state, m_degrees);
+    for (Points run = walk.next({}); run.count > 0; run = walk.next(run))
+        walk.carry(run);
     if (state.spin.rows() > 0)
         state.spin = (state.inverseMass == 0.0).select(0.0, state.spin);
 }

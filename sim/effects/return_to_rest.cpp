@@ -1,5 +1,7 @@
 #include "sim/effects/return_to_rest.h"
 
+#include "sim/free_points.h"
+
 namespace sim {
 
 std::vector<Region> ReturnToRest::regions(Directions) const
@@ -14,11 +16,10 @@ int ReturnToRest::count(const State &, Points points) const
 
 void ReturnToRest::drive(State &state, double h) const
 {
-    for (int i = 0; i < m_tree->branches(); ++i) {
-        if (state.feels(i))
-            state.angle[i] =
-                returnToRest(state.angle[i], m_tree->rest[static_cast<std::size_t>(i)], m_ease, h);
-    }
+    const double *rest = m_tree->rest.data();
+    double *angle = state.angle.data();
+    replaceFree(state.inverseMass, {0, m_tree->branches()}, angle,
+                [=, ease = m_ease](int i) { return returnToRest(angle[i], rest[i], ease, h); });
 }
 
 std::vector<Live> ReturnToRest::explain(const State &before, const State &after, int point) const

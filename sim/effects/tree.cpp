@@ -39,6 +39,7 @@ void Tree::sprout(int from, double angle, double branchScale)
     if (firstChild[row] < 0)
         firstChild[row] = number;
     ++children[row];
+    carriers = from + 1;
 }
 
 void Tree::ties(std::vector<std::pair<int, int>> &into) const

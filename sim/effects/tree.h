@@ -1,18 +1,14 @@
 #pragma once
 
+#include "sim/alike.h"
 #include "sim/state.h"
 
-#include <cmath>
 #include <memory>
 #include <numbers>
 #include <utility>
 #include <vector>
 
 namespace sim {
-
-using std::atan2;
-using std::cos;
-using std::sin;
 
 /// A tree of straight branches, breadth first: the trunk is number 0, parents come before their children, and the
 /// children of one branch follow each other. One entry a branch.
@@ -23,6 +19,7 @@ struct Tree
     std::vector<int> children;   ///< how many
     std::vector<double> rest;    ///< degrees, clockwise from the x axis; -90 is straight up
     std::vector<double> scale;   ///< length and thickness as a share of the trunk's
+    int carriers = 0;            ///< all branches from this one on are twigs
     double baseLength = 100.0;   ///< px, of a branch of scale 1
 
     /// A trunk that stands straight up, of scale 1.
@@ -60,6 +57,14 @@ constexpr double degreesOf(TreeFormula formula)
     return formula == TreeFormula::published ? publishedDegrees : degreesPerRadian;
 }
 
+/// Formulas of trees, with the functions of alike.h.
+namespace tree_formulas {
+
+using alike::atan2;
+using alike::cos;
+using alike::remainder;
+using alike::sin;
+
 /// The way from a branch's origin to its end before the branch is scaled: px. Angle in degrees; `degrees` are how
 /// many of them are a radian. Published: swaying tree, getEndPoint().
 // Shown lines are short.
@@ -77,6 +82,10 @@ Vec2 branchReach(
 }
 //! [reach]
 // clang-format on
+
+}
+
+using tree_formulas::branchReach;
 
 /// Where a branch ends, px: there its children begin. Published: swaying tree, localToGlobal(endPoint).
 // Shown lines are short.
@@ -131,6 +140,7 @@ inline Vec2 endOf(const Tree &tree, const State &state, int i, double degrees)
 
 /// Goes through the tree from the trunk to the twigs: calls `turn(i)` for each branch that feels anything, when it
 /// stands where it belongs, then moves its children to its end. A branch in a hand stays where the hand is.
+/// TreeWalk does it for many.
 template <class Turn>
 void fromTheTrunk(const Tree &tree, State &state, double degrees, Turn &&turn)
 {

@@ -1,5 +1,7 @@
 #include "sim/effects/tree_wind.h"
 
+#include "sim/effects/tree_walk.h"
+#include "sim/free_points.h"
 #include "sim/random.h"
 
 namespace sim {
@@ -11,6 +13,78 @@ constexpr int pointerNumber = -1;
 
 const char *const here = "sim/effects/tree_wind.h";
 const char *const tree = "sim/effects/tree.h";
+
+/// Calls `visit` with what says how a branch resists: `strength(resistance, distance, scale)`.
+template <class Visit>
+auto resisted(Resistance::By by, const Visit &visit)
+{
+    switch (by) {
+    case Resistance::By::distance:
+        return visit([](const Resistance &, double distance, double) { return byDistance(distance); });
+    case Resistance::By::thickness:
+        return visit([](const Resistance &resistance, double distance, double scale) {
+            return byThickness(distance, scale, resistance.amount);
+        });
+    case Resistance::By::ease:
+        break;
+    }
+    return visit([](const Resistance &resistance, double, double) { return resistance.amount; });
+}
+
+/// The formulas without the rule for an end that the pointer is on.
+struct Corrected
+{
+    Vec2 pointer;
+
+    Breeze breeze(Vec2 origin, Vec2 reach, double scale) const
+    {
+        return windAt(branchEnd(origin, reach, scale), pointer, [](Vec2 d) { return direction(d); });
+    }
+    double turn(double angle, double wind, double strength, double h) const
+    {
+        return bend(angle, wind, strength, h);
+    }
+};
+
+/// As printed, which has no such rule.
+struct AsPrinted
+{
+    Vec2 pointer;
+
+    Breeze breeze(Vec2 origin, Vec2 reach, double scale) const
+    {
+        return windPublished(sightPublished(pointer, origin, reach, scale).d);
+    }
+    double turn(double angle, double wind, double strength, double h) const
+    {
+        return bendPublished(angle, wind, strength, h);
+    }
+};
+
+/// How the wind comes to each branch of `run`, whose reach is found. Returns whether the pointer is on no end.
+template <class Bend>
+bool findBreeze(const TreeWalk &walk, const State &state, const double *scales, Points run,
+                const Bend &bendBy, TreeRow &wind, TreeRow &distance)
+{
+    std::int64_t close = 0;
+    runFast([&, bendBy] {
+        const double *x = state.position.data() + run.first, *y = x + state.position.rows();
+        const double *reachX = walk.reachX().data(), *reachY = walk.reachY().data();
+        const double *scale = scales + run.first;
+        double *to = wind.data(), *far = distance.data();
+        std::int64_t any = 0;
+        const int count = run.count;
+        SIM_TURNS_ARE_APART
+        for (int i = 0; i < count; ++i) {
+            const Breeze breeze = bendBy.breeze({x[i], y[i]}, {reachX[i], reachY[i]}, scale[i]);
+            to[i] = breeze.wind;
+            far[i] = breeze.distance;
+            any |= breeze.distance < inOnePlace ? std::int64_t{1} : std::int64_t{0};
+        }
+        close = any;
+    });
+    return close == 0;
+}
 
 }
 
@@ -61,28 +135,56 @@ double TreeWind::gustNow(const State &state) const
 
 double TreeWind::strength(double distance, int point) const
 {
-    switch (m_resistance.by) {
-    case Resistance::By::distance:
-        return byDistance(distance);
-    case Resistance::By::thickness:
-        return byThickness(distance, m_tree->scale[static_cast<std::size_t>(point)], m_resistance.amount);
-    case Resistance::By::ease:
-        break;
+    const double scale = m_tree->scale[static_cast<std::size_t>(point)];
+    return resisted(m_resistance.by, [&](auto strength) { return strength(m_resistance, distance, scale); });
+}
+
+double TreeWind::turned(const State &state, int i, double gust, double h) const
+{
+    const auto turn = m_formula == TreeFormula::published ? bendPublished : bend;
+    const Breeze breeze = breezeAt(m_formula, i, state.at(i), state.angle[i], *state.outside.pointer);
+    return turn(state.angle[i], gusty(breeze.wind, gust), strength(breeze.distance, i), h);
+}
+
+template <class Bend>
+void TreeWind::bendAll(State &state, double h, const Bend &bendBy) const
+{
+    const double gust = gustNow(state);
+    TreeWalk walk(*m_tree, state, degreesOf(m_formula));
+    TreeRow wind, distance, angle; // what they hold has been written before
+    for (Points run = walk.next({}); run.count > 0; run = walk.next(run)) {
+        walk.findReach(run);
+        const bool isSure = findBreeze(walk, state, m_tree->scale.data(), run, bendBy, wind, distance);
+        const auto turnAll = [&](auto strengthOf) {
+            runFast([&, bendBy, gust, h, resistance = m_resistance] {
+                const double *old = state.angle.data() + run.first, *scale = m_tree->scale.data() + run.first;
+                const double *to = wind.data(), *far = distance.data();
+                double *into = angle.data();
+                const int count = run.count;
+                SIM_TURNS_ARE_APART
+                for (int i = 0; i < count; ++i) {
+                    const double strength = strengthOf(resistance, far[i], scale[i]);
+                    into[i] = bendBy.turn(old[i], gusty(to[i], gust), strength, h);
+                }
+            });
+        };
+        resisted(m_resistance.by, turnAll);
+        for (int i = 0; !isSure && i < run.count; ++i)
+            angle[static_cast<std::size_t>(i)] = turned(state, run.first + i, gust, h);
+        replaceFree(state.inverseMass, run, state.angle.data(),
+                    [from = angle.data(), first = run.first](int i) { return from[i - first]; });
+        walk.carry(run);
     }
-    return m_resistance.amount;
 }
 
 void TreeWind::drive(State &state, double h) const
 {
     if (!blows(state))
         return;
-    const Vec2 pointer = *state.outside.pointer;
-    const double gust = gustNow(state);
-    const auto turn = m_formula == TreeFormula::published ? bendPublished : bend;
-    fromTheTrunk(*m_tree, state, degreesOf(m_formula), [&](int i) {
-        const Breeze breeze = breezeAt(m_formula, i, state.at(i), state.angle[i], pointer);
-        state.angle[i] = turn(state.angle[i], gusty(breeze.wind, gust), strength(breeze.distance, i), h);
-    });
+    if (m_formula == TreeFormula::published)
+        bendAll(state, h, AsPrinted{*state.outside.pointer});
+    else
+        bendAll(state, h, Corrected{*state.outside.pointer});
 }
 
 std::vector<Live> TreeWind::explain(const State &before, const State &after, int point) const

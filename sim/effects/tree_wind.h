@@ -19,6 +19,8 @@ struct Breeze
     double wind = 0.0;     ///< degrees: where it blows to
 };
 
+namespace tree_formulas {
+
 /// The wind at a branch's end, away from the pointer; px and degrees. `direction(d)` gives the length of d and its
 /// direction, also where the pointer is on the very end.
 // Shown lines are short.
@@ -54,6 +56,11 @@ Breeze windPublished(Vec2 d)
 }
 //! [wind_published]
 // clang-format on
+
+}
+
+using tree_formulas::windAt;
+using tree_formulas::windPublished;
 
 /// What resists the wind: the larger, the slower a branch turns; in frames.
 /// Published: swaying tree, the first `strength`.
@@ -110,6 +117,8 @@ double gusty(double wind, double gust)
 //! [gusty]
 // clang-format on
 
+namespace tree_formulas {
+
 /// Turns a branch towards the wind's angle the short way round, if more than one degree is missing:
 /// `angle' = way / strength`, as one step of explicit Euler that never goes past the wind. Degrees; strength and h
 /// in frames.
@@ -123,7 +132,7 @@ double bend(
 {
     // the short way: -180 to 180
     double way =
-        std::remainder(wind - angle, 360);
+        remainder(wind - angle, 360);
     // never past the wind
     double share =
         std::min(1.0, h / strength);
@@ -133,6 +142,10 @@ double bend(
 }
 //! [bend]
 // clang-format on
+
+}
+
+using tree_formulas::bend;
 
 /// The same as published: its second test has 360 where the short way round needs 180. Published: swaying tree,
 /// bend().
@@ -204,6 +217,11 @@ private:
     static bool blows(const State &state) { return state.outside.pointerDown && state.outside.pointer; }
     double gustNow(const State &state) const;
     double strength(double distance, int point) const;
+    /// The new angle of branch `i`, by all rules; degrees.
+    double turned(const State &state, int i, double gust, double h) const;
+    /// Turns all branches, by a formula for how the wind comes to a branch and how that turns.
+    template <class Bend>
+    void bendAll(State &state, double h, const Bend &bendBy) const;
 
     TreePtr m_tree;
     TreeFormula m_formula;

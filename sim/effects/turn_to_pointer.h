@@ -5,6 +5,8 @@
 
 namespace sim {
 
+namespace tree_formulas {
+
 /// The angle of a branch that points at the pointer, in degrees: along the line from its origin. Measured from its
 /// end, as the text of the tutorial has it, the branch would turn past the pointer and back, frame after frame, when
 /// the pointer is nearer than two of its lengths.
@@ -35,6 +37,11 @@ double turnToPointerPublished(Vec2 d)
 }
 //! [turn_to_pointer_published]
 // clang-format on
+
+}
+
+using tree_formulas::turnToPointer;
+using tree_formulas::turnToPointerPublished;
 
 /// Turns every branch to the pointer at once while its button is down, from the trunk to the twigs.
 class TurnToPointer : public Driver

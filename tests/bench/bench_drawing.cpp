@@ -60,6 +60,7 @@ void paintTree(benchmark::State &bench, int forks, double enlarged)
         scene.view.zoomOut();
     paint(bench, scene);
     bench.counters["branches"] = static_cast<double>(tree.scene.start.points());
+    bench.SetComplexityN(tree.scene.start.points());
 }
 
 void paintWholeTree(benchmark::State &bench)
@@ -117,6 +118,7 @@ void paintCreatures(benchmark::State &bench, int count, double across)
         bed.view.zoomIn();
     paint(bench, bed);
     bench.counters["points"] = static_cast<double>(scene.start.points());
+    bench.SetComplexityN(count);
 }
 
 void paintAllCreatures(benchmark::State &bench)
@@ -135,10 +137,18 @@ void measured(benchmark::internal::Benchmark *bench)
 }
 
 BENCHMARK(paintSky)->Apply(measured);
-BENCHMARK(paintWholeTree)->Arg(7)->Arg(11)->Arg(12)->Arg(13)->Arg(14)->Arg(16)->Apply(measured);
+BENCHMARK(paintWholeTree)->Arg(7)->Arg(11)->Arg(12)->Arg(13)->Arg(14)->Arg(16)->Apply(measured)->Complexity();
 BENCHMARK(paintNearTree)->Arg(14)->Arg(16)->Apply(measured);
 BENCHMARK(paintFarTree)->Arg(14)->Arg(16)->Apply(measured);
-BENCHMARK(paintAllCreatures)->Arg(1)->Arg(80)->Arg(200)->Arg(833)->Arg(10'000)->Arg(100'000)->Apply(measured);
+BENCHMARK(paintAllCreatures)
+    ->Arg(1)
+    ->Arg(80)
+    ->Arg(200)
+    ->Arg(833)
+    ->Arg(10'000)
+    ->Arg(100'000)
+    ->Apply(measured)
+    ->Complexity();
 BENCHMARK(paintNearCreatures)->Arg(833)->Arg(10'000)->Apply(measured);
 
 }

@@ -1,14 +1,22 @@
 // Prints a hash of 1000 frames of every step of every lesson: one line a step and method. What it prints must not depend
-// on the instructions that it runs with.
+// on the instructions that it runs with, nor on how it gets from frame to frame:
+//   lesson_hashes      as the app does: what has come to rest sleeps
+//   lesson_hashes 1    each row is computed, by one thread, what hangs together at a time
+//   lesson_hashes 2    the same by two threads
 
 #include "tests/lessons/support.h"
 
 #include "sim/error.h"
+#include "sim/flush.h"
 #include "sim/methods/methods.h"
+#include "sim/row_start.h"
+#include "sim/run_step.h"
 #include "sim/track.h"
 #include "sim/wide.h"
 
+#include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 
 namespace {
 
@@ -23,13 +31,46 @@ std::uint64_t hashed(std::uint64_t hash, const sim::State &state)
     return hash;
 }
 
+constexpr std::uint64_t begun = 0xcbf29ce484222325u;
+constexpr int frames = 1000;
+constexpr int looks = 10; ///< frames from one look at the state to the next
+
 std::uint64_t hashOfRun(const sim::Script &script)
 {
     sim::Track run(script, 0);
-    std::uint64_t hash = 0xcbf29ce484222325u;
-    for (int frame = 10; frame <= 1000; frame += 10) {
+    std::uint64_t hash = begun;
+    for (int frame = looks; frame <= frames; frame += looks) {
         run.seek({frame, 0});
         hash = hashed(hash, run.now());
+    }
+    return hash;
+}
+
+/// The same run computed row by row, each step in as many blocks as there are islands. It stays where numbers stop being
+/// finite, as a Track does.
+std::uint64_t hashOfRows(const sim::Script &script, int threads)
+{
+    const sim::FlushTiny flush;
+    const sim::Segments segments(script);
+    sim::Crew crew(threads);
+    auto segment = segments.at(script, 0);
+    sim::Pipeline pipeline = segment->pipeline;
+    pipeline.blocks = sim::blocksOf(segment->scene, pipeline.phases, {1, 1});
+    sim::State state = segment->scene.start;
+    std::uint64_t hash = begun;
+    bool goesOn = true;
+    const int row = script.step.rowFrames;
+    for (int frame = looks; frame <= frames; frame += looks) {
+        while (goesOn && state.frame + row <= frame) {
+            sim::State next = state;
+            sim::beginRow(next, script, segment, segment, state.frame + row);
+            for (int step = 0; step < script.step.perRow; ++step)
+                sim::runStep(pipeline, next, crew);
+            goesOn = next.ahead.stuck < 0 && sim::firstNotFinite(next) < 0;
+            if (goesOn)
+                state = std::move(next);
+        }
+        hash = hashed(hash, state);
     }
     return hash;
 }
@@ -45,9 +86,11 @@ bool takesLong(const sim::Script &script)
 
 }
 
-int main()
+int main(int count, char **arguments)
 {
-    std::printf("%s\n", sim::hasWideInstructions() ? "wide" : "baseline");
+    const int threads = count > 1 ? std::atoi(arguments[1]) : 0;
+    constexpr const char *names[] = {"baseline", "avx2", "avx512"};
+    std::printf("%s\n", names[static_cast<int>(sim::instructions())]);
     for (const QString &lesson : support::lessonIds()) {
         for (const lessons::Step &step : support::loadLesson(lesson).steps) {
             for (const sim::MethodPtr &method : sim::allMethods()) {
@@ -55,7 +98,7 @@ int main()
                     const sim::Script script = support::scriptOf(step, method->id());
                     if (takesLong(script))
                         continue;
-                    const std::uint64_t hash = hashOfRun(script);
+                    const std::uint64_t hash = threads == 0 ? hashOfRun(script) : hashOfRows(script, threads);
                     std::printf("%s/%s %s %016llx\n", qPrintable(lesson), qPrintable(step.id),
                                 method->id().c_str(), static_cast<unsigned long long>(hash));
                 } catch (const sim::Error &) {

@@ -1,36 +1,90 @@
-// The same input gives the same bits whatever instructions a machine has: every step of every lesson, run with the
-// widest ones that there are and with those that every machine has.
+// The same input gives the same bits whatever instructions a machine has, on one thread and on two, and whether what
+// rests sleeps or is computed again and again: every step of every lesson.
 
 #include <QProcess>
 #include <QTest>
+
+#include <memory>
+#include <vector>
+
+namespace {
+
+/// How lesson_hashes runs.
+struct Way
+{
+    QString instructions; ///< as SPRINGSTEP_INSTRUCTIONS says it; empty: the widest that there are
+    QString threads;      ///< empty: as the app runs, which lets sleep what rests
+};
+
+}
 
 class SameBits : public QObject
 {
     Q_OBJECT
 
-    /// What lesson_hashes prints, line by line. The first line says which instructions it ran with.
-    static QStringList hashesWith(const QString &instructions)
+    /// All ways at once: a machine has more than one processor.
+    std::vector<std::unique_ptr<QProcess>> m_programs;
+
+    static std::vector<Way> ways()
     {
-        QProcess program;
-        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-        environment.insert("SPRINGSTEP_INSTRUCTIONS", instructions);
-        program.setProcessEnvironment(environment);
-        program.start(LESSON_HASHES, QStringList());
+        std::vector<Way> all;
+        for (const char *instructions : {"baseline", ""}) {
+            for (const char *threads : {"", "1", "2"})
+                all.push_back({QString::fromUtf8(instructions), QString::fromUtf8(threads)});
+        }
+        all.push_back({"avx2", {}});
+        return all;
+    }
+
+    /// What program number `number` prints, line by line. The first line says which instructions it ran with.
+    QStringList printed(std::size_t number)
+    {
+        QProcess &program = *m_programs[number];
         program.waitForFinished(-1);
         if (program.exitStatus() != QProcess::NormalExit || program.exitCode() != 0)
             return {};
         return QString::fromLocal8Bit(program.readAllStandardOutput()).split('\n', Qt::SkipEmptyParts);
     }
 
+    QStringList m_first;
+
 private slots:
-    void instructionsChangeNoBitOfAnyLesson()
+    void initTestCase()
     {
-        const QStringList baseline = hashesWith("baseline"), widest = hashesWith({});
-        QVERIFY(baseline.size() > 50);
-        QCOMPARE(baseline.first(), QString("baseline"));
-        if (widest.value(0) != "wide")
+        for (const Way &way : ways()) {
+            auto program = std::make_unique<QProcess>();
+            QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+            environment.insert("SPRINGSTEP_INSTRUCTIONS", way.instructions);
+            program->setProcessEnvironment(environment);
+            const QStringList arguments = way.threads.isEmpty() ? QStringList() : QStringList{way.threads};
+            program->start(LESSON_HASHES, arguments);
+            m_programs.push_back(std::move(program));
+        }
+        m_first = printed(0);
+        QVERIFY(m_first.size() > 50);
+        QCOMPARE(m_first.first(), QString("baseline"));
+    }
+
+    void everyWayComesToTheSameBits_data()
+    {
+        QTest::addColumn<std::size_t>("number");
+        const std::vector<Way> all = ways();
+        for (std::size_t i = 1; i < all.size(); ++i) {
+            const QString instructions = all[i].instructions.isEmpty() ? "widest" : all[i].instructions;
+            const QString how = all[i].threads.isEmpty() ? "asleep" : all[i].threads + " threads";
+            QTest::addRow("%s, %s", qPrintable(instructions), qPrintable(how)) << i;
+        }
+    }
+    void everyWayComesToTheSameBits()
+    {
+        QFETCH(std::size_t, number);
+        const Way way = ways()[number];
+        const QStringList lines = printed(number);
+        QCOMPARE(lines.size(), m_first.size());
+        if (way.instructions != "baseline" && lines.first() == "baseline")
             QSKIP("this machine has no wider instructions");
-        QCOMPARE(widest.mid(1), baseline.mid(1));
+        for (qsizetype i = 1; i < lines.size(); ++i)
+            QCOMPARE(lines[i], m_first[i]);
     }
 };
 
