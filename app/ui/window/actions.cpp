@@ -118,6 +118,7 @@ void MainWindow::makeTimeActions()
     m_run->addSeparator();
     add(tr("Start the step &afresh"), {QKeySequence("Ctrl+R")}, group, [this] { m_session.startAfresh(); });
     add(tr("Forget the &old run"), {QKeySequence("Ctrl+D")}, group, [this] { m_session.forgetGhost(); });
+    makeBranchActions();
     m_run->addSeparator();
     const QString steps = tr("Steps");
     add(tr("Ne&xt step"), {QKeySequence(Qt::Key_PageDown)}, steps, [this] { m_session.openFollowing(); });
