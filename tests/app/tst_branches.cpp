@@ -31,8 +31,7 @@ private slots:
         QCOMPARE(branch.end, 60);
         QVERIFY(branch.script->input.empty());
         QCOMPARE(lastShared(world.session.timeline().script(), *branch.script), 30);
-        QCOMPARE(branchLine(branch, world.session.timeline().script()),
-                 "before: gravity 0.5, from frame 30");
+        QCOMPARE(branchLine(branch, world.session.timeline().script()), "before: gravity 0.5, from frame 30");
         world.session.setMethod("rk4");
         QCOMPARE(world.names().size(), 2);
         QVERIFY(branchLine(world.session.branches().all().back(), world.session.timeline().script())
@@ -239,6 +238,7 @@ private slots:
         World world;
         for (int i = 0; i < 5; ++i)
             world.fork(60, 30, "gravity", 0.125 * (i + 5));
+        world.session.goTo({60, 0});
         for (int i = 4; i >= 0; --i) {
             world.session.undo();
             QCOMPARE(world.names().size(), i + 1);

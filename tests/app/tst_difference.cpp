@@ -114,8 +114,8 @@ private slots:
         std::int64_t where = 0;
         for (std::int64_t frame = 30; frame <= 52; ++frame) {
             const double m = static_cast<double>(std::max<std::int64_t>(0, frame - 40));
-            const double now =
-                std::abs(apart(0.25, 30, std::min<std::int64_t>(frame, 40)) + 2.5 * m - 0.375 * m * (m + 1) / 2);
+            const double now = std::abs(apart(0.25, 30, std::min<std::int64_t>(frame, 40)) + 2.5 * m -
+                                        0.375 * m * (m + 1) / 2);
             if (now > most) {
                 most = now;
                 where = frame;

@@ -9,7 +9,7 @@ namespace app {
 namespace {
 
 constexpr int mostLetters = 60;
-constexpr int width = 260; ///< px
+constexpr int fieldWidth = 260; ///< px
 
 }
 
@@ -22,7 +22,7 @@ NameField::NameField(const QString &name, const Theme &theme, QWidget *parent)
     auto *label = new QLabel(tr("Name"), this);
     label->setBuddy(m_edit);
     m_edit->setMaxLength(mostLetters);
-    m_edit->setMinimumWidth(width);
+    m_edit->setMinimumWidth(fieldWidth);
     m_edit->setAccessibleName(tr("Name of the run"));
     m_edit->setToolTip(tr("Return takes this name, Escape leaves the one before"));
     auto *row = new QHBoxLayout(this);
