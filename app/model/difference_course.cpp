@@ -79,28 +79,31 @@ void DifferenceCourse::dropChanged()
     if (!m_watched)
         return;
     const sim::Timeline &timeline = m_session.timeline();
+    // A change of input concerns the rows after the cursor.
+    const std::int64_t at = timeline.at().frame;
     const bool isSame = m_branch && isComparing() && m_session.beside() &&
                         m_session.beside()->script == m_branch && sameRun(m_run, timeline.script()) &&
-                        lastShared(timeline.script(), *m_branch) == m_shared && m_spacing == m_rows;
-    if (!isSame) {
+                        lastShared(timeline.script(), *m_branch) == m_shared;
+    const bool isPast = m_next - m_spacing > at;
+    if (!isSame || (isPast && m_spacing > m_rows)) {
         restart();
         return;
     }
-    // A change of input concerns the rows after the cursor.
-    const std::int64_t at = timeline.at().frame;
-    const auto after = std::find_if(m_samples.begin(), m_samples.end(),
-                                    [&](const Difference &one) { return one.frame > at; });
-    if (after != m_samples.end() || m_next > at + m_rows) {
-        m_samples.erase(after, m_samples.end());
-        m_next = std::min(m_next, at / m_rows * m_rows + m_rows);
-        m_largest = {};
-        for (const Difference &one : m_samples) {
-            if (one.distance > m_largest.distance)
-                m_largest = one;
-        }
-        emit changed();
-    }
+    if (isPast)
+        dropAfter(at);
     fill();
+}
+
+void DifferenceCourse::dropAfter(std::int64_t frame)
+{
+    std::erase_if(m_samples, [&](const Difference &one) { return one.frame > frame; });
+    m_next = frame / m_rows * m_rows + m_rows;
+    m_largest = {};
+    for (const Difference &one : m_samples) {
+        if (one.distance > m_largest.distance)
+            m_largest = one;
+    }
+    emit changed();
 }
 
 void DifferenceCourse::fill()

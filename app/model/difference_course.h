@@ -70,6 +70,7 @@ private:
 
     void restart();
     void dropChanged();
+    void dropAfter(std::int64_t frame);
     void fill();
     void look();
     void thin();

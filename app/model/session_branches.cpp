@@ -49,6 +49,8 @@ void Session::edit(const Deed &deed, const Edit &edit)
     runIsAnother();
     if (isLeft && !forked)
         showBeside(m_lastBranch);
+    if (isLeft && beside())
+        emit said(tr("The run as it was stays beside this one, as “%1”.").arg(beside()->name));
     remember(deed, std::move(before));
 }
 

@@ -172,6 +172,23 @@ private slots:
         QCOMPARE(named.count(), 0);
     }
 
+    void escapeGivesUpARunThatIsStillComputed()
+    {
+        Bench bench;
+        bench.fork(100, 60, 0.75);
+        const int id = bench.branches().front().id;
+        bench.session().showBeside(0);
+        bench.session().goTo({400'000, 0});
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.session().goingTo(), 60'000);
+        bench.session().showBeside(id);
+        QVERIFY(bench.session().isBringing());
+        QTest::keyClick(&bench.window, Qt::Key_Escape);
+        QVERIFY(!bench.session().isBringing());
+        QVERIFY(!bench.session().beside());
+        QCOMPARE(bench.session().timeline().at().frame, 400'000);
+        QCOMPARE(bench.branches().size(), std::size_t(1));
+    }
+
     void twoRunsAreComparedInThePanel()
     {
         Bench bench;

@@ -26,6 +26,16 @@ Found look(Session &session, std::int64_t frame)
     return {session.timeline().script(), session.timeline().now()};
 }
 
+/// Whether two lists have the same runs with the same names.
+bool sameList(const Branches &a, const Branches &b)
+{
+    return std::equal(a.all().begin(), a.all().end(), b.all().begin(), b.all().end(),
+                      [](const Branch &one, const Branch &other) {
+                          return one.id == other.id && one.name == other.name && one.isKept == other.isKept &&
+                                 isSameRun(*one.script, *other.script);
+                      });
+}
+
 bool isSame(const Found &a, const Found &b)
 {
     return isSameRun(a.script, b.script) && sim::sameBits(a.state, b.state);
@@ -63,11 +73,13 @@ private slots:
         QFETCH(QString, lesson);
         Session session(m_library);
         unsigned seed = m_seed;
+        m_deeds = 0;
         for (const lessons::Step &step : m_library.lesson(lesson)->steps) {
             session.openStep(lesson, step.id);
             const bool isLarge = session.timeline().now().points() > manyPoints;
             tryOut(session, ++seed, isLarge ? 4 : 20, isLarge ? 5 : 14);
         }
+        QVERIFY2(m_deeds > 0, "nothing was done");
     }
 
 private:
@@ -78,7 +90,6 @@ private:
         for (int i = 0; i < count; ++i)
             gestures.act();
         const Found end = look(session, frames);
-        const Branches branches = session.branches();
         const QByteArray what =
             QStringLiteral("%1, seed %2: %3").arg(session.step().id).arg(seed).arg(gestures.done()).toUtf8();
         const auto straight = [&](const Found &found) {
@@ -90,17 +101,21 @@ private:
         while (session.deeds().canRedo()) // an undo among the gestures leaves some
             session.redo();
         const Found last = look(session, frames);
+        const Branches branches = session.branches();
+        m_deeds += session.deeds().count();
         while (session.deeds().canUndo())
             session.undo();
         QVERIFY2(isSame(look(session, frames), start), what);
         while (session.deeds().canRedo())
             session.redo();
         QVERIFY2(isSame(look(session, frames), last), what);
+        QVERIFY2(sameList(session.branches(), branches), what);
     }
 
     QTemporaryDir m_folder;
     LessonLibrary m_library;
     unsigned m_seed = 0;
+    int m_deeds = 0; ///< in all steps of a lesson
 };
 
 QTEST_MAIN(UndoPropertyTest)

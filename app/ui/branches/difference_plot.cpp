@@ -1,6 +1,7 @@
 #include "app/ui/branches/difference_plot.h"
 
 #include "app/model/numbers.h"
+#include "app/ui/panels/short_ticker.h"
 #include "app/ui/theme/plot_axes.h"
 
 #include <algorithm>
@@ -11,19 +12,6 @@ namespace app {
 namespace {
 
 constexpr double peakSize = 9.0; ///< px
-
-/// Distances in few letters: "1.5·10⁶".
-class ShortTicker : public QCPAxisTicker
-{
-protected:
-    QString getTickLabel(double tick, const QLocale &, QChar, int) override
-    {
-        const double size = std::abs(tick);
-        if (size >= 1e5 || (size > 0.0 && size < 1e-3))
-            return roughNumber(tick);
-        return writtenNumber(tick, 0);
-    }
-};
 
 }
 

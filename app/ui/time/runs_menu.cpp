@@ -3,6 +3,8 @@
 #include "app/model/difference_words.h"
 #include "app/ui/time/name_field.h"
 
+#include <QMetaMethod>
+
 #include <algorithm>
 
 namespace app {
@@ -71,6 +73,8 @@ void RunsMenu::fill()
     QAction *hide = addAction(tr("Show none &beside"), this, [this] { m_session.showBeside(0); });
     hide->setEnabled(m_session.beside() != nullptr);
     hide->setToolTip(tr("Only this run is seen; the others stay in this menu"));
+    if (!isSignalConnected(QMetaMethod::fromSignal(&RunsMenu::compareWanted)))
+        return; // where they are compared already
     QAction *compare = addAction(tr("&Compare in numbers"), this, &RunsMenu::compareWanted);
     compare->setToolTip(tr("How far the two runs are apart, frame by frame"));
 }

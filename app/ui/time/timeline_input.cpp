@@ -153,6 +153,7 @@ void TimelineStrip::showRuns(std::vector<int> branches, const QPoint &onScreen)
     auto *menu = new RunsMenu(m_session, m_theme, this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
     menu->showOnly(std::move(branches));
+    connect(menu, &RunsMenu::compareWanted, this, &TimelineStrip::compareWanted);
     menu->popup(onScreen);
 }
 

@@ -31,6 +31,10 @@ public:
     /// What is at a place, and what it does; empty where nothing is.
     QString hintAt(const QPoint &place) const;
 
+signals:
+    /// This run and the one beside it are to be compared in numbers.
+    void compareWanted();
+
 protected:
     bool event(QEvent *event) override;
     void paintEvent(QPaintEvent *event) override;

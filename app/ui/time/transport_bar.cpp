@@ -154,6 +154,8 @@ void TransportBar::chooseRun()
 {
     if (m_runsButton->isEnabled())
         m_runs->popupAbove(*m_runsButton);
+    else
+        emit m_session.said(m_runsButton->toolTip());
 }
 
 void TransportBar::follow()

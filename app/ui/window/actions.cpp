@@ -198,6 +198,8 @@ void MainWindow::showHelp()
         m_helpPage->addGesture(tr("Picture"), tr("Press the background"),
                                tr("blow, steer or aim, where a step has that"));
         m_helpPage->addGesture(tr("Picture"), tr("Drag with the middle button"), tr("move the picture"));
+        m_helpPage->addGesture(tr("Other runs"), tr("Click the dots below a ring"),
+                               tr("show the run that parts there beside this one; right-click: more"));
         m_helpPage->addGesture(tr("Picture"), tr("Arrow keys"), tr("steer, where a step has that"));
         m_helpPage->addGesture(tr("Picture"), tr("Alt, Shift and an arrow key"),
                                tr("move the pointer or the target 20 px"));

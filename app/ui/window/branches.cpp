@@ -2,6 +2,7 @@
 
 #include "app/ui/branches/branches_panel.h"
 #include "app/ui/time/runs_menu.h"
+#include "app/ui/time/timeline_strip.h"
 #include "app/ui/time/transport_bar.h"
 #include "app/ui/window/main_window.h"
 
@@ -18,7 +19,9 @@ void MainWindow::makeBranchesDock()
     m_branchesDock->setWindowTitle(tr("Two runs")); // its tab, where docks are tabs
     m_branchesDock->hide();
     tabifyDockWidget(m_energyDock, m_branchesDock);
-    connect(&m_transport->runs(), &RunsMenu::compareWanted, this, [this] { showBranches(true); });
+    const auto compare = [this] { showBranches(true); };
+    connect(&m_transport->runs(), &RunsMenu::compareWanted, this, compare);
+    connect(m_timeline, &TimelineStrip::compareWanted, this, compare);
 }
 
 void MainWindow::makeBranchActions()
