@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace sim {
 
@@ -68,6 +69,17 @@ void sortByFrame(std::vector<Event> &input)
 {
     std::stable_sort(input.begin(), input.end(),
                      [](const Event &a, const Event &b) { return a.frame < b.frame; });
+}
+
+std::int64_t firstDifference(const std::vector<Event> &a, const std::vector<Event> &b)
+{
+    const auto [one, other] = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
+    std::int64_t frame = std::numeric_limits<std::int64_t>::max();
+    if (one != a.end())
+        frame = std::min(frame, one->frame);
+    if (other != b.end())
+        frame = std::min(frame, other->frame);
+    return frame;
 }
 
 }

@@ -105,4 +105,7 @@ void checkFinite(const Event &event);
 /// Sorts events by frame and keeps the order within each frame.
 void sortByFrame(std::vector<Event> &input);
 
+/// The first frame whose computation differs between two inputs, each sorted by frame; the largest number where none does.
+std::int64_t firstDifference(const std::vector<Event> &a, const std::vector<Event> &b);
+
 }

@@ -85,6 +85,7 @@ bool Timeline::hand(const Input &what)
         input.pop_back();
     input.push_back(event);
     m_track.replaceInput(std::move(input), frame);
+    m_fork = std::min(m_fork, frame);
     seek({at().frame, phase});
     return forked;
 }
@@ -108,6 +109,7 @@ bool Timeline::set(const std::string &parameter, double value)
     const int phase = at().phase;
     const bool forked = openRow(frame);
     m_track.replaceInput(std::move(changed.input), frame);
+    m_fork = std::min(m_fork, frame);
     seek({at().frame, phase});
     return forked;
 }
@@ -123,6 +125,25 @@ bool Timeline::replace(Script script)
     seek({was.frame, 0});
     if (was.phase > 0)
         seek({was.frame, std::min(was.phase, m_track.phasesPerRow() - 1)});
+    return forked;
+}
+
+bool Timeline::replaceInput(std::vector<Event> input)
+{
+    if (input == script().input)
+        return false;
+    const std::int64_t frame = firstDifference(script().input, input);
+    Script changed = script();
+    changed.input = input;
+    Track::check(changed, frame);
+    const Cursor was = at();
+    m_track.seek({std::min(was.frame, std::max<std::int64_t>(0, frame - 1)), 0});
+    const bool forked = computed() > at().frame;
+    if (forked)
+        becomeGhost(frame);
+    m_track.replaceInput(std::move(input), frame);
+    m_fork = std::min(m_fork, frame);
+    seek(was);
     return forked;
 }
 
@@ -145,6 +166,20 @@ bool Timeline::hasPending() const
 void Timeline::forgetGhost()
 {
     m_ghost.reset();
+}
+
+void Timeline::showBeside(Track run, std::int64_t fork)
+{
+    m_ghost = std::move(run);
+    m_ghost->setBudget(ghostBudget());
+    m_ghost->seek({at().frame, 0});
+    m_fork = fork;
+}
+
+void Timeline::swapWithGhost()
+{
+    std::swap(m_track, *m_ghost);
+    seek({std::max(at().frame, m_ghost->at().frame), 0});
 }
 
 }

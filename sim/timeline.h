@@ -42,6 +42,9 @@ public:
     /// Another script (method, step, effects, starts), at the same frame.
     /// @throws Error when its scene and method do not fit; nothing has changed then
     bool replace(Script script);
+    /// Other input at the same frame: what was computed before the two differ stays.
+    /// @throws Error when a scene that the input comes to does not fit; nothing has changed then
+    bool replaceInput(std::vector<Event> input);
 
     /// Whether playing on from the cursor shows nothing new for ever: all that was computed is past, and the run and
     /// its ghost are over or asleep.
@@ -56,6 +59,13 @@ public:
     /// The frame from which the ghost differs.
     std::int64_t fork() const { return m_fork; }
     void forgetGhost();
+    /// `run` goes on beside this one from now on, differing from frame `fork` on. It should be near the cursor: it is
+    /// taken there at once.
+    void showBeside(Track run, std::int64_t fork);
+    /// Run and ghost, which must be there, change places, with all that is kept of them.
+    void swapWithGhost();
+    /// The memory for a ghost's kept states, in bytes.
+    std::size_t ghostBudget() const { return m_budget / 2; }
 
 private:
     /// Before input from `frame` on changes: goes back to the start of the row, and makes a ghost of the run if

@@ -1,19 +1,16 @@
 #include "app/model/companion_run.h"
 
+#include "app/model/slices.h"
 #include "sim/accuracy/run.h"
 #include "sim/error.h"
 #include "sim/methods/methods.h"
 
-#include <QElapsedTimer>
-
 #include <algorithm>
-#include <limits>
 
 namespace app {
 
 namespace {
 
-constexpr qint64 sliceMilliseconds = 12;
 constexpr std::size_t memory = std::size_t{32} << 20;
 
 bool sameButForInput(const sim::Script &a, const sim::Script &b)
@@ -21,24 +18,12 @@ bool sameButForInput(const sim::Script &a, const sim::Script &b)
     return a.values == b.values && a.bodies == b.bodies && a.effectsOff == b.effectsOff;
 }
 
-/// The first row whose computation may differ.
-std::int64_t firstDifference(const std::vector<sim::Event> &a, const std::vector<sim::Event> &b)
-{
-    const auto [one, other] = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
-    std::int64_t frame = std::numeric_limits<std::int64_t>::max();
-    if (one != a.end())
-        frame = std::min(frame, one->frame);
-    if (other != b.end())
-        frame = std::min(frame, other->frame);
-    return frame;
-}
-
 }
 
 void CompanionRun::take(const sim::Script &script)
 {
     const bool goesOn = m_track && sameButForInput(m_script, script);
-    const std::int64_t from = goesOn ? firstDifference(m_script.input, script.input) : 0;
+    const std::int64_t from = goesOn ? sim::firstDifference(m_script.input, script.input) : 0;
     m_script = script;
     const sim::MethodPtr method = sim::findMethod(m_companion.method.toStdString());
     sim::Script own =
@@ -65,17 +50,7 @@ bool CompanionRun::follow(const sim::Script &script, std::int64_t frame)
     m_isTaken = true;
     if (!m_track)
         return true;
-    QElapsedTimer clock;
-    clock.start();
-    const int rowFrames = m_track->rowFrames();
-    m_track->seek({std::min(frame, m_track->computed()), 0});
-    const auto isThere = [&] {
-        return m_track->at().frame + rowFrames > frame ||
-               (m_track->stop() && m_track->at().frame == m_track->stop()->frame);
-    };
-    while (!isThere() && clock.elapsed() < sliceMilliseconds)
-        m_track->seek({m_track->at().frame + rowFrames, 0});
-    return isThere();
+    return goNearer(*m_track, frame);
 }
 
 }

@@ -20,7 +20,7 @@ Session::Session(const LessonLibrary &library, QObject *parent) : QObject(parent
     connect(&m_player, &Player::due, this, &Session::advance);
     // The first who hears of it: whoever draws the moment draws the companion, too.
     connect(this, &Session::moved, this, &Session::bringCompanionLater);
-    start(step().script(), {});
+    start(step().script(), {}, {});
 }
 
 const lessons::Step *Session::following() const
@@ -59,9 +59,9 @@ void Session::openStep(const QString &lessonId, const QString &stepId)
             m_step = j;
             const auto left = m_left.find(keyOf(lessonId, stepId));
             if (left != m_left.end())
-                start(left->second.script, left->second.at);
+                start(left->second.script, left->second.at, left->second.branches);
             else
-                start(step().script(), {});
+                start(step().script(), {}, {});
             return;
         }
     }
@@ -86,7 +86,7 @@ void Session::open(const Experiment &experiment)
 {
     sim::Timeline trial(experiment.script); // throws before anything has changed
     openStep(experiment.lesson, experiment.step);
-    start(experiment.script, {});
+    start(experiment.script, {}, {});
     m_deeds.clear();
 }
 
@@ -100,17 +100,20 @@ void Session::leave()
     pause();
     letGo();
     letUp();
-    m_left.insert_or_assign(keyOf(lesson().id, step().id), Left{m_timeline->script(), m_timeline->at()});
+    m_left.insert_or_assign(keyOf(lesson().id, step().id),
+                            Left{m_timeline->script(), m_timeline->at(), m_branches});
 }
 
-void Session::start(sim::Script script, sim::Cursor at)
+void Session::start(sim::Script script, sim::Cursor at, Branches branches)
 {
     auto timeline = std::make_unique<sim::Timeline>(std::move(script)); // throws before anything has changed
     m_goingTo.reset();
     m_holding = false;
     m_keys = {};
     m_pointerDown.reset();
-    m_ghostName.clear();
+    m_coming.reset();
+    m_beside = 0;
+    m_branches = std::move(branches);
     m_otherStep.reset();
     m_timeline = std::move(timeline);
     m_companion.reset();
@@ -120,14 +123,6 @@ void Session::start(sim::Script script, sim::Cursor at)
     m_selected = QString::fromStdString(m_timeline->track().shown().scene.names.front());
     emit stepOpened();
     goTo(at);
-}
-
-void Session::forgetGhost()
-{
-    m_timeline->forgetGhost();
-    m_ghostName.clear();
-    emit runChanged();
-    emit moved();
 }
 
 void Session::select(const QString &body)

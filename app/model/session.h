@@ -1,8 +1,11 @@
 #pragma once
 
+#include "app/model/branches.h"
 #include "app/model/companion_run.h"
+#include "app/model/deed.h"
 #include "app/model/experiment.h"
 #include "app/model/foresight.h"
+#include "app/model/picture.h"
 #include "app/model/player.h"
 #include "app/model/progress.h"
 #include "sim/gathered.h"
@@ -19,23 +22,6 @@
 #include <optional>
 
 namespace app {
-
-/// What there is to draw of one run at one moment.
-struct Picture
-{
-    std::shared_ptr<const sim::Segment> segment;
-    sim::State state;
-    std::shared_ptr<const lessons::Look> look; ///< one and the same for all states of a segment
-    std::vector<lessons::Guide> guides;
-};
-
-/// Something that a learner did to the run, in words.
-struct Deed
-{
-    QString what;         ///< as undoing calls it: "Springs off", "Damping"
-    QString before;       ///< what the run as it was is called beside the new one, after "before: "
-    QString gesture = {}; ///< deeds in a row with the same one are undone together; empty: it stands alone
-};
 
 /// The open step of a lesson and its run: all that the window shows and does. The widgets change nothing but
 /// this, and repaint when it says so.
@@ -138,6 +124,23 @@ public:
     /// What follows is another gesture, even if it goes on with the same thing.
     void endGesture() { ++m_gesture; }
 
+    // Branches: runs that were left for another one
+    const Branches &branches() const { return m_branches; }
+    /// The branch that is shown beside the run, or will be as soon as it is computed again; null if there is none.
+    const Branch *beside() const { return m_branches.find(m_beside); }
+    /// Whether that one is still on its way.
+    bool isBringing() const { return m_coming.has_value(); }
+    /// Shows a branch beside the run, as its ghost. What is no longer there of it is computed again in slices, so that
+    /// the window never waits. With an id that does not exist none is shown.
+    void showBeside(int branch);
+    /// Makes a branch the run again, bit for bit, at the same frame; the run in use becomes a branch.
+    void goBackTo(int branch);
+    void keepBranch(int branch, bool kept);
+    void renameBranch(int branch, const QString &name);
+    void deleteBranch(int branch);
+    /// Stays where it is, if it is on its way to a moment; gives up a branch that is on its way.
+    void stopGoing();
+
     // What is shown
     Picture picture() const;
     /// The old run at the cursor's frame, if there is one.
@@ -148,8 +151,9 @@ public:
     QString ownCaption() const;
     /// What the step has to say about this moment; may be empty.
     QString note() const;
-    /// What the ghost differs by, for example "before: damp 0.85".
-    QString ghostName() const { return m_ghostName; }
+    /// What the ghost differs by, for example "before: damp 0.85", or what the learner calls it.
+    QString ghostName() const { return m_timeline->ghost() && beside() ? beside()->name : QString(); }
+    /// Deletes the branch that is shown as the ghost.
     void forgetGhost();
     /// The body whose values are shown.
     QString selected() const { return m_selected; }
@@ -175,10 +179,18 @@ signals:
 private:
     class RunChange; ///< a deed that can be undone
 
+    /// The run in use with its branches: all that a deed changes.
+    struct Stand
+    {
+        std::shared_ptr<const sim::Script> script;
+        Branches branches;
+    };
+
     struct Left
     {
         sim::Script script;
         sim::Cursor at;
+        Branches branches;
     };
 
     /// What changes a timeline, and returns whether the run as it was became the ghost.
@@ -197,10 +209,11 @@ private:
     void setStep(sim::StepSize step);
     void runAgain(const sim::Remedy &remedy);
     void leave();
-    void start(sim::Script script, sim::Cursor at);
+    void start(sim::Script script, sim::Cursor at, Branches branches);
     /// The step's run with these values and no input of a learner's, by the first of `methods` that can. Goes on
     /// playing if it played.
     void startAnew(const Deed &deed, const sim::Values &values, const std::vector<sim::MethodPtr> &methods);
+    void startAnew(const Deed &deed, sim::Script script);
     void advance(int frames);
     /// Says once, after a while, that playing falls behind: `played` of the frames that were `due`.
     void judgePace(int due, int played);
@@ -215,15 +228,41 @@ private:
     bool bringCompanion();
     void bringCompanionLater();
     void approach();
-    /// Runs `change` on the timeline. If a ghost came from it, that is called `ghost`; a refusal is said, and
-    /// changes nothing. Returns whether it was done.
-    bool change(const QString &ghost, const Edit &edit);
-    /// The same, and what was done can be undone.
+    Stand stand() const;
+    /// Runs `edit` on the timeline. If the run as it was had a future, it becomes a branch, shown beside; a refusal is
+    /// said, and changes nothing. What was done can be undone.
     void edit(const Deed &deed, const Edit &edit);
+    /// Makes a branch of what `before` was: `deed` leaves it.
+    void branchOff(const Stand &before, std::int64_t computed, const Deed &deed);
+    /// The run in use is what `deed` made.
+    void nameOwn(const Deed &deed);
+    /// The run that `before` had in use, as a branch called `name` if the learner did not call it anything.
+    Branch leftRun(const Stand &before, std::int64_t computed, const QString &name);
     /// Keeps what was done to `before`, so that it can be undone.
-    void remember(const Deed &deed, sim::Script before);
-    /// Puts a script of this step in place of the one in use, at the same frame where it can.
-    void restore(const sim::Script &script, const QString &ghost);
+    void remember(const Deed &deed, Stand before);
+    /// When a run that is left becomes a branch.
+    enum class Leaves {
+        ifItWentOn, ///< after what both share
+        always,
+        never, ///< it is one of the branches already
+    };
+    /// Puts a run of this step and its branches in place of those in use, at the same frame where it can. The run in use
+    /// stays as a branch called `left`.
+    void restore(const Stand &to, const QString &left, Leaves leaves);
+    /// Whether to come to `script` the step has to be opened anew.
+    bool opensAnew(const sim::Script &script) const;
+    void goOnAt(sim::Cursor at);
+    /// The same run with other branches; what comes back is shown, if nothing else is.
+    void restoreBranches(const Branches &branches);
+    /// Puts a script of this step in place of the run's, and takes the cursor to before where they differ. Returns whether
+    /// the run as it was is the ghost now.
+    bool replaceRun(const sim::Script &script);
+    /// Another script is in use: those who watch the run hear of it.
+    void runIsAnother();
+    void changeBranches(const QString &deed, const std::function<void(Branches &)> &change);
+    /// The branch beside the run is computed on in the next slice.
+    void bring();
+    void hideWhatIsGone();
     void checkTries();
     QString keyOf(const QString &lesson, const QString &step) const { return lesson + '/' + step; }
 
@@ -237,7 +276,12 @@ private:
     Foresight m_foresight, m_ghostForesight;
     Progress m_progress;
     QString m_selected;
-    QString m_ghostName;
+    Branches m_branches;
+    int m_lastBranch = 0;               ///< the last id
+    int m_beside = 0;                   ///< the branch that is the ghost, or will be
+    std::optional<sim::Track> m_coming; ///< that one, while it is on its way to the cursor
+    bool m_bringDue = false;            ///< whether the next slice of its way is already asked for
+    QElapsedTimer m_sinceSaid;          ///< how far it is
     std::optional<sim::StepSize>
         m_otherStep;  ///< of the kind that the method in use does not take, as last in use
     int m_due = 0;    ///< frames since it plays

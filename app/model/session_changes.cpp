@@ -40,32 +40,6 @@ double Session::parameter(const QString &id) const
     return m_timeline->values()[id.toStdString()];
 }
 
-bool Session::change(const QString &ghost, const Edit &edit)
-{
-    m_goingTo.reset();
-    bool forked = false;
-    try {
-        forked = edit(*m_timeline);
-    } catch (const sim::Error &error) {
-        emit said(sentenceFor(error));
-        return false;
-    }
-    if (forked)
-        m_ghostName = ghost;
-    wakeUp();
-    checkTries();
-    emit runChanged();
-    emit moved();
-    return true;
-}
-
-void Session::edit(const Deed &deed, const Edit &edit)
-{
-    sim::Script before = m_timeline->script();
-    if (change(tr("before: %1").arg(deed.before), edit))
-        remember(deed, std::move(before));
-}
-
 void Session::setParameter(const QString &id, double value)
 {
     const lessons::Parameter *declared = step().parameter(id);
@@ -84,7 +58,7 @@ void Session::setParameter(const QString &id, double value)
                   {m_timeline->script().method, sim::findMethod(step().method.toStdString())});
         return;
     }
-    edit({declared->name, written(id, was), id},
+    edit({declared->name, written(id, was), id, written(id, value)},
          [&](sim::Timeline &timeline) { return timeline.set(id.toStdString(), value); });
 }
 
@@ -118,15 +92,17 @@ void Session::use(const sim::MethodPtr &method, sim::StepSize step)
     const bool sameMethod = method->id() == wasMethod->id();
     if (sameMethod && step == was)
         return;
-    edit({sameMethod ? tr("Step") : tr("Method"), written(now, *method)}, [&](sim::Timeline &timeline) {
-        sim::Script script = timeline.script();
-        script.method = method;
-        script.step = step;
-        const bool forked = timeline.replace(std::move(script));
-        if (was.adaptive() != step.adaptive())
-            m_otherStep = was;
-        return forked;
-    });
+    const QString after = sameMethod ? stepTitle(step) : phrase(method->title());
+    edit({sameMethod ? tr("Step") : tr("Method"), written(now, *method), {}, after},
+         [&](sim::Timeline &timeline) {
+             sim::Script script = timeline.script();
+             script.method = method;
+             script.step = step;
+             const bool forked = timeline.replace(std::move(script));
+             if (was.adaptive() != step.adaptive())
+                 m_otherStep = was;
+             return forked;
+         });
 }
 
 std::optional<sim::DampRange> Session::damping() const
@@ -267,21 +243,31 @@ void Session::startWith(const lessons::Preset &preset)
 void Session::startAnew(const Deed &deed, const sim::Values &values,
                         const std::vector<sim::MethodPtr> &methods)
 {
-    const bool played = isPlaying();
-    sim::Script before = m_timeline->script();
-    pause();
     for (const sim::MethodPtr &method : methods) {
         try {
-            start(step().scriptWith(values, method), {});
+            startAnew(deed, step().scriptWith(values, method));
+            return;
         } catch (const sim::Error &error) {
-            emit said(sentenceFor(error));
-            continue; // another method may be able to
+            emit said(sentenceFor(error)); // another method may be able to
         }
-        remember(deed, std::move(before));
-        if (played)
-            play();
-        return;
     }
+}
+
+void Session::startAnew(const Deed &deed, sim::Script script)
+{
+    const bool played = isPlaying();
+    Stand before = stand();
+    const std::int64_t computed = m_timeline->computed();
+    pause();
+    start(std::move(script), {}, m_branches);
+    if (std::max(computed, before.branches.own().end) > 0)
+        branchOff(before, computed, deed);
+    nameOwn(deed);
+    m_branches.settle(m_timeline->script());
+    remember(deed, std::move(before));
+    emit runChanged();
+    if (played)
+        play();
 }
 
 }

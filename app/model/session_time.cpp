@@ -159,9 +159,7 @@ void Session::rewind()
 void Session::startAfresh()
 {
     pause();
-    sim::Script before = m_timeline->script();
-    start(step().script(), {});
-    remember({tr("Start afresh"), {}}, std::move(before));
+    startAnew({tr("Start afresh"), {}}, step().script());
 }
 
 void Session::advance(int frames)

@@ -196,8 +196,8 @@ void TestTime::theGhostAppearsAfterAChangeInThePastAndCanBeForgotten()
     QApplication::sendEvent(bench.strip, &ask);
     QMenu *menu = bench.strip->findChild<QMenu *>();
     QVERIFY(menu);
-    QCOMPARE(menu->actions().first()->text(), "Forget the old run");
-    menu->actions().first()->trigger();
+    QCOMPARE(menu->actions().last()->text(), "&Delete");
+    menu->actions().last()->trigger();
     menu->close();
     QVERIFY(!bench.session.timeline().ghost());
     QCOMPARE(bench.strip->hintAt(dots), "frame 80");

@@ -6,6 +6,8 @@
 
 #include <QTest>
 
+#include <limits>
+
 using namespace sim;
 using support::Dice;
 
@@ -88,6 +90,64 @@ private slots:
         timeline.seek({30, 0});
         timeline.hand(Grab{"body"});
         QCOMPARE(timeline.script().input.size(), std::size_t(2));
+    }
+
+    void runAndGhostChangePlacesWithEveryBit()
+    {
+        for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+            Dice dice(seed);
+            Timeline timeline(creature(), 30'000);
+            timeline.seek({60, 0});
+            timeline.seek({dice.whole(1, 30), dice.whole(0, 5)});
+            dice.chance(0.5) ? timeline.set("k", 0.1) : timeline.hand(Grab{"foot0"});
+            for (int round = 0; round < 4; ++round) {
+                const std::vector<Event> run = timeline.script().input,
+                                         ghost = timeline.ghost()->script().input;
+                const std::int64_t computed = timeline.ghost()->computed(), fork = timeline.fork();
+                timeline.swapWithGhost();
+                QVERIFY(timeline.script().input == ghost && timeline.ghost()->script().input == run);
+                QVERIFY(timeline.computed() >= computed);
+                QCOMPARE(timeline.fork(), fork);
+                timeline.seek({dice.whole(0, 80), dice.whole(0, 3)});
+                Track one(timeline.script(), 0), other(timeline.ghost()->script(), 0);
+                one.seek(timeline.at());
+                other.seek({timeline.at().frame, 0});
+                QVERIFY(sameBits(one.now(), timeline.now()) &&
+                        sameBits(other.now(), timeline.ghost()->now()));
+            }
+        }
+    }
+
+    void otherInputIsComputedFromWhereItDiffers()
+    {
+        Timeline timeline(creature());
+        timeline.seek({50, 0});
+        const std::vector<Event> none;
+        std::vector<Event> input = {{21, Set{"k", 0.1}}};
+        QVERIFY(!timeline.replaceInput(none)); // the same
+        QVERIFY(timeline.replaceInput(input));
+        QCOMPARE(timeline.at().frame, std::int64_t(50));
+        QCOMPARE(timeline.fork(), std::int64_t(21));
+        QCOMPARE(timeline.ghost()->computed(), std::int64_t(50));
+        Track straight(timeline.script(), 0);
+        straight.seek({50, 0});
+        QVERIFY(sameBits(straight.now(), timeline.now()));
+        input.push_back({80, Set{"damp", std::nan("")}});
+        QVERIFY_EXCEPTION_THROWN(timeline.replaceInput(input), Error);
+        QCOMPARE(timeline.script().input.size(), std::size_t(1));
+        input.back() = {80, Set{"damp", 0.5}}; // after all that was computed: nothing is left behind
+        QVERIFY(!timeline.replaceInput(input));
+        QVERIFY(sameBits(straight.now(), timeline.now()));
+    }
+
+    void inputsDifferFromTheFirstEventThatIsNotInBoth()
+    {
+        const std::vector<Event> one = {{5, Release{}}, {9, Set{"k", 0.1}}};
+        QCOMPARE(firstDifference(one, one), std::numeric_limits<std::int64_t>::max());
+        QCOMPARE(firstDifference(one, {}), std::int64_t(5));
+        QCOMPARE(firstDifference(one, {{5, Release{}}}), std::int64_t(9));
+        QCOMPARE(firstDifference(one, {{5, Release{}}, {7, Release{}}, {9, Set{"k", 0.1}}}), std::int64_t(7));
+        QCOMPARE(firstDifference(one, {{5, Release{}}, {9, Set{"k", 0.2}}}), std::int64_t(9));
     }
 
     void aParameterSetTwiceAtOneFrameIsSetOnce()

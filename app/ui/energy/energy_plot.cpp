@@ -1,7 +1,7 @@
 #include "app/ui/energy/energy_plot.h"
 
-#include "app/model/numbers.h"
 #include "app/ui/energy/energy_list.h"
+#include "app/ui/panels/short_ticker.h"
 #include "app/ui/theme/plot_axes.h"
 
 #include <algorithm>
@@ -14,19 +14,6 @@ namespace {
 using sim::Account;
 
 constexpr int levels = 5; ///< of a pile
-
-/// Where the tick of a large number is short: "1.5·10⁶".
-class ShortTicker : public QCPAxisTicker
-{
-protected:
-    QString getTickLabel(double tick, const QLocale &, QChar, int) override
-    {
-        const double size = std::abs(tick);
-        if (size >= 1e5 || (size > 0.0 && size < 1e-3))
-            return roughNumber(tick);
-        return writtenNumber(tick, 0);
-    }
-};
 
 QColor faded(QColor color, int alpha)
 {

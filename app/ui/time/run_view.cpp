@@ -3,6 +3,7 @@
 #include "app/model/session.h"
 
 #include <algorithm>
+#include <map>
 
 namespace app {
 
@@ -90,6 +91,23 @@ void goOn(RunView &view)
     }
 }
 
+std::vector<Fork> forksOf(const Session &session, const Branch *shown)
+{
+    std::map<std::int64_t, Fork> byFrame;
+    for (const Branch &branch : session.branches().all()) {
+        if (&branch == shown)
+            continue;
+        const std::int64_t at = lastShared(session.timeline().script(), *branch.script);
+        Fork &fork = byFrame[at];
+        fork.at = at;
+        fork.branches.push_back(branch.id);
+    }
+    std::vector<Fork> forks;
+    for (auto &[at, fork] : byFrame)
+        forks.push_back(std::move(fork));
+    return forks;
+}
+
 }
 
 RunView runViewOf(const Session &session)
@@ -101,10 +119,14 @@ RunView runViewOf(const Session &session)
     view.input = InputReader(timeline).read();
     goOn(view);
     view.playing = session.isPlaying();
-    if (const sim::Track *ghost = timeline.ghost()) {
+    const sim::Track *ghost = timeline.ghost();
+    const Branch *beside = session.beside();
+    if (ghost && beside) {
         const std::int64_t shared = timeline.fork() - timeline.track().rowFrames();
-        view.old = OldRun{std::max<std::int64_t>(0, shared), ghost->computed(), session.ghostName()};
+        view.old = OldRun{std::max<std::int64_t>(0, shared), ghost->computed(), beside->name, beside->id,
+                          beside->isKept};
     }
+    view.forks = forksOf(session, view.old ? beside : nullptr);
     return view;
 }
 

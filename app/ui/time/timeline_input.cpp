@@ -1,4 +1,6 @@
 // What mouse, wheel and keyboard do on the timeline.
+#include "app/model/difference_words.h"
+#include "app/ui/time/runs_menu.h"
 #include "app/ui/time/timeline_strip.h"
 
 #include <QContextMenuEvent>
@@ -6,6 +8,7 @@
 #include <QMenu>
 #include <QToolTip>
 
+#include <algorithm>
 #include <cstdlib>
 
 namespace app {
@@ -49,6 +52,8 @@ void TimelineStrip::mousePressEvent(QMouseEvent *event)
     const int phase = m_phases.phaseAt(event->position());
     if (phase >= 0) {
         runTo(phase);
+    } else if (const Fork *fork = forkAt(event->position())) {
+        press(*fork, event->globalPosition().toPoint());
     } else if (isOnTrack(event->position())) {
         m_scrubbing = true;
         scrubTo(m_axis.frameAt(event->position().x()));
@@ -123,17 +128,48 @@ void TimelineStrip::keyPressEvent(QKeyEvent *event)
     }
 }
 
+const Fork *TimelineStrip::forkAt(const QPointF &place) const
+{
+    const auto found = std::find_if(m_view.forks.rbegin(), m_view.forks.rend(),
+                                    [&](const Fork &fork) { return forkArea(m_axis, fork).contains(place); });
+    return found == m_view.forks.rend() ? nullptr : &*found;
+}
+
+bool TimelineStrip::isOnOldRun(const QPointF &place) const
+{
+    return m_view.old && oldRunArea(m_axis, *m_view.old, m_theme).contains(place);
+}
+
+void TimelineStrip::press(const Fork &fork, const QPoint &onScreen)
+{
+    if (fork.branches.size() == 1)
+        m_session.showBeside(fork.branches.front());
+    else
+        showRuns(fork.branches, onScreen);
+}
+
+void TimelineStrip::showRuns(std::vector<int> branches, const QPoint &onScreen)
+{
+    auto *menu = new RunsMenu(m_session, m_theme, this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->showOnly(std::move(branches));
+    connect(menu, &RunsMenu::compareWanted, this, &TimelineStrip::compareWanted);
+    menu->popup(onScreen);
+}
+
 void TimelineStrip::contextMenuEvent(QContextMenuEvent *event)
 {
-    if (!m_view.old) {
+    if (m_session.branches().isEmpty()) {
         event->ignore();
         return;
     }
-    QMenu *menu = new QMenu(this);
-    menu->setAttribute(Qt::WA_DeleteOnClose);
-    connect(menu->addAction(tr("Forget the old run")), &QAction::triggered, &m_session,
-            &Session::forgetGhost);
-    menu->popup(event->globalPos());
+    const bool byMouse = event->reason() == QContextMenuEvent::Mouse;
+    if (const Fork *fork = byMouse ? forkAt(event->pos()) : nullptr)
+        showRuns(fork->branches, event->globalPos());
+    else if (byMouse && isOnOldRun(event->pos()))
+        showRuns({m_view.old->id}, event->globalPos());
+    else
+        showRuns({}, event->globalPos());
 }
 
 void TimelineStrip::focusInEvent(QFocusEvent *event)
@@ -146,6 +182,17 @@ void TimelineStrip::focusInEvent(QFocusEvent *event)
 void TimelineStrip::focusOutEvent(QFocusEvent *)
 {
     update();
+}
+
+QString TimelineStrip::hintOf(const Fork &fork) const
+{
+    const Branch *branch = m_session.branches().find(fork.branches.front());
+    if (fork.branches.size() > 1 || !branch)
+        return tr("%1 other runs part from this one at frame %2. Click to choose one.")
+            .arg(fork.branches.size())
+            .arg(fork.at);
+    return tr("Another run: %1. Click to show it beside this one, right-click for more.")
+        .arg(branchLine(*branch, m_session.timeline().script()));
 }
 
 QString TimelineStrip::hintAt(const QPoint &place) const
@@ -161,8 +208,10 @@ QString TimelineStrip::hintAt(const QPoint &place) const
     }
     if (!isOnTrack(place))
         return {};
-    if (m_view.old && oldRunArea(m_axis, *m_view.old, m_theme).contains(place))
-        return tr("The old run, %1. Right-click to forget it.").arg(m_view.old->name);
+    if (const Fork *fork = forkAt(place))
+        return hintOf(*fork);
+    if (isOnOldRun(place))
+        return tr("Beside this run: %1. Right-click for what you can do with it.").arg(m_view.old->name);
     return tr("frame %1").arg(m_axis.frameAt(place.x()));
 }
 

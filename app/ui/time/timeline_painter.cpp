@@ -14,6 +14,7 @@ using Places = TimelinePlaces;
 
 constexpr double labelBaseline = 10.0;
 constexpr double nameGap = 8.0;
+constexpr double bend = 16.0; ///< px that the dots take to come down from the track
 
 /// Where the dots of the old run end and its name begins. The name stays on the screen: near the right end it
 /// takes the place of the last dots, and if there are none before it, it stands left of the fork.
@@ -27,7 +28,6 @@ struct OldRunPlace
 
 OldRunPlace placeOf(const TimelineAxis &axis, const OldRun &old, const Theme &theme)
 {
-    constexpr double bend = 16.0;
     OldRunPlace place;
     place.from = axis.xOf(old.fork);
     place.to = std::max(axis.xOf(old.end), place.from + bend);
@@ -83,23 +83,41 @@ void paintTrack(QPainter &painter, const TimelineAxis &axis, const RunView &view
     }
 }
 
-void paintOldRun(QPainter &painter, const TimelineAxis &axis, const OldRun &old, const Theme &theme)
+void paintRing(QPainter &painter, double x, const QColor &ink, const Tokens &t)
 {
-    const Tokens &t = theme.tokens();
-    const OldRunPlace place = placeOf(axis, old, theme);
+    painter.setPen(QPen(ink, 1.5));
+    painter.setBrush(t.panel);
+    painter.drawEllipse(QPointF(x, Places::track), 4, 4);
+}
+
+/// Round dots from the track at `from` down and on to `to`.
+void paintDots(QPainter &painter, double from, double to, const Tokens &t)
+{
     const double drop = Places::oldRun - Places::track;
-    QPainterPath path({place.from, Places::track});
-    path.cubicTo(QPointF(place.from + 8, Places::track), QPointF(place.from + 6, Places::track + drop),
-                 QPointF(place.from + 16, Places::oldRun));
-    path.lineTo(place.to, Places::oldRun);
+    QPainterPath path({from, Places::track});
+    path.cubicTo(QPointF(from + 8, Places::track), QPointF(from + 6, Places::track + drop),
+                 QPointF(from + bend, Places::oldRun));
+    path.lineTo(to, Places::oldRun);
     QPen dots(t.ghost, 3.0, Qt::CustomDashLine, Qt::RoundCap);
     dots.setDashPattern({1.0 / 3.0, 2.0});
     painter.setPen(dots);
     painter.setBrush(Qt::NoBrush);
     painter.drawPath(path);
-    painter.setPen(QPen(t.ink, 1.5));
-    painter.setBrush(t.panel);
-    painter.drawEllipse(QPointF(place.from, Places::track), 4, 4);
+}
+
+void paintFork(QPainter &painter, const TimelineAxis &axis, const Fork &fork, const Tokens &t)
+{
+    const double x = axis.xOf(fork.at);
+    paintDots(painter, x, x + bend, t);
+    paintRing(painter, x, t.ghost, t);
+}
+
+void paintOldRun(QPainter &painter, const TimelineAxis &axis, const OldRun &old, const Theme &theme)
+{
+    const Tokens &t = theme.tokens();
+    const OldRunPlace place = placeOf(axis, old, theme);
+    paintDots(painter, place.from, place.to, t);
+    paintRing(painter, place.from, t.ink, t);
     painter.setFont(theme.ui(11.5));
     painter.setPen(t.ink3);
     painter.drawText(QPointF(place.name, Places::oldRun + 4), old.name);
@@ -136,6 +154,8 @@ void paintTimeline(QPainter &painter, const TimelineAxis &axis, const RunView &v
     painter.setRenderHint(QPainter::Antialiasing);
     paintTicks(painter, axis, theme);
     paintTrack(painter, axis, view, theme);
+    for (const Fork &fork : view.forks)
+        paintFork(painter, axis, fork, theme.tokens());
     if (view.old)
         paintOldRun(painter, axis, *view.old, theme);
     const double x = axis.xOf(view.at);
@@ -149,6 +169,12 @@ QRectF oldRunArea(const TimelineAxis &axis, const OldRun &old, const Theme &them
     const double left = std::min(place.from, place.name) - 4;
     const double right = std::max(place.to, place.name + place.nameWidth) + 4;
     return {left, Places::oldRun - 8, right - left, 16};
+}
+
+QRectF forkArea(const TimelineAxis &axis, const Fork &fork)
+{
+    const double top = Places::track + 6;
+    return {axis.xOf(fork.at) - 6, top, bend + 12, Places::fan - top};
 }
 
 QRegion changedByMove(const TimelineAxis &axis, const RunView &was, const RunView &is)

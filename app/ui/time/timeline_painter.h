@@ -26,6 +26,15 @@ struct OldRun
     std::int64_t fork = 0; ///< the last frame that both runs share
     std::int64_t end = 0;
     QString name;
+    int id = 0;
+    bool isKept = false;
+};
+
+/// Where other runs, which are not shown beside this one, leave it.
+struct Fork
+{
+    std::int64_t at = 0; ///< the last frame that they share with the run
+    std::vector<int> branches;
 };
 
 /// What the upper part of the timeline shows of a run.
@@ -35,6 +44,7 @@ struct RunView
     std::int64_t computed = 0;
     std::vector<Stretch> input;
     std::optional<OldRun> old;
+    std::vector<Fork> forks; ///< by frame
     bool playing = false;
 };
 
@@ -54,6 +64,8 @@ void paintTimeline(QPainter &painter, const TimelineAxis &axis, const RunView &v
 
 /// Where the old run's dots and name are.
 QRectF oldRunArea(const TimelineAxis &axis, const OldRun &old, const Theme &theme);
+/// Where the mark of a fork can be pressed: under the track, so that it keeps nobody from scrubbing.
+QRectF forkArea(const TimelineAxis &axis, const Fork &fork);
 
 /// What looks different when nothing but the cursor and what is computed change from `was` to `is`.
 QRegion changedByMove(const TimelineAxis &axis, const RunView &was, const RunView &is);

@@ -28,7 +28,7 @@ TimelineStrip::TimelineStrip(Session &session, const Theme &theme, QWidget *pare
     setAccessibleName(tr("Timeline"));
     setAccessibleDescription(
         tr("Left and Right: one frame. With Shift: one phase. Home: frame 0. End: the last "
-           "computed frame."));
+           "computed frame. Menu: the other runs."));
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setAttribute(Qt::WA_OpaquePaintEvent);

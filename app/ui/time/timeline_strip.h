@@ -31,6 +31,10 @@ public:
     /// What is at a place, and what it does; empty where nothing is.
     QString hintAt(const QPoint &place) const;
 
+signals:
+    /// This run and the one beside it are to be compared in numbers.
+    void compareWanted();
+
 protected:
     bool event(QEvent *event) override;
     void paintEvent(QPaintEvent *event) override;
@@ -53,6 +57,13 @@ private:
     void follow();
     void readPhases();
     bool coverRun();
+    /// The fork whose mark is at a place, away from the old run's dots; null if none is.
+    const Fork *forkAt(const QPointF &place) const;
+    bool isOnOldRun(const QPointF &place) const;
+    void press(const Fork &fork, const QPoint &onScreen);
+    /// A menu of these branches; of all if there are none.
+    void showRuns(std::vector<int> branches, const QPoint &onScreen);
+    QString hintOf(const Fork &fork) const;
     void setHovered(int phase);
     void runTo(int phase);
     void step(bool forward, bool byPhase);

@@ -3,6 +3,7 @@
 #include "app/model/sentences.h"
 #include "app/ui/time/frame_counter.h"
 #include "app/ui/time/position.h"
+#include "app/ui/time/runs_menu.h"
 #include "app/ui/time/speed_button.h"
 
 #include <QAction>
@@ -55,7 +56,7 @@ TransportBar::TransportBar(Session &session, const Theme &theme, QWidget *parent
     m_goToFrame->setShortcut(Qt::CTRL | Qt::Key_G);
     addAction(m_goToFrame);
     connect(m_goToFrame, &QAction::triggered, this, &TransportBar::editFrame);
-    connect(m_cancel, &QShortcut::activated, &session, &Session::pause);
+    connect(m_cancel, &QShortcut::activated, &session, &Session::stopGoing);
     connect(m_frame, &FrameCounter::asked, this, [this](std::int64_t frame) {
         m_session.pause();
         m_session.goTo({frame, 0});
@@ -91,6 +92,9 @@ void TransportBar::build()
     m_frame = new FrameCounter(m_theme, this);
     m_layout->addWidget(m_frame);
     m_layout->addSpacerItem(new QSpacerItem(8, 0, QSizePolicy::Expanding));
+    m_runs = new RunsMenu(m_session, m_theme, this);
+    m_runsButton = addButton("runsButton", 32, 28, &TransportBar::chooseRun);
+    addSpace(6);
     m_speed = new SpeedButton(m_theme, this);
     m_layout->addWidget(m_speed);
 }
@@ -119,6 +123,7 @@ void TransportBar::dress()
     m_frameBack->setIcon(m_theme.icon("frame-back", ink));
     m_frameForward->setIcon(m_theme.icon("frame-forward", ink));
     m_phaseForward->setIcon(m_theme.icon("phase-forward"));
+    m_runsButton->setIcon(m_theme.icon("runs"));
     refresh();
     update();
 }
@@ -129,7 +134,28 @@ void TransportBar::refresh()
     showPlay();
     showFrame();
     showButtons();
+    showRuns();
     fit();
+}
+
+void TransportBar::showRuns()
+{
+    const std::size_t count = m_session.branches().all().size();
+    const QString what = count == 0   ? tr("Other runs: none yet")
+                         : count == 1 ? tr("Other runs: one")
+                                      : tr("Other runs: %1").arg(count);
+    describe(m_runsButton, what, tr("Ctrl+Shift+R"),
+             count == 0
+                 ? tr("Go back in time and change something: the run as it was stays, and is found here.")
+                 : QString());
+}
+
+void TransportBar::chooseRun()
+{
+    if (m_runsButton->isEnabled())
+        m_runs->popupAbove(*m_runsButton);
+    else
+        emit m_session.said(m_runsButton->toolTip());
 }
 
 void TransportBar::follow()
@@ -181,8 +207,9 @@ void TransportBar::showButtons()
         describe(m_play, tr("Stop here"), tr("Esc"), {});
     else
         describe(m_play, m_session.isPlaying() ? tr("Pause") : tr("Play"), tr("Space"), noFuture);
-    if (m_cancel->isEnabled() != m_session.goingTo().has_value()) {
-        m_cancel->setEnabled(m_session.goingTo().has_value());
+    const bool canStop = m_session.goingTo() || m_session.isBringing();
+    if (m_cancel->isEnabled() != canStop) {
+        m_cancel->setEnabled(canStop);
         showPlay();
     }
 }

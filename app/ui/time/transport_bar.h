@@ -14,6 +14,7 @@ class QToolButton;
 namespace app {
 
 class FrameCounter;
+class RunsMenu;
 class SpeedButton;
 
 /// Play, pause and step in time; the frame; the playing speed. 52 px high.
@@ -26,6 +27,10 @@ public:
 
     /// "Go to frame", with its shortcut Ctrl+G; it works wherever the focus is, and may be put into a menu.
     QAction *goToFrameAction() const { return m_goToFrame; }
+    /// The other runs of the step; the menu may be put into others.
+    RunsMenu &runs() const { return *m_runs; }
+    /// Opens that menu above its button.
+    void chooseRun();
 
     /// Less high and wide than this is not to be had.
     QSize minimumSizeHint() const override;
@@ -51,6 +56,7 @@ private:
     void follow();
     void showFrame();
     void showButtons();
+    void showRuns();
     void showPlay();
     void fit();
     QString whyNoPast() const;
@@ -70,10 +76,12 @@ private:
     QToolButton *m_play;
     QToolButton *m_frameForward;
     QToolButton *m_phaseForward;
+    QToolButton *m_runsButton;
+    RunsMenu *m_runs;
     FrameCounter *m_frame;
     SpeedButton *m_speed;
     QAction *m_goToFrame;
-    QShortcut *m_cancel; ///< Escape, while the session goes to a far frame
+    QShortcut *m_cancel; ///< Escape, while the session goes to a far frame or computes a run again
     QElapsedTimer m_sinceFrame;
 };
 

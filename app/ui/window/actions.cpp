@@ -118,6 +118,7 @@ void MainWindow::makeTimeActions()
     m_run->addSeparator();
     add(tr("Start the step &afresh"), {QKeySequence("Ctrl+R")}, group, [this] { m_session.startAfresh(); });
     add(tr("Forget the &old run"), {QKeySequence("Ctrl+D")}, group, [this] { m_session.forgetGhost(); });
+    makeBranchActions();
     m_run->addSeparator();
     const QString steps = tr("Steps");
     add(tr("Ne&xt step"), {QKeySequence(Qt::Key_PageDown)}, steps, [this] { m_session.openFollowing(); });
@@ -188,6 +189,8 @@ void MainWindow::showHelp()
         m_helpPage->addGesture(tr("Picture"), tr("Press the background"),
                                tr("blow, steer or aim, where a step has that"));
         m_helpPage->addGesture(tr("Picture"), tr("Drag with the middle button"), tr("move the picture"));
+        m_helpPage->addGesture(tr("Other runs"), tr("Click the dots below a ring"),
+                               tr("show the run that parts there beside this one; right-click: more"));
         m_helpPage->addGesture(tr("Picture"), tr("Arrow keys"), tr("steer, where a step has that"));
         m_helpPage->addGesture(tr("Picture"), tr("Alt, Shift and an arrow key"),
                                tr("move the pointer or the target 20 px"));

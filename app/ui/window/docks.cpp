@@ -49,6 +49,7 @@ void MainWindow::makeDocks(CostFunction cost)
     connect(m_effectsDock, &QDockWidget::visibilityChanged, m_effects,
             [effects = m_effects](bool seen) { effects->setCovered(!seen); });
 
+    makeBranchesDock();
     makeCodeDock();
     makeParameterDock();
     connect(m_parameters, &ParameterPanel::wantedHeightChanged, this, &MainWindow::fitParameters);

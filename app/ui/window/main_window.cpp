@@ -145,6 +145,7 @@ void MainWindow::restore()
     m_docksKnown = restoreState(settings.value("window/docks").toByteArray());
     m_accuracyDock->hide(); // the window opens for learning
     m_energyDock->hide();
+    m_branchesDock->hide();
     m_effectsDock->hide();
     showStability(false);
 }

@@ -17,6 +17,7 @@ class QLabel;
 namespace app {
 
 class AccuracyPanel;
+class BranchesPanel;
 class CodePanel;
 class Course;
 class EffectsPanel;
@@ -54,6 +55,8 @@ public:
     void showEnergy(bool shown);
     /// Whether the ledger of effects is seen: below the picture, or with accuracy where that is measured.
     void showEffects(bool shown);
+    /// Whether two runs are compared, below the picture.
+    void showBranches(bool shown);
     const EffectsPanel &effects() const { return *m_effects; }
     const StabilityWatch &stability() const { return *m_stability; }
     const StopNotice &stopNotice() const { return *m_stopNotice; }
@@ -103,6 +106,8 @@ private:
     void showMeasures();
     void makeStatus();
     void makeStability();
+    void makeBranchesDock();
+    void makeBranchActions();
     void showStatus();
     void showHelp();
     void askOpen();
@@ -152,6 +157,7 @@ private:
     Notice *m_notice = nullptr;
     HelpPage *m_helpPage = nullptr;
     AccuracyPanel *m_accuracy = nullptr;
+    BranchesPanel *m_branches = nullptr;
     EnergyPanel *m_energy = nullptr;
     EffectsPanel *m_effects = nullptr;
     StabilityGauge *m_gauge = nullptr;
@@ -159,6 +165,7 @@ private:
     QAction *m_stabilityAction = nullptr;
     QDockWidget *m_left = nullptr;
     QDockWidget *m_accuracyDock = nullptr;
+    QDockWidget *m_branchesDock = nullptr;
     QDockWidget *m_energyDock = nullptr;
     QDockWidget *m_effectsDock = nullptr;
     QDockWidget *m_codeDock = nullptr;

@@ -1,0 +1,185 @@
+#include "app/model/difference_course.h"
+
+#include "app/model/numbers.h"
+#include "app/model/same_run.h"
+
+#include <QElapsedTimer>
+
+#include <algorithm>
+#include <numeric>
+
+namespace app {
+
+namespace {
+
+constexpr qint64 sliceMilliseconds = 4;
+
+}
+
+DifferenceCourse::DifferenceCourse(Session &session, QObject *parent) : QObject(parent), m_session(session)
+{
+    m_later.setSingleShot(true);
+    m_later.setInterval(0);
+    connect(&m_later, &QTimer::timeout, this, &DifferenceCourse::fill);
+    connect(&session, &Session::stepOpened, this, &DifferenceCourse::restart);
+    connect(&session, &Session::runChanged, this, &DifferenceCourse::dropChanged);
+    connect(&session, &Session::moved, this, &DifferenceCourse::fill);
+    connect(&session, &Session::selectionChanged, this, [this] {
+        if (m_of == Of::selected)
+            restart();
+    });
+}
+
+void DifferenceCourse::setWatched(bool watched)
+{
+    if (watched == m_watched)
+        return;
+    m_watched = watched;
+    if (watched)
+        restart();
+    else
+        m_later.stop();
+}
+
+void DifferenceCourse::setOf(Of of)
+{
+    m_of = of;
+    restart();
+}
+
+std::int64_t DifferenceCourse::end() const
+{
+    const sim::Timeline &timeline = m_session.timeline();
+    return timeline.ghost() ? std::min(timeline.computed(), timeline.ghost()->computed()) : 0;
+}
+
+void DifferenceCourse::restart()
+{
+    m_samples.clear();
+    m_largest = {};
+    m_branch.reset();
+    m_one.reset();
+    m_other.reset();
+    const sim::Timeline &timeline = m_session.timeline();
+    if (m_watched && isComparing() && m_session.beside()) {
+        m_run = withoutInput(timeline.script());
+        m_branch = m_session.beside()->script;
+        m_shared = lastShared(timeline.script(), *m_branch);
+        m_rows = std::lcm(timeline.track().rowFrames(), timeline.ghost()->rowFrames());
+        m_spacing = m_rows;
+        m_next = m_shared / m_rows * m_rows;
+        m_isTooLarge = false;
+    }
+    emit changed();
+    fill();
+}
+
+void DifferenceCourse::dropChanged()
+{
+    if (!m_watched)
+        return;
+    const sim::Timeline &timeline = m_session.timeline();
+    // A change of input concerns the rows after the cursor.
+    const std::int64_t at = timeline.at().frame;
+    const bool isSame = m_branch && isComparing() && m_session.beside() &&
+                        m_session.beside()->script == m_branch && sameRun(m_run, timeline.script()) &&
+                        lastShared(timeline.script(), *m_branch) == m_shared;
+    const bool isPast = m_next - m_spacing > at;
+    if (!isSame || (isPast && m_spacing > m_rows)) {
+        restart();
+        return;
+    }
+    if (isPast)
+        dropAfter(at);
+    fill();
+}
+
+void DifferenceCourse::dropAfter(std::int64_t frame)
+{
+    std::erase_if(m_samples, [&](const Difference &one) { return one.frame > frame; });
+    m_next = frame / m_rows * m_rows + m_rows;
+    m_largest = {};
+    for (const Difference &one : m_samples) {
+        if (one.distance > m_largest.distance)
+            m_largest = one;
+    }
+    emit changed();
+}
+
+void DifferenceCourse::fill()
+{
+    if (!m_watched || !m_branch || !isComparing() || m_isTooLarge)
+        return;
+    QElapsedTimer clock;
+    clock.start();
+    bool any = false;
+    while (!m_isTooLarge && m_next <= end() && (!any || clock.elapsed() < sliceMilliseconds)) {
+        look();
+        any = true;
+    }
+    if (!m_isTooLarge && m_next <= end())
+        m_later.start();
+    if (any)
+        emit changed();
+}
+
+void DifferenceCourse::pairUp(const std::shared_ptr<const sim::Segment> &one,
+                              const std::shared_ptr<const sim::Segment> &other)
+{
+    if (one == m_one && other == m_other)
+        return;
+    m_one = one;
+    m_other = other;
+    m_pairs.clear();
+    std::map<std::string, int> places;
+    for (std::size_t i = 0; i < other->scene.names.size(); ++i)
+        places.emplace(other->scene.names[i], static_cast<int>(i));
+    for (std::size_t i = 0; i < one->scene.names.size(); ++i) {
+        const auto found = places.find(one->scene.names[i]);
+        if (found != places.end())
+            m_pairs.push_back({static_cast<int>(i), found->second});
+    }
+}
+
+void DifferenceCourse::look()
+{
+    const sim::Track &run = m_session.timeline().track();
+    const sim::Track &branch = *m_session.timeline().ghost();
+    const std::int64_t frame = m_next;
+    pairUp(run.segmentAt(frame), branch.segmentAt(frame));
+    m_isTooLarge = std::max(m_one->scene.start.points(), m_other->scene.start.points()) > mostPoints;
+    if (m_isTooLarge) {
+        m_samples.clear();
+        return;
+    }
+    const sim::State one = run.stateAt(frame), other = branch.stateAt(frame);
+    const int selected = m_one->scene.find(m_session.selected().toStdString());
+    Difference farthest{frame, -1.0, {}};
+    for (const Pair &pair : m_pairs) {
+        if (m_of == Of::selected && pair.one != selected)
+            continue;
+        const double distance = shownLength(one.at(pair.one) - other.at(pair.other));
+        if (distance > farthest.distance)
+            farthest = {frame, distance, m_one->scene.names[static_cast<std::size_t>(pair.one)]};
+    }
+    m_next += m_spacing;
+    if (farthest.distance < 0.0)
+        return; // no body that both have
+    if (m_samples.empty() || farthest.distance > m_largest.distance)
+        m_largest = farthest;
+    m_samples.push_back(std::move(farthest));
+    if (m_samples.size() >= mostSamples)
+        thin();
+}
+
+void DifferenceCourse::thin()
+{
+    m_spacing *= 2;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < m_samples.size(); i += 2)
+        m_samples[kept++] = std::move(m_samples[i]);
+    m_samples.resize(kept);
+    m_next = m_samples.back().frame + m_spacing;
+}
+
+}

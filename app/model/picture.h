@@ -1,0 +1,20 @@
+#pragma once
+
+#include "lessons/api/step.h"
+#include "sim/segments.h"
+
+#include <memory>
+#include <vector>
+
+namespace app {
+
+/// What there is to draw of one run at one moment.
+struct Picture
+{
+    std::shared_ptr<const sim::Segment> segment;
+    sim::State state;
+    std::shared_ptr<const lessons::Look> look; ///< one and the same for all states of a segment
+    std::vector<lessons::Guide> guides;
+};
+
+}

@@ -1,0 +1,167 @@
+#include "app/ui/branches/branches_panel.h"
+
+#include "app/model/difference_words.h"
+#include "app/model/sentences.h"
+#include "app/ui/branches/difference_plot.h"
+#include "app/ui/panels/panel_title.h"
+#include "app/ui/time/runs_menu.h"
+
+#include <QButtonGroup>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+
+namespace app {
+
+namespace {
+
+constexpr int refreshMilliseconds = 100; ///< while playing: numbers that change faster cannot be read
+
+}
+
+BranchesPanel::BranchesPanel(Session &session, const Theme &theme, QWidget *parent)
+    : QWidget(parent), m_session(session), m_theme(theme), m_course(session),
+      m_title(new PanelTitle(tr("Two runs"), PanelTitle::CaptionPlace::besideTitle, theme, this)),
+      m_plot(new DifferencePlot(session, m_course, theme, this)), m_runs(new RunsMenu(session, theme, this))
+{
+    setObjectName("panel");
+    setAttribute(Qt::WA_StyledBackground);
+    m_title->addAction(tabs());
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 4);
+    column->setSpacing(0);
+    column->addWidget(m_title);
+    column->addWidget(m_plot, 1);
+    column->addWidget(foot());
+    m_later.setSingleShot(true);
+    connect(&m_later, &QTimer::timeout, this, &BranchesPanel::refreshNow);
+    connect(&m_course, &DifferenceCourse::changed, this, &BranchesPanel::refresh);
+    connect(&session, &Session::moved, this, &BranchesPanel::refresh);
+    connect(&session, &Session::runChanged, this, &BranchesPanel::refresh);
+    connect(&session, &Session::playingChanged, this, &BranchesPanel::refresh);
+    connect(&session, &Session::selectionChanged, this, &BranchesPanel::nameBodies);
+    connect(&session, &Session::stepOpened, this, &BranchesPanel::nameBodies);
+    connect(&theme, &Theme::changed, this, &BranchesPanel::refreshNow);
+    nameBodies();
+}
+
+QToolButton *BranchesPanel::tab(const QString &name, const QString &tip)
+{
+    auto *button = new QToolButton(this);
+    button->setObjectName("tab");
+    button->setText(name);
+    button->setToolTip(tip);
+    button->setCheckable(true);
+    button->setFocusPolicy(Qt::TabFocus);
+    return button;
+}
+
+QWidget *BranchesPanel::tabs()
+{
+    auto *row = new QWidget(this);
+    auto *layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(2);
+    m_farthest = tab(tr("Farthest off"), tr("At each frame the body that is farthest from where it is in the "
+                                            "other run"));
+    m_selected = tab({}, tr("Only the body that is chosen in the picture"));
+    m_farthest->setChecked(true);
+    auto *group = new QButtonGroup(row);
+    group->addButton(m_farthest);
+    group->addButton(m_selected);
+    layout->addWidget(m_farthest);
+    layout->addWidget(m_selected);
+    connect(m_farthest, &QToolButton::clicked, this, [this] { setOf(DifferenceCourse::Of::farthest); });
+    connect(m_selected, &QToolButton::clicked, this, [this] { setOf(DifferenceCourse::Of::selected); });
+    m_runsButton = tab(tr("Runs"), tr("Choose the run to compare with, keep, name and delete runs"));
+    m_runsButton->setCheckable(false);
+    layout->addSpacing(8);
+    layout->addWidget(m_runsButton);
+    connect(m_runsButton, &QToolButton::clicked, this, [this] { m_runs->popupAbove(*m_runsButton); });
+    return row;
+}
+
+QWidget *BranchesPanel::foot()
+{
+    auto *row = new QWidget(this);
+    m_sentence = new QLabel(row);
+    m_sentence->setTextFormat(Qt::PlainText);
+    m_sentence->setWordWrap(true);
+    m_go = tab(tr("Go there"), tr("Go to the frame with the largest difference"));
+    m_go->setCheckable(false);
+    connect(m_go, &QToolButton::clicked, this, &BranchesPanel::goToLargest);
+    auto *layout = new QHBoxLayout(row);
+    layout->setContentsMargins(16, 4, 12, 4);
+    layout->setSpacing(8);
+    layout->addWidget(m_sentence, 1);
+    layout->addWidget(m_go);
+    return row;
+}
+
+QString BranchesPanel::sentence() const
+{
+    return m_sentence->text();
+}
+
+void BranchesPanel::setOf(DifferenceCourse::Of of)
+{
+    (of == DifferenceCourse::Of::farthest ? m_farthest : m_selected)->setChecked(true);
+    m_course.setOf(of);
+    refreshNow();
+}
+
+void BranchesPanel::nameBodies()
+{
+    m_selected->setText(bodyTitle(m_session.selected()));
+}
+
+void BranchesPanel::goToLargest()
+{
+    if (!m_course.largest())
+        return;
+    m_session.pause();
+    m_session.goTo({m_course.largest()->frame, 0});
+}
+
+void BranchesPanel::refresh()
+{
+    if (!isVisible())
+        return;
+    const bool isLooking = m_course.isComparing() && m_course.next() <= m_course.end();
+    if (!(m_session.isPlaying() || isLooking) || !m_sinceRefresh.isValid() ||
+        m_sinceRefresh.hasExpired(refreshMilliseconds))
+        refreshNow();
+    else if (!m_later.isActive())
+        m_later.start(refreshMilliseconds - static_cast<int>(m_sinceRefresh.elapsed()));
+}
+
+void BranchesPanel::refreshNow()
+{
+    if (!isVisible())
+        return;
+    m_later.stop();
+    m_sinceRefresh.start();
+    const Branch *branch = m_session.beside();
+    m_title->setCaption(branch ? tr("this one and “%1”").arg(branch->name) : QString());
+    m_sentence->setText(differenceSentence(m_course));
+    m_plot->setAccessibleDescription(m_sentence->text());
+    const Difference *largest = m_course.largest();
+    m_go->setVisible(largest && largest->distance > 0.0);
+    m_plot->refresh();
+}
+
+void BranchesPanel::showEvent(QShowEvent *event)
+{
+    QWidget::showEvent(event);
+    m_course.setWatched(true);
+    refreshNow();
+}
+
+void BranchesPanel::hideEvent(QHideEvent *event)
+{
+    QWidget::hideEvent(event);
+    m_course.setWatched(false);
+    m_later.stop();
+}
+
+}

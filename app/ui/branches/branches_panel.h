@@ -1,0 +1,65 @@
+#pragma once
+
+#include "app/model/difference_course.h"
+#include "app/ui/theme/theme.h"
+
+#include <QElapsedTimer>
+#include <QWidget>
+
+class QLabel;
+class QToolButton;
+
+namespace app {
+
+class DifferencePlot;
+class PanelTitle;
+class RunsMenu;
+
+/// Two runs compared: how far a body is in the one from where it is in the other, over time, and the largest of it. Looks
+/// only while it is seen.
+class BranchesPanel : public QWidget
+{
+    Q_OBJECT
+
+public:
+    BranchesPanel(Session &session, const Theme &theme, QWidget *parent = nullptr);
+
+    const DifferenceCourse &course() const { return m_course; }
+    DifferencePlot &plot() const { return *m_plot; }
+    /// The largest difference and where it is, or why there is none.
+    QString sentence() const;
+    /// Of which body.
+    void setOf(DifferenceCourse::Of of);
+
+    QSize sizeHint() const override { return {660, 290}; }
+    QSize minimumSizeHint() const override { return {420, 190}; }
+
+protected:
+    void showEvent(QShowEvent *event) override;
+    void hideEvent(QHideEvent *event) override;
+
+private:
+    QWidget *tabs();
+    QToolButton *tab(const QString &name, const QString &tip);
+    QWidget *foot();
+    void goToLargest();
+    void nameBodies();
+    void refresh();
+    void refreshNow();
+
+    Session &m_session;
+    const Theme &m_theme;
+    DifferenceCourse m_course;
+    PanelTitle *m_title;
+    DifferencePlot *m_plot;
+    QLabel *m_sentence = nullptr;
+    QToolButton *m_farthest = nullptr;
+    QToolButton *m_selected = nullptr;
+    QToolButton *m_runsButton = nullptr;
+    QToolButton *m_go = nullptr;
+    RunsMenu *m_runs;
+    QElapsedTimer m_sinceRefresh;
+    QTimer m_later;
+};
+
+}

@@ -1,0 +1,48 @@
+#include "app/ui/time/name_field.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+
+namespace app {
+
+namespace {
+
+constexpr int mostLetters = 60;
+constexpr int fieldWidth = 260; ///< px
+
+}
+
+NameField::NameField(const QString &name, const Theme &theme, QWidget *parent)
+    : QFrame(parent, Qt::Popup), m_edit(new QLineEdit(name, this))
+{
+    setObjectName("nameField");
+    setAttribute(Qt::WA_DeleteOnClose);
+    setFont(theme.ui());
+    auto *label = new QLabel(tr("Name"), this);
+    label->setBuddy(m_edit);
+    m_edit->setMaxLength(mostLetters);
+    m_edit->setMinimumWidth(fieldWidth);
+    m_edit->setAccessibleName(tr("Name of the run"));
+    m_edit->setToolTip(tr("Return takes this name, Escape leaves the one before"));
+    auto *row = new QHBoxLayout(this);
+    row->setContentsMargins(12, 8, 12, 8);
+    row->setSpacing(8);
+    row->addWidget(label);
+    row->addWidget(m_edit);
+    connect(m_edit, &QLineEdit::returnPressed, this, [this] {
+        emit named(m_edit->text());
+        close();
+    });
+}
+
+void NameField::popupAt(const QPoint &place)
+{
+    adjustSize();
+    move(place);
+    show();
+    m_edit->selectAll();
+    m_edit->setFocus(Qt::PopupFocusReason);
+}
+
+}

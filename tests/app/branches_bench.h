@@ -1,0 +1,76 @@
+#pragma once
+
+#include "app/model/session.h"
+#include "effects_bench.h"
+
+#include <QSettings>
+#include <QTemporaryDir>
+
+/// What the suites of branches share: a lesson whose runs are known in closed form, and a look at the list of branches.
+namespace branches_bench {
+
+/// A foot that falls freely, beside a body that stands still. Semi-implicit Euler at a frame a step: after n frames from
+/// rest it fell g n (n + 1) / 2.
+inline lessons::Step fallStep()
+{
+    lessons::Step step;
+    step.id = "fall";
+    step.title = "A fall";
+    step.method = "semi_implicit_euler";
+    step.parameters = {lessons::gravity(), lessons::stiffness()};
+    step.scene = [](const sim::Values &values) {
+        sim::Scene scene = lessons::creatureOnHandle();
+        lessons::add<sim::Gravity>(scene, values["gravity"]);
+        return scene;
+    };
+    step.look = [](const sim::Scene &scene, const sim::Values &) { return lessons::creatureLook(scene); };
+    return step;
+}
+
+inline app::LessonLibrary library()
+{
+    app::LessonLibrary made;
+    made.lessons.push_back({"fall", 1, "A fall", "The first.", {fallStep()}});
+    made.lessons.push_back(
+        {"legs", 2, "Legs", "The second.", {effects_bench::tiedStep(), effects_bench::puppetStep()}});
+    return made;
+}
+
+struct World
+{
+    explicit World(const QString &step = "fall") { session.openStep(step == "fall" ? "fall" : "legs", step); }
+
+    /// Plays on to frame `end`, goes back to `at`, and gives a parameter another value.
+    void fork(std::int64_t end, std::int64_t at, const QString &parameter, double value)
+    {
+        session.goTo({end, 0});
+        session.goTo({at, 0});
+        session.setParameter(parameter, value);
+        session.endGesture();
+    }
+    QStringList names() const
+    {
+        QStringList all;
+        for (const app::Branch &branch : session.branches().all())
+            all << branch.name;
+        return all;
+    }
+    int newest() const { return session.branches().all().back().id; }
+    /// The state of the run in use at a frame, computed from its script alone.
+    sim::State straight(std::int64_t frame) const
+    {
+        sim::Track track(session.timeline().script(), 0);
+        track.seek({frame, 0});
+        return track.now();
+    }
+    sim::State at(std::int64_t frame)
+    {
+        session.goTo({frame, 0});
+        return session.timeline().now();
+    }
+
+    app::LessonLibrary lessons = library();
+    app::Session session{lessons};
+};
+
+}

@@ -1,0 +1,122 @@
+// Whatever was done in whatever step: undone, it has the bits of the start again; done again, those of the end.
+
+#include "random_gestures.h"
+
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QtTest>
+
+using namespace app;
+
+namespace {
+
+constexpr int manyPoints = 500;
+
+/// A run as it is found: its script, and a state of it.
+struct Found
+{
+    sim::Script script;
+    sim::State state;
+};
+
+Found look(Session &session, std::int64_t frame)
+{
+    session.goTo({frame, 0});
+    arrive(session);
+    return {session.timeline().script(), session.timeline().now()};
+}
+
+/// Whether two lists have the same runs with the same names.
+bool sameList(const Branches &a, const Branches &b)
+{
+    return std::equal(a.all().begin(), a.all().end(), b.all().begin(), b.all().end(),
+                      [](const Branch &one, const Branch &other) {
+                          return one.id == other.id && one.name == other.name && one.isKept == other.isKept &&
+                                 isSameRun(*one.script, *other.script);
+                      });
+}
+
+bool isSame(const Found &a, const Found &b)
+{
+    return isSameRun(a.script, b.script) && sim::sameBits(a.state, b.state);
+}
+
+}
+
+class UndoPropertyTest : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        QSettings::setDefaultFormat(QSettings::IniFormat);
+        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_folder.path());
+        bool isGiven = false;
+        m_seed = qEnvironmentVariable("SPRINGSTEP_SEED").toUInt(&isGiven);
+        if (!isGiven)
+            m_seed = std::random_device{}() % 1'000'000;
+        qInfo("SPRINGSTEP_SEED=%u", m_seed);
+        m_library = LessonLibrary::load(LessonLibrary::folders());
+        QVERIFY(!m_library.lessons.empty());
+    }
+
+    void allUndoneIsTheStartAndAllRedoneIsTheEnd_data()
+    {
+        QTest::addColumn<QString>("lesson");
+        for (const LessonEntry &lesson : m_library.lessons)
+            QTest::newRow(qPrintable(lesson.id)) << lesson.id;
+    }
+
+    void allUndoneIsTheStartAndAllRedoneIsTheEnd()
+    {
+        QFETCH(QString, lesson);
+        Session session(m_library);
+        unsigned seed = m_seed;
+        m_deeds = 0;
+        for (const lessons::Step &step : m_library.lesson(lesson)->steps) {
+            session.openStep(lesson, step.id);
+            const bool isLarge = session.timeline().now().points() > manyPoints;
+            tryOut(session, ++seed, isLarge ? 4 : 20, isLarge ? 5 : 14);
+        }
+        QVERIFY2(m_deeds > 0, "nothing was done");
+    }
+
+private:
+    void tryOut(Session &session, unsigned seed, int frames, int count)
+    {
+        RandomGestures gestures(session, seed, frames);
+        const Found start = look(session, frames);
+        for (int i = 0; i < count; ++i)
+            gestures.act();
+        const Found end = look(session, frames);
+        const QByteArray what =
+            QStringLiteral("%1, seed %2: %3").arg(session.step().id).arg(seed).arg(gestures.done()).toUtf8();
+        const auto straight = [&](const Found &found) {
+            sim::Track track(found.script, 0);
+            track.seek({frames, 0});
+            return sim::sameBits(track.now(), found.state);
+        };
+        QVERIFY2(straight(end), what);
+        while (session.deeds().canRedo()) // an undo among the gestures leaves some
+            session.redo();
+        const Found last = look(session, frames);
+        const Branches branches = session.branches();
+        m_deeds += session.deeds().count();
+        while (session.deeds().canUndo())
+            session.undo();
+        QVERIFY2(isSame(look(session, frames), start), what);
+        while (session.deeds().canRedo())
+            session.redo();
+        QVERIFY2(isSame(look(session, frames), last), what);
+        QVERIFY2(sameList(session.branches(), branches), what);
+    }
+
+    QTemporaryDir m_folder;
+    LessonLibrary m_library;
+    unsigned m_seed = 0;
+    int m_deeds = 0; ///< in all steps of a lesson
+};
+
+QTEST_MAIN(UndoPropertyTest)
+#include "tst_undo_property.moc"
