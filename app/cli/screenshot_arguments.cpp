@@ -20,7 +20,8 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(CommandLine)
 };
 
-/// The number of an option. @throws Refusal
+}
+
 std::int64_t wholeNumber(const QString &option, const QString &text, std::int64_t most)
 {
     bool isNumber = false;
@@ -50,6 +51,8 @@ bool isDark(const QString &text)
         throw Refusal(Text::tr("--theme is %1; it can be \"light\" or \"dark\".").arg(quoted(text)));
     return text == "dark";
 }
+
+namespace {
 
 bool isMeasuring(const QString &text)
 {

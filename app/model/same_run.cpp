@@ -8,6 +8,11 @@ bool sameRun(const sim::Script &a, const sim::Script &b)
            a.effectsOff == b.effectsOff;
 }
 
+bool sameScript(const sim::Script &a, const sim::Script &b)
+{
+    return sameRun(a, b) && a.input == b.input;
+}
+
 sim::Script withoutInput(const sim::Script &script)
 {
     sim::Script plain;

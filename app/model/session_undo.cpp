@@ -7,15 +7,6 @@
 
 namespace app {
 
-namespace {
-
-bool isSame(const sim::Script &a, const sim::Script &b)
-{
-    return sameRun(a, b) && a.input == b.input;
-}
-
-}
-
 /// A run is nothing but its script: with the script it had before, every frame has the bits it had before.
 class Session::RunChange : public QUndoCommand
 {
@@ -24,7 +15,7 @@ public:
         : QUndoCommand(deed.what), m_session(session), m_deed(deed), m_number(session.m_gesture),
           m_before(std::move(before)), m_after(session.m_timeline->script())
     {
-        setObsolete(isSame(m_before, m_after));
+        setObsolete(sameScript(m_before, m_after));
     }
 
     int id() const override { return 1; }
@@ -35,7 +26,7 @@ public:
         if (m_deed.gesture.isEmpty() || next.m_deed.gesture != m_deed.gesture || next.m_number != m_number)
             return false;
         m_after = next.m_after;
-        setObsolete(isSame(m_before, m_after));
+        setObsolete(sameScript(m_before, m_after));
         return true;
     }
 

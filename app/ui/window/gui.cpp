@@ -8,6 +8,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QSettings>
+#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTextStream>
 
@@ -41,6 +42,7 @@ int runWindow(QApplication &application, const QString &file)
     Session session(library);
     MainWindow window(session, theme);
     window.show();
+    window.keepScenesIn(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/scenes");
     if (!file.isEmpty())
         window.openFile(file);
     return QApplication::exec();
