@@ -2,9 +2,19 @@
 
 namespace app {
 
+namespace {
+
+/// Each search for a method makes another one of the same id.
+bool sameMethod(const sim::MethodPtr &a, const sim::MethodPtr &b)
+{
+    return a == b || (a && b && a->id() == b->id());
+}
+
+}
+
 bool sameRun(const sim::Script &a, const sim::Script &b)
 {
-    return a.method == b.method && a.step == b.step && a.values == b.values && a.bodies == b.bodies &&
+    return sameMethod(a.method, b.method) && a.step == b.step && a.values == b.values && a.bodies == b.bodies &&
            a.effectsOff == b.effectsOff;
 }
 

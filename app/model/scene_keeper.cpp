@@ -33,6 +33,17 @@ QStringList scenesIn(const QString &folder)
     return QDir(folder).entryList({QStringLiteral("*") + ending}, QDir::Files);
 }
 
+/// Deletes a folder whose lock is ours.
+void clear(const QString &folder, QLockFile &lock)
+{
+    for (const QString &file : QDir(folder).entryList(QDir::Files | QDir::Hidden)) {
+        if (file != QLatin1String(lockName))
+            QFile::remove(folder + '/' + file);
+    }
+    lock.unlock();
+    QDir().rmdir(folder); // stays if another program has begun to look at it
+}
+
 /// Whether the program whose folder this is runs no longer: then the lock is ours.
 bool isLeft(QLockFile &lock)
 {
@@ -42,12 +53,13 @@ bool isLeft(QLockFile &lock)
 
 }
 
-SceneKeeper::SceneKeeper(Session &session, const Document &document, QString folder, QObject *parent)
+SceneKeeper::SceneKeeper(Session &session, const Document &document, QString folder, int within,
+                         QObject *parent)
     : QObject(parent), m_session(session), m_document(document), m_folder(std::move(folder))
 {
     m_writer.setMaxThreadCount(1);
     m_timer.setSingleShot(true);
-    m_timer.setInterval(keepWithin);
+    m_timer.setInterval(within);
     connect(&m_timer, &QTimer::timeout, this, &SceneKeeper::write);
     connect(&session, &Session::runChanged, this, &SceneKeeper::note);
     connect(&session, &Session::stepOpened, this, &SceneKeeper::note);
@@ -62,7 +74,7 @@ SceneKeeper::~SceneKeeper()
     if (m_own.isEmpty())
         return;
     if (scenesIn(m_own).isEmpty())
-        QDir(m_own).removeRecursively();
+        clear(m_own, *m_lock);
     else
         writeWhole(m_own + '/' + leftName, {});
 }
@@ -160,7 +172,7 @@ std::vector<KeptScene> keptScenes(const QString &folder)
             continue;
         const QStringList files = scenesIn(path);
         if (files.isEmpty()) {
-            QDir(path).removeRecursively();
+            clear(path, lock);
             continue;
         }
         const bool wasEnded = !QFileInfo::exists(path + '/' + leftName);
@@ -184,7 +196,7 @@ void forget(const KeptScene &scene)
     const QString folder = QFileInfo(scene.file).absolutePath();
     QLockFile lock(folder + '/' + lockName);
     if (scenesIn(folder).isEmpty() && isLeft(lock))
-        QDir(folder).removeRecursively();
+        clear(folder, lock);
 }
 
 }

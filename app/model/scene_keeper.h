@@ -20,12 +20,13 @@ class SceneKeeper : public QObject
     Q_OBJECT
 
 public:
-    /// A change is written so many ms after it, which leaves half a second of two for the writing. Nothing runs
-    /// while nothing changes.
+    /// Leaves half a second of two for the writing.
     static constexpr int keepWithin = 1500;
 
-    /// Session and document must outlive it; `folder` need not exist.
-    SceneKeeper(Session &session, const Document &document, QString folder, QObject *parent = nullptr);
+    /// A change is written `within` ms. Nothing runs while nothing changes. Session and document must outlive it;
+    /// `folder` need not exist.
+    SceneKeeper(Session &session, const Document &document, QString folder, int within = keepWithin,
+                QObject *parent = nullptr);
     /// Keeps what is not saved for the next start, as left in good order.
     ~SceneKeeper() override;
 

@@ -98,20 +98,35 @@ private:
         m_bench.session.setParameter(one.id, one.min + (one.max - one.min) * m_random.bounded(1.0));
     }
 
-    void note()
+    /// "-" where there is nothing to save.
+    QByteArray digestOf(Experiment experiment) const
     {
-        QByteArray digest = "-";
-        if (m_bench.isMarked()) {
-            Experiment experiment = m_bench.session.experiment();
-            experiment.frames = 1; // how far it was computed is no input
-            const QByteArray text = experimentText(experiment, m_bench.library);
-            digest = QCryptographicHash::hash(text, QCryptographicHash::Sha1).toHex();
-        }
-        const QString name = m_bench.session.lesson().id + '.' + m_bench.session.step().id;
-        const QByteArray state = name.toUtf8() + ' ' + digest;
+        experiment.frames = 1; // how far it was computed is no input
+        Experiment untouched = newExperiment(experiment.lesson, experiment.step, m_bench.library);
+        untouched.frames = 1;
+        const QByteArray text = experimentText(experiment, m_bench.library);
+        if (text == experimentText(untouched, m_bench.library))
+            return "-";
+        return QCryptographicHash::hash(text, QCryptographicHash::Sha1).toHex();
+    }
+
+    void write(const Experiment &experiment)
+    {
+        const QByteArray state =
+            (experiment.lesson + '.' + experiment.step).toUtf8() + ' ' + digestOf(experiment);
         if (state != m_noted)
             m_log.write(QByteArray::number(m_clock.elapsed()) + ' ' + state + '\n');
         m_noted = state;
+    }
+
+    void note()
+    {
+        const Experiment now = m_bench.session.experiment();
+        // A step that was left has let go of what was held.
+        if (m_open && m_open->step != now.step)
+            write(*m_bench.session.left(m_open->lesson, m_open->step));
+        write(now);
+        m_open = now;
     }
 
     Bench m_bench{"multi_foot", "any_number"};
@@ -120,6 +135,7 @@ private:
     QElapsedTimer m_clock;
     QTimer m_timer;
     QByteArray m_noted;
+    std::optional<Experiment> m_open; ///< the run as it was last noted
 };
 
 }

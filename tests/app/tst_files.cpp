@@ -179,7 +179,7 @@ void FilesTest::theQuestionGoesAwayUnanswered()
     drop(bench.window, {QUrl::fromLocalFile(path)});
     QVERIFY(!bench.notice.sentence().isEmpty());
     bench.press(Qt::Key_Escape, {});
-    QVERIFY(!bench.notice.isVisible());
+    QTRY_VERIFY(!bench.notice.isVisible());
     QCOMPARE(bench.session.step().id, QString("fixed_centre"));
     QCOMPARE(bench.session.parameter("k"), 0.3);
 }
@@ -318,8 +318,6 @@ void FilesTest::closingAsksForAFileThatIsNotSaved()
     QVERIFY(bench.window.close());
     bench.window.show();
     bench.window.openFile(path);
-    QCOMPARE(bench.session.parameter("k"), 0.2); // it was set at frame 0, so it is an event
-    bench.session.goTo({1, 0});
     QCOMPARE(bench.session.parameter("k"), 0.3);
 }
 

@@ -128,7 +128,7 @@ void KillsTest::check(const Killed &killed)
     for (const auto &[step, states] : log.steps) {
         const auto found = kept.find(step);
         const int one = lost(states, found == kept.end() ? QByteArray("-") : found->second, log.end);
-        QVERIFY2(one >= 0, qPrintable(step));
+        QVERIFY2(one >= 0, qPrintable(step + ": " + killed.folder.path()));
         most = std::max(most, one);
     }
     QVERIFY2(most <= mostLost, qPrintable(QString("%1 ms").arg(most)));

@@ -63,7 +63,7 @@ Film::Film(const FilmPlan &plan, const LessonLibrary &library)
     : m_plan(checked(plan)), m_library(libraryOf(plan.experiment, library)), m_session(m_library),
       m_theme(plan.scheme), m_view(m_session, m_theme)
 {
-    m_view.resize(plan.size);
+    m_view.setFixedSize(plan.size);
     QResizeEvent resized(plan.size, {}); // it is never shown, and must know its size all the same
     QCoreApplication::sendEvent(&m_view, &resized);
     m_session.open(plan.experiment);

@@ -230,8 +230,11 @@ void FilmDialog::goOn()
         }
         const auto stopped = m_film->stop();
         const QString name = QFileInfo(m_making).fileName();
+        const int all = m_progress->maximum();
         end(stopped ? tr("%1 is made, up to where the run stops. %2").arg(name, sentenceFor(*stopped))
                     : tr("%1 is made.").arg(name));
+        m_progress->setMaximum(all);
+        m_progress->setValue(all);
     } catch (const Refusal &refusal) {
         end(refusal.sentence());
     }

@@ -15,6 +15,7 @@
 #include <QGuiApplication>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QPushButton>
 
 namespace app {
 
@@ -211,6 +212,9 @@ bool MainWindow::mayClose()
                              tr("%1 has changes that are not saved.").arg(QFileInfo(path).fileName()),
                              QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
         question.setDefaultButton(QMessageBox::Save);
+        question.button(QMessageBox::Save)->setText(tr("&Save"));
+        question.button(QMessageBox::Discard)->setText(tr("Close &without saving"));
+        question.button(QMessageBox::Cancel)->setText(tr("&Stay"));
         const int answer = question.exec();
         if (answer == QMessageBox::Cancel)
             return false;

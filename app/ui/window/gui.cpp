@@ -42,9 +42,9 @@ int runWindow(QApplication &application, const QString &file)
     Session session(library);
     MainWindow window(session, theme);
     window.show();
-    window.keepScenesIn(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/scenes");
     if (!file.isEmpty())
         window.openFile(file);
+    window.keepScenesIn(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/scenes");
     return QApplication::exec();
 }
 

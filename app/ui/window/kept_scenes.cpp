@@ -14,21 +14,21 @@ namespace {
 /// "12:41", or with the day if that is another.
 QString timeOf(const QDateTime &when)
 {
-    const QLocale locale;
-    const QString time = locale.toString(when.time(), QLocale::ShortFormat);
+    const QString time = when.time().toString("HH:mm");
     if (when.date() == QDate::currentDate())
         return time;
-    return locale.toString(when.date(), QLocale::ShortFormat) + ' ' + time;
+    return QLocale().toString(when.date(), QLocale::ShortFormat) + ' ' + time;
 }
 
 }
 
-void MainWindow::keepScenesIn(const QString &folder)
+void MainWindow::keepScenesIn(const QString &folder, int within)
 {
     m_keptScenes = keptScenes(folder);
-    m_keeper = std::make_unique<SceneKeeper>(m_session, *m_document, folder);
+    m_keeper = std::make_unique<SceneKeeper>(m_session, *m_document, folder, within);
     connect(m_keeper.get(), &SceneKeeper::failed, m_notice, &Notice::say);
-    offerKept();
+    if (m_notice->sentence().isEmpty()) // else there is something to read first; they stay for the next start
+        offerKept();
 }
 
 void MainWindow::offerKept()

@@ -2,6 +2,7 @@
 
 #include "app/model/accuracy_study.h"
 #include "app/model/cost_watch.h"
+#include "app/model/scene_keeper.h"
 #include "app/model/session.h"
 #include "app/model/stability_watch.h"
 #include "app/ui/theme/theme.h"
@@ -21,19 +22,16 @@ namespace app {
 class AccuracyPanel;
 class CodePanel;
 class Course;
-class Document;
 class EffectsPanel;
 class EnergyPanel;
 class FilmDialog;
 class FootfallStrip;
 class HelpPage;
 class LearnPanel;
-struct KeptScene;
 class Notice;
 class MeasurePanel;
 class ParameterPanel;
 class SceneBar;
-class SceneKeeper;
 class SceneView;
 class StabilityGauge;
 class StabilityPanel;
@@ -74,8 +72,8 @@ public:
     bool saveFile(const QString &path);
     /// Writes the scene as it is shown, as PNG or SVG. Returns whether it was written; a failure is shown.
     bool savePictureAs(const QString &path);
-    /// Keeps what is not saved in `folder` from now on, and offers what programs before have left there.
-    void keepScenesIn(const QString &folder);
+    /// Keeps what is not saved in `folder` from now on, `within` ms, and offers what programs before have left there.
+    void keepScenesIn(const QString &folder, int within = SceneKeeper::keepWithin);
 
 protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
