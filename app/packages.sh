@@ -11,6 +11,8 @@ app_packages=(
     "libqscintilla2-qt6-dev  the code panel"
     "libqcustomplot-dev      axes and grids of the plots"
     "rapidjson-dev           reads experiment files with the line of every value"
+    "libgif-dev              writes films as GIF files"
+    "zlib1g-dev              makes experiments short enough for a message"
     "fonts-inter             the typeface of the window"
     "fonts-hack              the typeface of code and numbers"
 )

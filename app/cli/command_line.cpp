@@ -138,7 +138,8 @@ void describeProgram(QCommandLineParser &parser)
                  "                                              measures errors and costs of the methods\n"
                  "  hardcases [--case ID] [--json]              tells which methods hold where runs break\n"
                  "  cost FILE|LESSON/STEP [--json] [--frame N]  measures what each effect costs in a frame\n"
-                 "  screenshot LESSON/STEP --frame N OUT.png    draws the window"));
+                 "  screenshot LESSON/STEP --frame N OUT.png    draws the window\n"
+                 "  film FILE OUT.gif|OUT_%04d.png              makes a film of an experiment's run"));
     parser.addPositionalArgument("FILE", Text::tr("An experiment to open."), "[FILE | VERB ...]");
     parser.addOption({{"v", "version"}, Text::tr("Prints the version.")});
 }
@@ -161,7 +162,7 @@ bool refusesName(const QStringList &names)
 
 QStringList verbs()
 {
-    return {"lessons", "trace", "accuracy", "hardcases", "cost", "screenshot"};
+    return {"lessons", "trace", "accuracy", "hardcases", "cost", "screenshot", "film"};
 }
 
 int refuseUse(const QString &sentence)

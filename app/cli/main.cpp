@@ -1,4 +1,6 @@
 #include "app/cli/command_line.h"
+#include "app/cli/film.h"
+#include "app/cli/film_arguments.h"
 #include "app/cli/screenshot_arguments.h"
 #include "app/cli/terminal.h"
 #include "app/ui/window/appearance.h"
@@ -25,16 +27,21 @@ void dropNotes(QtMsgType type, const QMessageLogContext &, const QString &text)
         app::say(text);
 }
 
+/// An exit code, or what needs Qt's window system: the window with a file, or pictures.
+using Command = std::variant<int, QString, app::ScreenshotRequest, app::FilmRequest>;
+
 /// Verbs that need no window system start without one.
-std::variant<int, QString, app::ScreenshotRequest> readCommand(int argc, char **argv)
+Command readCommand(int argc, char **argv)
 {
     const QCoreApplication plain(argc, argv);
     const QStringList arguments = QCoreApplication::arguments().mid(1);
     if (const auto done = app::runPlainVerb(arguments))
         return *done;
-    const auto widen = [](auto &&value) { return std::variant<int, QString, app::ScreenshotRequest>(value); };
+    const auto widen = [](auto &&value) { return Command(value); };
     if (arguments.value(0) == "screenshot")
         return std::visit(widen, app::readScreenshotArguments(arguments.mid(1)));
+    if (arguments.value(0) == "film")
+        return std::visit(widen, app::readFilmArguments(arguments.mid(1)));
     return std::visit(widen, app::readWindowArguments(arguments));
 }
 
@@ -52,13 +59,25 @@ int start(int argc, char **argv, const QString &file)
     return app::runWindow(application, file);
 }
 
-int start(int argc, char **argv, const app::ScreenshotRequest &request)
+/// The same picture everywhere, with a display or without.
+void drawOffscreen()
 {
-    // The same picture everywhere, with a display or without.
     if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
         qputenv("QT_QPA_PLATFORM", "offscreen");
+}
+
+int start(int argc, char **argv, const app::ScreenshotRequest &request)
+{
+    drawOffscreen();
     QApplication application(argc, argv);
     return app::takeScreenshot(application, request);
+}
+
+int start(int argc, char **argv, const app::FilmRequest &request)
+{
+    drawOffscreen();
+    const QApplication application(argc, argv);
+    return app::makeFilm(request);
 }
 
 }
@@ -75,5 +94,7 @@ int main(int argc, char **argv)
         return *done;
     if (const QString *file = std::get_if<QString>(&command))
         return start(argc, argv, *file);
+    if (const auto *film = std::get_if<app::FilmRequest>(&command))
+        return start(argc, argv, *film);
     return start(argc, argv, std::get<app::ScreenshotRequest>(command));
 }

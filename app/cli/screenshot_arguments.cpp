@@ -20,7 +20,8 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(CommandLine)
 };
 
-/// The number of an option. @throws Refusal
+}
+
 std::int64_t wholeNumber(const QString &option, const QString &text, std::int64_t most)
 {
     bool isNumber = false;
@@ -55,6 +56,8 @@ Scheme schemeOf(const QString &text)
     throw Refusal(
         Text::tr("--theme is %1; it can be \"light\", \"dark\" or \"contrast\".").arg(quoted(text)));
 }
+
+namespace {
 
 bool isMeasuring(const QString &text)
 {

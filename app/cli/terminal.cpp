@@ -90,13 +90,13 @@ void StatusLine::show(const QString &text)
     std::fprintf(stderr, "\r\x1b[K%s", text.toUtf8().constData());
 }
 
-Progress::Progress(std::int64_t frames) : m_frames(frames)
+RunProgress::RunProgress(std::int64_t frames) : m_frames(frames)
 {
     if (isatty(STDOUT_FILENO))
         m_line.hide();
 }
 
-void Progress::show(std::int64_t frame)
+void RunProgress::show(std::int64_t frame)
 {
     m_line.show(Text::tr("Frame %1 of %2").arg(frame).arg(m_frames));
 }

@@ -60,10 +60,10 @@ private:
 };
 
 /// How far a run is, on a status line while stdout is another place than the terminal.
-class Progress
+class RunProgress
 {
 public:
-    explicit Progress(std::int64_t frames);
+    explicit RunProgress(std::int64_t frames);
     void at(std::int64_t frame)
     {
         if (m_line.isDue())

@@ -69,7 +69,7 @@ void appendRow(std::string &text, const sim::Track &track, lessons::Columns colu
 /// Writes the rows up to frame `frames`. Returns whether all were written; if not, the caller asks why.
 bool writeRows(sim::Track &track, std::int64_t frames, lessons::Columns columns, Output &output)
 {
-    Progress progress(frames);
+    RunProgress progress(frames);
     output.buffer() += titles(columns);
     appendRow(output.buffer(), track, columns);
     for (std::int64_t frame = track.rowFrames(); frame <= frames; frame += track.rowFrames()) {

@@ -18,7 +18,7 @@ const Branch *Branches::find(int id) const
 const Branch *Branches::find(const sim::Script &script) const
 {
     const auto found = std::find_if(m_all.begin(), m_all.end(),
-                                    [&](const Branch &one) { return isSameRun(*one.script, script); });
+                                    [&](const Branch &one) { return sameScript(*one.script, script); });
     return found == m_all.end() ? nullptr : &*found;
 }
 
@@ -85,11 +85,6 @@ void Branches::limit()
     const auto passes = [](const Branch &one) { return !one.isKept; };
     while (std::count_if(m_all.begin(), m_all.end(), passes) > static_cast<std::ptrdiff_t>(mostPassing))
         m_all.erase(std::find_if(m_all.begin(), m_all.end(), passes));
-}
-
-bool isSameRun(const sim::Script &a, const sim::Script &b)
-{
-    return sameRun(a, b) && a.input == b.input;
 }
 
 std::int64_t firstDifferent(const sim::Script &a, const sim::Script &b)

@@ -69,9 +69,6 @@ private:
     OwnRun m_own;
 };
 
-/// Whether two scripts of a step are the same run, input included.
-bool isSameRun(const sim::Script &a, const sim::Script &b);
-
 /// The frame from which two runs of a step differ: 0 if they do from the start, the largest number if they are the same.
 std::int64_t firstDifferent(const sim::Script &a, const sim::Script &b);
 

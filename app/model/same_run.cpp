@@ -2,10 +2,25 @@
 
 namespace app {
 
+namespace {
+
+/// Each search for a method makes another one of the same id.
+bool sameMethod(const sim::MethodPtr &a, const sim::MethodPtr &b)
+{
+    return a == b || (a && b && a->id() == b->id());
+}
+
+}
+
 bool sameRun(const sim::Script &a, const sim::Script &b)
 {
-    return a.method == b.method && a.step == b.step && a.values == b.values && a.bodies == b.bodies &&
+    return sameMethod(a.method, b.method) && a.step == b.step && a.values == b.values && a.bodies == b.bodies &&
            a.effectsOff == b.effectsOff;
+}
+
+bool sameScript(const sim::Script &a, const sim::Script &b)
+{
+    return sameRun(a, b) && a.input == b.input;
 }
 
 sim::Script withoutInput(const sim::Script &script)

@@ -12,4 +12,7 @@ sim::Script withoutInput(const sim::Script &script);
 /// Whether two scripts of the same step make the same run, as far as no input differs.
 bool sameRun(const sim::Script &a, const sim::Script &b);
 
+/// Whether they make the same run with their input, too.
+bool sameScript(const sim::Script &a, const sim::Script &b);
+
 }

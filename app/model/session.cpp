@@ -95,6 +95,14 @@ Experiment Session::experiment() const
     return {lesson().id, step().id, std::max<std::int64_t>(1, m_timeline->computed()), m_timeline->script()};
 }
 
+std::optional<Experiment> Session::left(const QString &lesson, const QString &step) const
+{
+    const auto found = m_left.find(keyOf(lesson, step));
+    if (found == m_left.end())
+        return std::nullopt;
+    return Experiment{lesson, step, std::max<std::int64_t>(1, found->second.at.frame), found->second.script};
+}
+
 void Session::leave()
 {
     pause();

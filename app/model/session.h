@@ -52,6 +52,8 @@ public:
     void open(const Experiment &experiment);
     /// The run so far, as a file would keep it.
     Experiment experiment() const;
+    /// The run of a step that was open before, as it was left.
+    std::optional<Experiment> left(const QString &lesson, const QString &step) const;
 
     // Time
     bool isPlaying() const { return m_player.isPlaying(); }
@@ -147,6 +149,8 @@ public:
     std::optional<Picture> ghost() const;
     /// The figure beside the run's own, at the same moment; empty where the step has none, or its method cannot.
     std::optional<Picture> companion() const;
+    /// Whether that is still on its way to this moment; moved() tells when it is there.
+    bool isCompanionComing() const { return m_companionDue; }
     /// Who the run's own figure is, next to a companion: its method and step.
     QString ownCaption() const;
     /// What the step has to say about this moment; may be empty.

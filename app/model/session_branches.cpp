@@ -150,7 +150,7 @@ bool Session::replaceRun(const sim::Script &script)
 {
     const sim::Track *ghost = m_timeline->ghost();
     const std::int64_t shared = lastShared(script, m_timeline->script());
-    const bool isGhost = ghost && isSameRun(ghost->script(), script);
+    const bool isGhost = ghost && sameScript(ghost->script(), script);
     if (isGhost)
         m_timeline->swapWithGhost();
     // Watchers take it that input changes after the cursor only.

@@ -1,6 +1,7 @@
 // What a learner did, undone and done again.
 
 #include "app/model/sentences.h"
+#include "app/model/same_run.h"
 #include "app/model/session.h"
 #include "sim/error.h"
 
@@ -46,7 +47,7 @@ public:
 private:
     bool changedNothing() const
     {
-        return isSameRun(*m_before.script, *m_after.script) &&
+        return sameScript(*m_before.script, *m_after.script) &&
                m_before.branches.all() == m_after.branches.all();
     }
 
@@ -76,7 +77,7 @@ bool Session::opensAnew(const sim::Script &script) const
 void Session::restore(const Stand &to, const QString &left, Leaves leaves)
 {
     const Stand before = stand();
-    if (isSameRun(*to.script, *before.script)) {
+    if (sameScript(*to.script, *before.script)) {
         restoreBranches(to.branches);
         return;
     }

@@ -22,11 +22,13 @@ void Layer::paint(QPainter *painter, const QStyleOptionGraphicsItem *option, QWi
 {
     if (m_shown.points() == 0)
         return;
-    const QRectF area = painter->worldTransform().mapRect(option->exposedRect);
+    QRectF area = painter->worldTransform().mapRect(option->exposedRect);
     QTransform toView = painter->worldTransform();
     toView.translate(m_shown.shift.x, m_shown.shift.y);
     painter->save();
     painter->setWorldTransform({});
+    if (painter->hasClipping()) // a picture of the scene exposes all of an item, however little of it shows
+        area &= painter->clipBoundingRect();
     painter->setBrush(Qt::NoBrush);
     draw({*painter, m_shown, m_theme, Camera(toView), area});
     painter->restore();

@@ -258,17 +258,23 @@ void SceneView::drawBackground(QPainter *painter, const QRectF &)
     painter->setWorldTransform(toView);
 }
 
-QImage SceneView::picture()
+QImage SceneView::picture(double scale)
 {
-    QImage image(viewport()->size(), QImage::Format_RGB32);
+    QImage image(viewport()->size() * scale, QImage::Format_RGB32);
+    image.setDevicePixelRatio(scale);
     QPainter painter(&image);
+    paintPicture(painter);
+    return image;
+}
+
+void SceneView::paintPicture(QPainter &painter)
+{
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setWorldTransform(viewportTransform());
     drawBackground(&painter, {});
     painter.resetTransform();
     m_scene.render(&painter, viewRect(), viewportTransform().inverted().mapRect(viewRect()),
                    Qt::IgnoreAspectRatio);
-    return image;
 }
 
 void SceneView::drawForeground(QPainter *painter, const QRectF &)

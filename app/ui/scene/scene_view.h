@@ -39,8 +39,10 @@ public:
     void setExtras(const Extras &extras);
     /// Moves the picture so that the body is in the middle.
     void bringBack(const QString &body);
-    /// The scene as it is shown, without legends and captions.
-    QImage picture();
+    /// The scene as it is shown, without legends and captions; each px of the screen is `scale` of the picture's.
+    QImage picture(double scale = 1.0);
+    /// Paints the same, in px of the screen.
+    void paintPicture(QPainter &painter);
     /// What is said inside a frame; empty between two frames.
     QString caption() const { return m_shown.caption; }
 

@@ -84,10 +84,15 @@ void MainWindow::makeFileActions()
         connect(made, &QAction::triggered, this, slot);
         m_file->addAction(made);
     };
+    add(tr("&New: the step as published"), QKeySequence::New, &MainWindow::startNew);
     add(tr("&Open an experiment…"), QKeySequence::Open, &MainWindow::askOpen);
-    add(tr("&Save the experiment"), QKeySequence::Save,
-        [this] { m_path.isEmpty() ? askSave() : void(saveFile(m_path)); });
+    m_recent = m_file->addMenu(tr("Open &recent"));
+    m_recent->setToolTipsVisible(true);
+    connect(m_recent, &QMenu::aboutToShow, this, &MainWindow::showRecent);
+    m_file->addSeparator();
+    add(tr("&Save the experiment"), QKeySequence::Save, &MainWindow::saveOrAsk);
     add(tr("Save &as…"), QKeySequence("Ctrl+Shift+S"), &MainWindow::askSave);
+    makeExportActions();
     m_file->addSeparator();
     add(tr("&Quit"), QKeySequence("Ctrl+Q"), [this] { close(); });
 }
@@ -204,6 +209,7 @@ void MainWindow::showHelp()
         m_helpPage->addGesture(tr("Time"), tr("Click a phase"), tr("run to it"));
         m_helpPage->addGesture(tr("Time"), tr("Alt and the underlined letter"),
                                tr("where a run has stopped by itself: use what mends it"));
+        m_helpPage->addGesture(tr("Experiments"), tr("Drop a file on the window"), tr("open it"));
         const QString accuracy = tr("Accuracy");
         m_helpPage->addGesture(accuracy, tr("Arrow keys"), tr("walk through the points of a plot"));
         m_helpPage->addGesture(accuracy, tr("Enter or a click"), tr("use the method and step of a point"));
@@ -216,6 +222,8 @@ void MainWindow::showHelp()
 
 bool MainWindow::eventFilter(QObject *watched, QEvent *event)
 {
+    if (takesDrop(watched, *event))
+        return true;
     if (event->type() == QEvent::ShortcutOverride) {
         const QWidget *focus = QApplication::focusWidget();
         if (focus && focus->window() == this && needsKey(focus, *static_cast<QKeyEvent *>(event))) {

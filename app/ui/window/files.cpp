@@ -1,63 +1,229 @@
 // Experiments as files: opening, saving, and the name of the one that is open.
 
+#include "app/model/document.h"
+#include "app/model/experiment_line.h"
+#include "app/model/recent_files.h"
 #include "app/model/sentences.h"
 #include "app/ui/window/main_window.h"
 #include "app/ui/window/notice.h"
 
+#include <QClipboard>
+#include <QCloseEvent>
+#include <QDropEvent>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QGuiApplication>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QPushButton>
 
 namespace app {
 
+namespace {
+
+/// The file that is dragged over the window; empty: something else, or several.
+QString fileOf(const QMimeData *data)
+{
+    const QList<QUrl> urls = data->urls();
+    return urls.size() == 1 ? urls.front().toLocalFile() : QString();
+}
+
+}
+
+void MainWindow::makeDocument()
+{
+    m_document = std::make_unique<Document>(m_session);
+    connect(m_document.get(), &Document::stateChanged, this, &MainWindow::nameWindow);
+    connect(&m_session, &Session::stepOpened, this, &MainWindow::nameWindow);
+    setAcceptDrops(true);
+    nameWindow();
+}
+
 void MainWindow::nameWindow()
 {
-    const QString name = m_path.isEmpty() ? m_session.step().title : QFileInfo(m_path).fileName();
-    setWindowTitle(tr("%1 – Springstep").arg(name));
+    const QString path = m_document->path();
+    const QString name = path.isEmpty() ? m_session.step().title : QFileInfo(path).fileName();
+    setWindowTitle(tr("%1[*] – Springstep").arg(name));
+    setWindowModified(m_document->isChanged());
+}
+
+bool MainWindow::attempt(const QString &failure, const std::function<void()> &deed)
+{
+    QString why;
+    try {
+        deed();
+        return true;
+    } catch (const Refusal &refusal) {
+        why = refusal.sentence();
+    } catch (const sim::Error &error) {
+        why = sentenceFor(error);
+    }
+    m_notice->say(failure.arg(why));
+    return false;
+}
+
+bool MainWindow::opens(const std::function<void()> &deed)
+{
+    const bool isOpen = attempt(tr("Experiment not opened: %1 Your scene is unchanged."), deed);
+    if (isOpen)
+        m_notice->say({});
+    return isOpen;
 }
 
 void MainWindow::openFile(const QString &path)
 {
-    try {
-        m_session.open(readExperiment(path, m_session.library()));
-        m_path = path;
-        m_notice->say({});
-        nameWindow();
-    } catch (const Refusal &refusal) {
-        m_notice->say(tr("Experiment not opened: %1 Your scene is unchanged.").arg(refusal.sentence()));
-    } catch (const sim::Error &error) {
-        m_notice->say(tr("Experiment not opened: %1 Your scene is unchanged.").arg(sentenceFor(error)));
-    }
+    if (opens([&] { m_document->open(path); }))
+        addRecentFile(path);
 }
 
 bool MainWindow::saveFile(const QString &path)
 {
-    try {
-        writeExperiment(path, m_session.experiment(), m_session.library());
-    } catch (const Refusal &refusal) {
-        m_notice->say(tr("Experiment not saved: %1").arg(refusal.sentence()));
+    if (!attempt(tr("Experiment not saved: %1"), [&] { m_document->save(path); }))
         return false;
-    }
-    m_path = path;
-    nameWindow();
+    addRecentFile(path);
     emit m_session.said(tr("Saved as %1.").arg(QFileInfo(path).fileName()));
     return true;
 }
 
-void MainWindow::askOpen()
+void MainWindow::unlessLost(const std::function<void()> &deed)
 {
-    const QString path =
-        QFileDialog::getOpenFileName(this, tr("Open an experiment"), m_path, tr("Experiments (*.json)"));
-    if (!path.isEmpty())
-        openFile(path);
+    if (!m_document->isChanged()) {
+        deed();
+        return;
+    }
+    const QString path = m_document->path();
+    const QString sentence = path.isEmpty()
+                                 ? tr("What you did in “%1” is not saved.").arg(m_session.step().title)
+                                 : tr("%1 has changes that are not saved.").arg(QFileInfo(path).fileName());
+    const auto save = [this, deed] {
+        if (saveOrAsk())
+            deed();
+    };
+    m_notice->ask(sentence, {{tr("Save it first"), tr("Save it, then go on"), save},
+                             {tr("Go on without"), tr("Go on; what was not saved is gone"), deed}});
 }
 
-void MainWindow::askSave()
+void MainWindow::askOpen()
 {
-    const QString suggestion = m_path.isEmpty() ? m_session.step().id + ".json" : m_path;
-    const QString path =
-        QFileDialog::getSaveFileName(this, tr("Save the experiment"), suggestion, tr("Experiments (*.json)"));
+    const QString path = QFileDialog::getOpenFileName(this, tr("Open an experiment"), m_document->path(),
+                                                      tr("Experiments (*.json)"));
     if (!path.isEmpty())
-        saveFile(path);
+        unlessLost([this, path] { openFile(path); });
+}
+
+bool MainWindow::askSave()
+{
+    const QString path = m_document->path();
+    const QString suggestion = path.isEmpty() ? m_session.step().id + ".json" : path;
+    const QString chosen =
+        QFileDialog::getSaveFileName(this, tr("Save the experiment"), suggestion, tr("Experiments (*.json)"));
+    return !chosen.isEmpty() && saveFile(chosen);
+}
+
+bool MainWindow::saveOrAsk()
+{
+    const QString path = m_document->path();
+    return path.isEmpty() ? askSave() : saveFile(path);
+}
+
+void MainWindow::startNew()
+{
+    const auto deed = [this] {
+        m_document->startNew();
+        emit m_session.said(tr("The step as it is published."));
+    };
+    // Without a file nothing is lost: undo brings it back.
+    m_document->path().isEmpty() ? deed() : unlessLost(deed);
+}
+
+void MainWindow::showRecent()
+{
+    m_recent->clear();
+    int number = 0;
+    for (const QString &path : recentFiles()) {
+        const QFileInfo file(path);
+        QAction *one = m_recent->addAction(
+            tr("&%1  %2").arg(++number).arg(file.fileName().replace('&', QLatin1String("&&"))));
+        one->setToolTip(path);
+        connect(one, &QAction::triggered, this, [this, path] { openRecent(path); });
+    }
+    if (m_recent->isEmpty()) {
+        QAction *none = m_recent->addAction(tr("No file yet"));
+        none->setToolTip(tr("Experiments that you open or save will be listed here"));
+        none->setEnabled(false);
+    }
+}
+
+void MainWindow::openRecent(const QString &path)
+{
+    if (QFileInfo::exists(path)) {
+        unlessLost([this, path] { openFile(path); });
+        return;
+    }
+    dropRecentFile(path);
+    m_notice->say(tr("%1 is not there any more, and was taken out of the list. If you moved it, open it from "
+                     "where it is now.")
+                      .arg(path));
+}
+
+void MainWindow::copyAsText()
+{
+    QString line;
+    if (!attempt(tr("Experiment not copied: %1"),
+                 [&] { line = experimentLine(m_session.experiment(), m_session.library()); }))
+        return;
+    QGuiApplication::clipboard()->setText(line);
+    emit m_session.said(tr("Copied: %n character(s), in one line.", nullptr, static_cast<int>(line.size())));
+}
+
+void MainWindow::pasteText()
+{
+    const QString text = QGuiApplication::clipboard()->text();
+    std::optional<Experiment> pasted;
+    if (opens([&] { pasted = experimentFromLine(text, m_session.library()); }))
+        unlessLost([this, pasted] { opens([&] { m_document->open(*pasted); }); });
+}
+
+bool MainWindow::takesDrop(const QObject *watched, QEvent &event)
+{
+    if (event.type() != QEvent::DragEnter && event.type() != QEvent::DragMove && event.type() != QEvent::Drop)
+        return false;
+    const auto *widget = qobject_cast<const QWidget *>(watched);
+    if (!widget || widget->window() != this)
+        return false;
+    auto &drop = static_cast<QDropEvent &>(event);
+    const QString path = fileOf(drop.mimeData());
+    if (path.isEmpty())
+        return false;
+    drop.setDropAction(Qt::CopyAction);
+    drop.accept();
+    if (event.type() == QEvent::Drop)
+        unlessLost([this, path] { openFile(path); });
+    return true;
+}
+
+bool MainWindow::mayClose()
+{
+    for (const StepName &name : m_document->changed()) {
+        const QString path = m_document->pathOf(name);
+        if (path.isEmpty())
+            continue; // it is kept for the next start
+        QMessageBox question(QMessageBox::NoIcon, tr("Springstep"),
+                             tr("%1 has changes that are not saved.").arg(QFileInfo(path).fileName()),
+                             QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
+        question.setDefaultButton(QMessageBox::Save);
+        question.button(QMessageBox::Save)->setText(tr("&Save"));
+        question.button(QMessageBox::Discard)->setText(tr("Close &without saving"));
+        question.button(QMessageBox::Cancel)->setText(tr("&Stay"));
+        const int answer = question.exec();
+        if (answer == QMessageBox::Cancel)
+            return false;
+        if (answer == QMessageBox::Discard)
+            m_document->giveUp(name);
+        else if (!attempt(tr("Experiment not saved: %1"), [&] { m_document->save(name, path); }))
+            return false;
+    }
+    return true;
 }
 
 }

@@ -10,6 +10,7 @@
 #include <QApplication>
 #include <QScreen>
 #include <QSettings>
+#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTextStream>
 
@@ -46,6 +47,7 @@ int runWindow(QApplication &application, const QString &file)
     window.show();
     if (!file.isEmpty())
         window.openFile(file);
+    window.keepScenesIn(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/scenes");
     return QApplication::exec();
 }
 

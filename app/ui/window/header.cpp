@@ -85,6 +85,15 @@ void MainWindow::makeEditActions()
     connect(m_redo, &QAction::triggered, &m_session, &Session::redo);
     connect(&m_session.deeds(), &QUndoStack::indexChanged, this, &MainWindow::nameDeeds);
     nameDeeds();
+    m_edit->addSeparator();
+    const auto add = [&](const QString &text, const char *key, auto slot) {
+        QAction *made = action(text, {QKeySequence(key)}, tr("Experiments"));
+        connect(made, &QAction::triggered, this, slot);
+        m_edit->addAction(made);
+    };
+    add(tr("&Copy the experiment as text"), "Ctrl+Shift+C", &MainWindow::copyAsText);
+    add(tr("&Paste an experiment"), "Ctrl+Shift+V", &MainWindow::pasteText);
+    add(tr("Copy the p&icture of the scene"), "Ctrl+Shift+P", &MainWindow::copyPicture);
 }
 
 void MainWindow::nameDeeds()

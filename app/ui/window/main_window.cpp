@@ -1,6 +1,8 @@
 #include "app/ui/window/main_window.h"
 
 #include "app/model/course.h"
+#include "app/model/document.h"
+#include "app/model/scene_keeper.h"
 #include "app/model/sentences.h"
 #include "app/ui/panels/help_page.h"
 #include "app/ui/scene/scene_bar.h"
@@ -51,8 +53,7 @@ MainWindow::MainWindow(Session &session, Theme &theme, StudyFunction study, Cost
     setMenuWidget(header());
     makeStatus();
     connect(&theme, &Theme::changed, this, [this] { m_theme.apply(*qApp); });
-    connect(&session, &Session::stepOpened, this, &MainWindow::nameWindow);
-    nameWindow();
+    makeDocument();
     restore();
     qApp->installEventFilter(this);
     m_scene->setFocus();
@@ -161,6 +162,10 @@ void MainWindow::showEvent(QShowEvent *event)
 
 void MainWindow::closeEvent(QCloseEvent *event)
 {
+    if (!mayClose()) {
+        event->ignore();
+        return;
+    }
     QSettings settings;
     settings.setValue("window/geometry", saveGeometry());
     showStability(false);

@@ -2,12 +2,15 @@
 
 #include "app/model/accuracy_study.h"
 #include "app/model/cost_watch.h"
+#include "app/model/scene_keeper.h"
 #include "app/model/session.h"
 #include "app/model/stability_watch.h"
 #include "app/ui/theme/theme.h"
 
 #include <QMainWindow>
 
+#include <functional>
+#include <memory>
 #include <vector>
 
 class QActionGroup;
@@ -22,6 +25,7 @@ class CodePanel;
 class Course;
 class EffectsPanel;
 class EnergyPanel;
+class FilmDialog;
 class FootfallStrip;
 class HelpPage;
 class LearnPanel;
@@ -73,6 +77,10 @@ public:
     void openFile(const QString &path);
     /// Writes the run so far. Returns whether it was written; a failure is shown.
     bool saveFile(const QString &path);
+    /// Writes the scene as it is shown, as PNG or SVG. Returns whether it was written; a failure is shown.
+    bool savePictureAs(const QString &path);
+    /// Keeps what is not saved in `folder` from now on, `within` ms, and offers what programs before have left there.
+    void keepScenesIn(const QString &folder, int within = SceneKeeper::keepWithin);
 
 protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
@@ -110,8 +118,29 @@ private:
     void makeBranchActions();
     void showStatus();
     void showHelp();
+    void makeDocument();
+    void startNew();
     void askOpen();
-    void askSave();
+    bool askSave();
+    bool saveOrAsk();
+    void showRecent();
+    void openRecent(const QString &path);
+    void copyAsText();
+    void pasteText();
+    bool takesDrop(const QObject *watched, QEvent &event);
+    /// Asks about files that are not saved. Returns whether the window may close.
+    bool mayClose();
+    /// Does `deed`, at once or when the learner has agreed to lose what is not saved.
+    void unlessLost(const std::function<void()> &deed);
+    /// Does `deed`. A refusal is shown in the sentence `failure`. Returns whether it was done.
+    bool attempt(const QString &failure, const std::function<void()> &deed);
+    bool opens(const std::function<void()> &deed);
+    void offerKept();
+    void openKept(const KeptScene &scene);
+    void makeExportActions();
+    void copyPicture();
+    void askPicture();
+    void showFilm();
     void restore();
     void nameWindow();
 
@@ -124,13 +153,17 @@ private:
 
     Session &m_session;
     Theme &m_theme;
-    Course *m_course; ///< what the steps measure
+    std::unique_ptr<Document> m_document;
+    std::unique_ptr<SceneKeeper> m_keeper; ///< null: nothing is kept
+    std::vector<KeptScene> m_keptScenes;   ///< by programs before, and not offered yet
+    Course *m_course;                      ///< what the steps measure
     AccuracyStudy *m_study;
     StabilityWatch *m_stability;
     Mode m_mode = Mode::learn;
     QByteArray m_learnDocks; ///< the arrangement that the learner left for measuring
     std::vector<Listed> m_actions;
     QMenu *m_file = nullptr;
+    QMenu *m_recent = nullptr;
     QMenu *m_edit = nullptr;
     QMenu *m_run = nullptr;
     QMenu *m_view = nullptr;
@@ -156,6 +189,7 @@ private:
     QWidget *m_measureLine = nullptr; ///< between measures and parameters
     Notice *m_notice = nullptr;
     HelpPage *m_helpPage = nullptr;
+    FilmDialog *m_film = nullptr;
     AccuracyPanel *m_accuracy = nullptr;
     BranchesPanel *m_branches = nullptr;
     EnergyPanel *m_energy = nullptr;
@@ -178,6 +212,7 @@ private:
         false;              ///< whether the docks have the sizes that the learner left or that fit the window
     bool m_gaveWay = false; ///< panels went away because the screen is too small for them
     QString m_path;         ///< the experiment's file, if it has one
+        false; ///< whether the docks have the sizes that the learner left or that fit the window
 };
 
 }

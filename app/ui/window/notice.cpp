@@ -2,12 +2,14 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QToolButton>
 
 namespace app {
 
 Notice::Notice(const Theme &theme, QWidget *parent)
-    : QFrame(parent), m_theme(theme), m_text(new QLabel(this)), m_close(new QToolButton(this))
+    : QFrame(parent), m_theme(theme), m_text(new QLabel(this)), m_choices(new QWidget(this)),
+      m_row(new QHBoxLayout(this)), m_close(new QToolButton(this))
 {
     setObjectName("notice");
     setAccessibleName(tr("Notice"));
@@ -18,10 +20,11 @@ Notice::Notice(const Theme &theme, QWidget *parent)
     m_close->setToolTip(tr("Close this notice (Esc)"));
     m_close->setAccessibleName(tr("Close this notice"));
     m_close->setShortcut(Qt::Key_Escape);
-    auto *row = new QHBoxLayout(this);
-    row->setContentsMargins(16, 6, 8, 6);
-    row->addWidget(m_text, 1);
-    row->addWidget(m_close);
+    m_row->setContentsMargins(16, 6, 8, 6);
+    m_row->setSpacing(8);
+    m_row->addWidget(m_text, 1);
+    m_row->addWidget(m_choices);
+    m_row->addWidget(m_close);
     connect(m_close, &QToolButton::clicked, this, [this] { say({}); });
     connect(&theme, &Theme::changed, this, &Notice::dress);
     dress();
@@ -30,9 +33,40 @@ Notice::Notice(const Theme &theme, QWidget *parent)
 
 void Notice::say(const QString &sentence)
 {
+    ask(sentence, {});
+}
+
+void Notice::ask(const QString &sentence, const std::vector<Choice> &choices)
+{
     m_text->setText(sentence);
     m_text->setAccessibleName(sentence);
+    showChoices(choices);
     setVisible(!sentence.isEmpty());
+}
+
+void Notice::showChoices(const std::vector<Choice> &choices)
+{
+    delete m_choices;
+    m_choices = new QWidget(this);
+    m_row->insertWidget(1, m_choices);
+    auto *row = new QHBoxLayout(m_choices);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(8);
+    for (const Choice &choice : choices) {
+        auto *button = new QPushButton(choice.text, m_choices);
+        button->setToolTip(choice.help);
+        button->setAccessibleDescription(choice.help);
+        row->addWidget(button);
+        // Queued: taking a choice takes this button away.
+        connect(
+            button, &QPushButton::clicked, this,
+            [this, take = choice.take] {
+                say({});
+                take();
+            },
+            Qt::QueuedConnection);
+    }
+    m_choices->setVisible(!choices.empty());
 }
 
 QString Notice::sentence() const

@@ -1,0 +1,116 @@
+#include "app/model/document.h"
+
+#include "app/model/same_run.h"
+
+namespace app {
+
+Document::Document(Session &session, QObject *parent) : QObject(parent), m_session(session)
+{
+    connect(&session, &Session::stepOpened, this, &Document::follow);
+    connect(&session, &Session::runChanged, this, &Document::tell);
+    follow();
+}
+
+StepName Document::name() const
+{
+    return {m_session.lesson().id, m_session.step().id};
+}
+
+QString Document::pathOf(const StepName &name) const
+{
+    const auto found = m_kept.find(name);
+    return found == m_kept.end() ? QString() : found->second.path;
+}
+
+std::optional<Experiment> Document::experimentOf(const StepName &which) const
+{
+    return which == name() ? m_session.experiment() : m_session.left(which.lesson, which.step);
+}
+
+const sim::Script *Document::scriptOf(const StepName &which, std::optional<Experiment> &left) const
+{
+    if (which == name())
+        return &m_session.timeline().script();
+    left = m_session.left(which.lesson, which.step);
+    return left ? &left->script : nullptr;
+}
+
+bool Document::isChanged(const StepName &which) const
+{
+    const auto found = m_kept.find(which);
+    std::optional<Experiment> left;
+    const sim::Script *script = scriptOf(which, left);
+    return found != m_kept.end() && script && !sameScript(found->second.script, *script);
+}
+
+std::vector<StepName> Document::changed() const
+{
+    std::vector<StepName> names;
+    for (const auto &[which, kept] : m_kept) {
+        if (isChanged(which))
+            names.push_back(which);
+    }
+    return names;
+}
+
+void Document::follow()
+{
+    m_kept.try_emplace(name(), Kept{{}, m_session.step().script()});
+    tell();
+}
+
+void Document::tell()
+{
+    const bool isNew = path() != m_toldPath || isChanged() != m_toldChanged;
+    m_toldPath = path();
+    m_toldChanged = isChanged();
+    if (isNew)
+        emit stateChanged();
+}
+
+void Document::keep(const QString &path)
+{
+    m_kept.insert_or_assign(name(), Kept{path, m_session.timeline().script()});
+    tell();
+}
+
+void Document::open(const QString &path)
+{
+    m_session.open(readExperiment(path, m_session.library()));
+    keep(path);
+}
+
+void Document::open(const Experiment &experiment)
+{
+    m_session.open(experiment);
+    m_kept.insert_or_assign(name(), Kept{{}, m_session.step().script()});
+    tell();
+}
+
+void Document::startNew()
+{
+    m_session.startAfresh();
+    keep({});
+}
+
+void Document::save(const StepName &which, const QString &path)
+{
+    const std::optional<Experiment> experiment = experimentOf(which);
+    if (!experiment)
+        return;
+    writeExperiment(path, *experiment, m_session.library());
+    m_kept.insert_or_assign(which, Kept{path, experiment->script});
+    tell();
+}
+
+void Document::giveUp(const StepName &which)
+{
+    const std::optional<Experiment> experiment = experimentOf(which);
+    const auto found = m_kept.find(which);
+    if (!experiment || found == m_kept.end())
+        return;
+    found->second.script = experiment->script;
+    tell();
+}
+
+}

@@ -1,0 +1,98 @@
+#include "app/model/film_file.h"
+
+#include "app/model/gif_file.h"
+#include "app/model/refusal.h"
+#include "app/model/words.h"
+
+#include <QCoreApplication>
+#include <QRegularExpression>
+
+#include <algorithm>
+#include <cmath>
+
+namespace app {
+
+namespace {
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(FilmFile)
+};
+
+/// Where the number of a frame goes.
+QRegularExpressionMatch numberIn(const QString &name)
+{
+    static const QRegularExpression place(QStringLiteral("%(?:0([1-9]))?d"));
+    return place.match(name);
+}
+
+class Gif : public FilmFile
+{
+public:
+    Gif(const QString &name, QSize size, std::vector<QRgb> palette) : m_file(name, size, std::move(palette))
+    {
+    }
+
+    void add(const QImage &picture, std::int64_t, double until) override
+    {
+        // Whole hundredths of a second: what is rounded off one picture goes to the next.
+        const std::int64_t end = std::llround(100.0 * until);
+        m_file.add(picture, static_cast<int>(std::clamp<std::int64_t>(end - m_end, 1, 0xffff)));
+        m_end = end;
+    }
+    void finish() override { m_file.finish(); }
+
+private:
+    GifFile m_file;
+    std::int64_t m_end = 0; ///< hundredths of a second
+};
+
+class Pictures : public FilmFile
+{
+public:
+    explicit Pictures(QString name) : m_name(std::move(name)) {}
+
+    void add(const QImage &picture, std::int64_t frame, double) override
+    {
+        QSaveFile file(pictureName(m_name, frame));
+        if (!file.open(QIODevice::WriteOnly) || !picture.save(&file, "PNG") || !file.commit())
+            throw Refusal(Text::tr("%1 cannot be written: %2. Make room, or choose another folder.")
+                              .arg(quoted(file.fileName()), oneLine(file.errorString())));
+    }
+    void finish() override {}
+
+private:
+    QString m_name;
+};
+
+}
+
+FilmKind filmKind(const QString &name)
+{
+    if (name.endsWith(".gif", Qt::CaseInsensitive))
+        return FilmKind::gif;
+    const QRegularExpressionMatch number = numberIn(name);
+    const bool isOne = number.hasMatch() && name.count('%') == 1;
+    if (name.endsWith(".png", Qt::CaseInsensitive) && isOne)
+        return FilmKind::pictures;
+    throw Refusal(Text::tr("%1 is no film's name: it ends in .gif, or, for a picture of each frame, in .png "
+                           "with %04d where the frame's number goes, such as walk_%04d.png.")
+                      .arg(quoted(name)));
+}
+
+QString pictureName(const QString &name, std::int64_t frame)
+{
+    const QRegularExpressionMatch number = numberIn(name);
+    QString file = name;
+    const QString digits = QString::number(frame).rightJustified(number.captured(1).toInt(), '0');
+    return file.replace(number.capturedStart(), number.capturedLength(), digits);
+}
+
+std::unique_ptr<FilmFile> beginFilm(const QString &name, QSize size, std::vector<QRgb> palette)
+{
+    if (filmKind(name) == FilmKind::gif)
+        return std::make_unique<Gif>(name, size, std::move(palette));
+    return std::make_unique<Pictures>(name);
+}
+
+}

@@ -1,0 +1,275 @@
+#include "app/ui/film/film_dialog.h"
+
+#include "app/model/refusal.h"
+#include "app/model/sentences.h"
+#include "app/model/words.h"
+
+#include <QComboBox>
+#include <QDir>
+#include <QFileDialog>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QStandardPaths>
+
+namespace app {
+
+namespace {
+
+constexpr int margin = 20;
+constexpr int pageWidth = 460;
+constexpr int usualRate = 30;
+
+QLabel *label(const QString &text, QWidget *buddy, QWidget *parent)
+{
+    auto *label = new QLabel(text, parent);
+    label->setBuddy(buddy);
+    return label;
+}
+
+QString folder()
+{
+    const QString pictures = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
+    return QDir(pictures).exists() ? pictures : QDir::homePath();
+}
+
+}
+
+FilmDialog::FilmDialog(const Session &session, const SceneView &view, const Theme &theme, QWidget *parent)
+    : QDialog(parent), m_session(session), m_view(view), m_theme(theme)
+{
+    setWindowTitle(tr("Film of the run"));
+    setModal(false);
+    m_fields = fields();
+    m_progress = new QProgressBar(this);
+    m_progress->setTextVisible(false);
+    m_progress->setFixedHeight(6);
+    m_progress->setAccessibleName(tr("How much of the film is made"));
+    m_said = new QLabel(this);
+    m_said->setObjectName("caption");
+    m_said->setTextFormat(Qt::PlainText);
+    m_said->setWordWrap(true);
+    m_said->setMinimumHeight(2 * m_said->fontMetrics().lineSpacing());
+    m_said->setAlignment(Qt::AlignTop);
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(margin, margin, margin, margin);
+    column->setSpacing(12);
+    column->addWidget(m_fields);
+    column->addWidget(m_progress);
+    column->addWidget(m_said);
+    column->addStretch(1);
+    column->addWidget(buttons());
+    resize(pageWidth, sizeHint().height());
+    connect(&m_next, &QTimer::timeout, this, &FilmDialog::goOn);
+    showState();
+}
+
+QSpinBox *FilmDialog::frameBox(const QString &name, const QString &help)
+{
+    auto *box = new QSpinBox(this);
+    box->setRange(0, static_cast<int>(mostFrames));
+    box->setButtonSymbols(QAbstractSpinBox::NoButtons);
+    box->setAlignment(Qt::AlignRight);
+    box->setAccessibleName(name);
+    box->setToolTip(help);
+    box->setFixedWidth(96);
+    return box;
+}
+
+QWidget *FilmDialog::fields()
+{
+    auto *fields = new QWidget(this);
+    auto *grid = new QGridLayout(fields);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setVerticalSpacing(10);
+    grid->setHorizontalSpacing(12);
+    m_from = frameBox(tr("First frame"), tr("The first frame of the film"));
+    m_to = frameBox(tr("Last frame"), tr("The last frame of the film; the run is computed up to there"));
+    m_rate = frameBox(tr("Frames a second"), tr("How fast the film plays: 30 is as fast as the window does"));
+    m_rate->setRange(1, static_cast<int>(mostGifRate));
+    m_rate->setValue(usualRate);
+    m_size = new QComboBox(fields);
+    m_size->setAccessibleName(tr("Size"));
+    m_size->setToolTip(tr("Width and height of the pictures, in pixels"));
+    for (const QSize size :
+         {QSize(320, 240), QSize(480, 360), QSize(640, 480), QSize(800, 600), QSize(1280, 720)})
+        m_size->addItem(QStringLiteral("%1 × %2").arg(size.width()).arg(size.height()), size);
+    m_size->setCurrentIndex(2);
+    int row = 0;
+    const auto add = [&](const QString &text, QWidget *field, QWidget *buddy) {
+        grid->addWidget(label(text, buddy, fields), row, 0);
+        grid->addWidget(field, row++, 1, field == buddy ? Qt::AlignLeft : Qt::Alignment());
+    };
+    add(tr("&First frame"), m_from, m_from);
+    add(tr("&Last frame"), m_to, m_to);
+    add(tr("Frames a &second"), m_rate, m_rate);
+    add(tr("Si&ze"), m_size, m_size);
+    QWidget *file = fileRow();
+    add(tr("F&ile"), file, m_file);
+    grid->setColumnStretch(1, 1);
+    auto *hint =
+        new QLabel(tr("A name that ends in .gif makes one file. A name such as walk_%04d.png makes a "
+                      "picture of each frame, with its number in place of %04d."),
+                   fields);
+    hint->setObjectName("caption");
+    hint->setTextFormat(Qt::PlainText);
+    hint->setWordWrap(true);
+    grid->addWidget(hint, row, 1);
+    return fields;
+}
+
+QWidget *FilmDialog::fileRow()
+{
+    auto *file = new QWidget(this);
+    auto *row = new QHBoxLayout(file);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(8);
+    m_file = new QLineEdit(file);
+    m_file->setAccessibleName(tr("File"));
+    m_file->setToolTip(tr("Where the film goes"));
+    auto *choose = new QPushButton(tr("&Choose…"), file);
+    choose->setToolTip(tr("Choose a folder and a name"));
+    choose->setAutoDefault(false);
+    row->addWidget(m_file, 1);
+    row->addWidget(choose);
+    connect(choose, &QPushButton::clicked, this, &FilmDialog::choose);
+    return file;
+}
+
+QWidget *FilmDialog::buttons()
+{
+    auto *buttons = new QWidget(this);
+    auto *row = new QHBoxLayout(buttons);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(8);
+    m_make = new QPushButton(tr("&Make the film"), buttons);
+    m_make->setToolTip(tr("Make the film; the window can be used meanwhile"));
+    m_make->setDefault(true);
+    m_stop = new QPushButton(buttons);
+    m_stop->setAutoDefault(false);
+    row->addStretch(1);
+    row->addWidget(m_stop);
+    row->addWidget(m_make);
+    connect(m_make, &QPushButton::clicked, this, &FilmDialog::start);
+    connect(m_stop, &QPushButton::clicked, this, [this] { isMaking() ? stop() : reject(); });
+    return buttons;
+}
+
+QString FilmDialog::said() const
+{
+    return m_said->text();
+}
+
+void FilmDialog::offer()
+{
+    if (!isMaking()) {
+        m_from->setValue(0);
+        m_to->setValue(static_cast<int>(m_session.experiment().frames));
+        const QString suggestion = folder() + '/' + m_session.step().id + ".gif";
+        if (m_file->text() == m_suggested)
+            m_file->setText(suggestion);
+        m_suggested = suggestion;
+        m_said->clear();
+        m_progress->setValue(0);
+    }
+    show();
+    raise();
+    activateWindow();
+}
+
+void FilmDialog::choose()
+{
+    const QString path = QFileDialog::getSaveFileName(this, tr("Film of the run"), m_file->text(),
+                                                      tr("Films (*.gif);;Pictures of each frame (*.png)"),
+                                                      nullptr, QFileDialog::DontConfirmOverwrite);
+    if (path.endsWith(".png", Qt::CaseInsensitive) && !path.contains('%'))
+        m_file->setText(path.chopped(4) + "_%04d.png");
+    else if (!path.isEmpty())
+        m_file->setText(path);
+}
+
+FilmPlan FilmDialog::plan() const
+{
+    FilmPlan plan;
+    plan.experiment = m_session.experiment();
+    plan.out = m_file->text();
+    plan.size = m_size->currentData().toSize();
+    plan.scheme = m_theme.scheme();
+    plan.extras = m_view.extras();
+    plan.from = m_from->value();
+    plan.to = m_to->value();
+    plan.rate = m_rate->value();
+    return plan;
+}
+
+void FilmDialog::start()
+{
+    m_making = m_file->text();
+    try {
+        m_film = std::make_unique<Film>(plan(), m_session.library());
+        m_next.start(0);
+        m_said->setText(tr("Looking at its colours…"));
+    } catch (const Refusal &refusal) {
+        m_said->setText(refusal.sentence());
+    } catch (const sim::Error &error) {
+        m_said->setText(sentenceFor(error));
+    }
+    showState();
+}
+
+void FilmDialog::goOn()
+{
+    try {
+        if (m_film->goOn()) {
+            m_said->setText(tr("Frame %1 of %2").arg(m_film->frame()).arg(m_to->value()));
+            showState();
+            return;
+        }
+        const auto stopped = m_film->stop();
+        const QString name = QFileInfo(m_making).fileName();
+        const int all = m_progress->maximum();
+        end(stopped ? tr("%1 is made, up to where the run stops. %2").arg(name, sentenceFor(*stopped))
+                    : tr("%1 is made.").arg(name));
+        m_progress->setMaximum(all);
+        m_progress->setValue(all);
+    } catch (const Refusal &refusal) {
+        end(refusal.sentence());
+    }
+}
+
+void FilmDialog::stop()
+{
+    const bool isOne = filmKind(m_making) == FilmKind::gif;
+    end(isOne ? tr("Stopped. No file was written.")
+              : tr("Stopped. The pictures up to frame %1 are there.").arg(m_film->frame()));
+}
+
+void FilmDialog::end(const QString &sentence)
+{
+    m_next.stop();
+    m_film.reset();
+    m_said->setText(sentence);
+    showState();
+}
+
+void FilmDialog::showState()
+{
+    m_fields->setEnabled(!isMaking());
+    m_make->setEnabled(!isMaking());
+    m_stop->setText(isMaking() ? tr("S&top") : tr("Close"));
+    m_stop->setToolTip(isMaking() ? tr("Give the film up (Esc)") : tr("Close this page (Esc)"));
+    m_progress->setMaximum(m_film ? static_cast<int>(m_film->total()) : 1);
+    m_progress->setValue(m_film ? static_cast<int>(m_film->done()) : 0);
+}
+
+void FilmDialog::done(int result)
+{
+    if (isMaking())
+        stop();
+    QDialog::done(result);
+}
+
+}

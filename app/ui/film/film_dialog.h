@@ -1,0 +1,65 @@
+#pragma once
+
+#include "app/ui/film/film.h"
+
+#include <QDialog>
+#include <QTimer>
+
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QProgressBar;
+class QPushButton;
+class QSpinBox;
+
+namespace app {
+
+/// Asks what film of the run to make, and makes it while the window goes on.
+class FilmDialog : public QDialog
+{
+    Q_OBJECT
+
+public:
+    /// The film shows what `view` shows. All must outlive it.
+    FilmDialog(const Session &session, const SceneView &view, const Theme &theme, QWidget *parent = nullptr);
+
+    /// Shows the dialog with the frames of the open run.
+    void offer();
+    bool isMaking() const { return m_film != nullptr; }
+    /// What it says below: how far it is, or how it ended.
+    QString said() const;
+    void done(int result) override;
+
+private:
+    QSpinBox *frameBox(const QString &name, const QString &help);
+    QWidget *fields();
+    QWidget *fileRow();
+    QWidget *buttons();
+    void choose();
+    void start();
+    void goOn();
+    void stop();
+    void end(const QString &sentence);
+    void showState();
+    FilmPlan plan() const;
+
+    const Session &m_session;
+    const SceneView &m_view;
+    const Theme &m_theme;
+    QSpinBox *m_from;
+    QSpinBox *m_to;
+    QSpinBox *m_rate;
+    QComboBox *m_size;
+    QLineEdit *m_file;
+    QWidget *m_fields; ///< all that is asked
+    QProgressBar *m_progress;
+    QLabel *m_said;
+    QPushButton *m_make;
+    QPushButton *m_stop;
+    QString m_suggested; ///< the file's name, as long as the learner has given no other
+    std::unique_ptr<Film> m_film;
+    QString m_making; ///< its file
+    QTimer m_next;    ///< for the next picture; runs while a film is made
+};
+
+}

@@ -1,0 +1,52 @@
+#include "app/ui/film/picture_file.h"
+
+#include "app/model/refusal.h"
+#include "app/model/words.h"
+
+#include <QCoreApplication>
+#include <QSaveFile>
+#include <QSvgGenerator>
+
+namespace app {
+
+namespace {
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(PictureFile)
+};
+
+bool drawSvg(SceneView &view, QSaveFile &file)
+{
+    const QSize size = view.viewport()->size();
+    QSvgGenerator svg;
+    svg.setOutputDevice(&file);
+    svg.setSize(size);
+    svg.setViewBox(QRect({}, size));
+    svg.setTitle(QStringLiteral("Springstep"));
+    QPainter painter;
+    if (!painter.begin(&svg))
+        return false;
+    painter.setClipRect(QRect({}, size));
+    view.paintPicture(painter);
+    return painter.end();
+}
+
+bool drawPng(SceneView &view, QSaveFile &file)
+{
+    return view.picture(pngScale).save(&file, "PNG");
+}
+
+}
+
+void savePicture(SceneView &view, const QString &path)
+{
+    QSaveFile file(path);
+    const bool isSvg = path.endsWith(".svg", Qt::CaseInsensitive);
+    if (!file.open(QIODevice::WriteOnly) || !(isSvg ? drawSvg(view, file) : drawPng(view, file)) ||
+        !file.commit())
+        throw Refusal(Text::tr("%1 cannot be written: %2. Choose another folder or name.")
+                          .arg(quoted(path), oneLine(file.errorString())));
+}
+
+}

@@ -1,0 +1,190 @@
+// Experiment files that went wrong on their way: each is refused with a sentence, or it opens; the open one stays as it
+// is. SPRINGSTEP_RANDOM_SEED and SPRINGSTEP_RANDOM_COUNT in the environment choose others.
+
+#include "window_bench.h"
+
+#include <QDir>
+#include <QRandomGenerator>
+#include <QTemporaryDir>
+
+using namespace app;
+using window_bench::Bench;
+
+namespace {
+
+quint32 setting(const char *name, quint32 preset)
+{
+    const QByteArray given = qgetenv(name);
+    return given.isEmpty() ? preset : given.toUInt();
+}
+
+/// Good experiments, spoiled.
+class Spoiler
+{
+public:
+    explicit Spoiler(quint32 seed) : m_random(seed)
+    {
+        const QDir folder(TEST_DATA "/published");
+        for (const QString &name : folder.entryList({"*.json"})) {
+            QFile file(folder.filePath(name));
+            if (file.open(QFile::ReadOnly))
+                m_good.push_back(file.readAll());
+        }
+    }
+    std::size_t count() const { return m_good.size(); }
+
+    QByteArray next()
+    {
+        QByteArray text = m_good[pick(m_good.size())];
+        const int times = 1 + m_random.bounded(3);
+        for (int i = 0; i < times && !text.isEmpty(); ++i)
+            spoil(text);
+        return text;
+    }
+
+private:
+    std::size_t pick(std::size_t count) { return m_random.bounded(quint32(count)); }
+    qsizetype place(const QByteArray &text) { return qsizetype(pick(std::size_t(text.size()))); }
+
+    void spoil(QByteArray &text)
+    {
+        switch (m_random.bounded(8)) {
+        case 0:
+            text.truncate(place(text));
+            break;
+        case 1: { // bits
+            char &c = *(text.begin() + place(text));
+            c = char(c ^ (1 << m_random.bounded(8)));
+            break;
+        }
+        case 2: // a part again, somewhere
+            text.insert(place(text), text.mid(place(text), m_random.bounded(60)));
+            break;
+        case 3:
+            text.remove(place(text), 1 + m_random.bounded(40));
+            break;
+        case 4: // deep
+            text.insert(place(text), QByteArray(1 << m_random.bounded(18), m_random.bounded(2) ? '[' : '{'));
+            break;
+        default:
+            replaceValue(text);
+        }
+    }
+
+    /// Another value in place of a number, a text, a list or an object.
+    void replaceValue(QByteArray &text)
+    {
+        static const QByteArray values[] = {"NaN",
+                                            "-Infinity",
+                                            "1e999",
+                                            "-1e308",
+                                            "1e308",
+                                            "999999999999999999999",
+                                            "-1",
+                                            "0",
+                                            "1e-320",
+                                            "0.5",
+                                            "true",
+                                            "null",
+                                            "\"x\"",
+                                            "\"\\u0000\"",
+                                            "[]",
+                                            "{}",
+                                            "[[]]",
+                                            "1000000000",
+                                            "\"published\"",
+                                            "\"dop853\"",
+                                            "\"\xff\"",
+                                            "01",
+                                            "1.",
+                                            "\"\\ud800\""};
+        const qsizetype colon = text.indexOf(':', place(text));
+        if (colon < 0)
+            return;
+        qsizetype end = colon + 1;
+        while (end < text.size() && !QByteArray(",\n}]").contains(text[end]))
+            ++end;
+        text.replace(colon + 1, end - colon - 1, ' ' + values[pick(std::size(values))]);
+    }
+
+    QRandomGenerator m_random;
+    std::vector<QByteArray> m_good;
+};
+
+}
+
+class MalformedTest : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { window_bench::keepSettingsIn(m_folder.path()); }
+    void aSpoiledFileIsRefusedWithASentenceOrOpens();
+    void aFileThatIsTooLargeIsRefusedUnread();
+
+private:
+    QByteArray textOf(const Bench &bench)
+    {
+        return experimentText(bench.session.experiment(), bench.library);
+    }
+    QTemporaryDir m_folder;
+};
+
+void MalformedTest::aSpoiledFileIsRefusedWithASentenceOrOpens()
+{
+    const quint32 seed = setting("SPRINGSTEP_RANDOM_SEED", 1);
+    const quint32 count = setting("SPRINGSTEP_RANDOM_COUNT", 500);
+    Spoiler spoiler(seed);
+    QVERIFY(spoiler.count() > 10);
+    Bench bench("multi_foot", "two_feet");
+    bench.session.setParameter("k", 0.31);
+    bench.drag("foot0", {40, 10});
+    bench.session.goTo({40, 0});
+    const Experiment mine = bench.session.experiment();
+    const QByteArray before = textOf(bench);
+    const sim::State now = bench.session.timeline().now();
+    const QString path = m_folder.filePath("spoiled.json");
+    quint32 refused = 0;
+    for (quint32 i = 0; i < count; ++i) {
+        const QByteArray text = spoiler.next();
+        QFile file(path);
+        QVERIFY(file.open(QFile::WriteOnly) && file.write(text) == text.size());
+        file.close();
+        bench.window.openFile(path);
+        const QString said = bench.notice.sentence();
+        const QByteArray what =
+            "seed " + QByteArray::number(seed) + ", number " + QByteArray::number(i) + ": " + said.toUtf8();
+        if (said.isEmpty()) {
+            QVERIFY2(bench.window.windowTitle().contains("spoiled.json"), what);
+            bench.session.goTo({3, 0});
+            bench.session.open(mine);
+            bench.session.goTo({40, 0});
+            QCOMPARE(textOf(bench), before);
+            continue;
+        }
+        ++refused;
+        QVERIFY2(said.startsWith("Experiment not opened: spoiled.json: ") && said.contains(": line ") &&
+                     said.endsWith(" Your scene is unchanged.") && !said.contains('\n') && said.size() < 600,
+                 what);
+        QVERIFY2(textOf(bench) == before, what);
+        QVERIFY2(sim::sameBits(bench.session.timeline().now(), now), what);
+    }
+    qInfo("%u files from seed %u: %u refused, %u opened", count, seed, refused, count - refused);
+    QVERIFY(refused > count / 2);
+}
+
+void MalformedTest::aFileThatIsTooLargeIsRefusedUnread()
+{
+    Bench bench;
+    bench.session.setParameter("k", 0.31);
+    const QByteArray before = textOf(bench);
+    QFile file(m_folder.filePath("large.json"));
+    QVERIFY(file.open(QFile::WriteOnly) && file.resize(qint64(1) << 30)); // takes no room on the disk
+    file.close();
+    bench.window.openFile(file.fileName());
+    QVERIFY2(bench.notice.sentence().contains("64 MiB"), qPrintable(bench.notice.sentence()));
+    QCOMPARE(textOf(bench), before);
+}
+
+QTEST_MAIN(MalformedTest)
+#include "tst_malformed.moc"
