@@ -3,6 +3,7 @@
 #include "app/model/hard_sentences.h"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 
 namespace app {
 
@@ -36,7 +37,8 @@ QString capitalised(QString text)
 QString bodyTitle(const QString &name)
 {
     QStringList parts;
-    for (const QString &part : name.split('.')) {
+    static const QRegularExpression joints(QStringLiteral("[._]"));
+    for (const QString &part : name.split(joints)) {
         qsizetype digits = 0;
         while (digits < part.size() && part[part.size() - 1 - digits].isDigit())
             ++digits;

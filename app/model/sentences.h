@@ -15,7 +15,7 @@ QString phrase(const std::string &text);
 QString capitalised(QString text);
 
 /// What people call the body that files call `name`: "foot 0" for "foot0", "creature 1, foot 0" for
-/// "creature1.foot0".
+/// "creature1.foot0", "tentacle 2, 5" for "tentacle2_5".
 QString bodyTitle(const QString &name);
 
 /// What sim refused, as one clear sentence with the remedy.

@@ -176,6 +176,7 @@ void MainWindow::makeViewActions()
     });
     m_dark->setCheckable(true);
     m_dark->setChecked(m_theme.scheme() == Scheme::dark);
+    makeLanguageMenu();
     QAction *full = add(tr("F&ull screen"), {QKeySequence("F11")}, window, [this](bool on) {
         setWindowState(on ? windowState() | Qt::WindowFullScreen : windowState() & ~Qt::WindowFullScreen);
     });

@@ -1,5 +1,6 @@
 #include "app/ui/window/gui.h"
 
+#include "app/model/language.h"
 #include "app/model/session.h"
 #include "app/ui/effects/effects_panel.h"
 #include "app/ui/window/main_window.h"
@@ -33,7 +34,8 @@ QString noLessons()
 
 int runWindow(QApplication &application, const QString &file)
 {
-    const LessonLibrary library = LessonLibrary::load(LessonLibrary::folders());
+    Language language(Language::chosen(QSettings().value("window/language").toString()));
+    const LessonLibrary library = LessonLibrary::load(LessonLibrary::folders(), &language);
     if (library.lessons.empty())
         return refuse(noLessons());
     Theme theme(QSettings().value("window/dark").toBool() ? Scheme::dark : Scheme::light);
@@ -53,7 +55,8 @@ int takeScreenshot(QApplication &application, const ScreenshotRequest &request)
     QSettings::setDefaultFormat(QSettings::IniFormat);
     QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings.path());
 
-    const LessonLibrary library = LessonLibrary::load(LessonLibrary::folders());
+    Language language(Language::chosen({}));
+    const LessonLibrary library = LessonLibrary::load(LessonLibrary::folders(), &language);
     if (library.lessons.empty())
         return refuse(noLessons());
     try {

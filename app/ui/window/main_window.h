@@ -81,6 +81,8 @@ private:
     void makeTimeActions();
     void makeViewActions();
     void makeModeActions();
+    void makeLanguageMenu();
+    void chooseLanguage(const QString &code);
     QWidget *modeSwitch();
     void arrangeForMeasuring();
     QWidget *header();
