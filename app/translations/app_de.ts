@@ -184,15 +184,15 @@
     </message>
     <message>
         <source>%1&#x2009;px</source>
-        <translation>%1 px</translation>
+        <translation>%1&#x2009;px</translation>
     </message>
     <message>
         <source>%1&#x2009;ms</source>
-        <translation>%1 ms</translation>
+        <translation>%1&#x2009;ms</translation>
     </message>
     <message>
         <source>%1&#x2009;µs</source>
-        <translation>%1 µs</translation>
+        <translation>%1&#x2009;µs</translation>
     </message>
     <message>
         <source>%1, tolerance %2</source>
@@ -256,7 +256,7 @@
     </message>
     <message>
         <source>The machine is busy with other things: the times differ by %1&#x2009;% from run to run. Errors are not touched by that.</source>
-        <translation>Der Rechner hat anderes zu tun: Die Zeiten unterscheiden sich von Lauf zu Lauf um %1 %. Die Fehler berührt das nicht.</translation>
+        <translation>Der Rechner hat anderes zu tun: Die Zeiten unterscheiden sich von Lauf zu Lauf um %1&#x2009;%. Die Fehler berührt das nicht.</translation>
     </message>
     <message>
         <source>Unstable: %1</source>
@@ -615,7 +615,7 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     <name>EdgeMarkers</name>
     <message>
         <source>%1&#x2009;px</source>
-        <translation>%1 px</translation>
+        <translation>%1&#x2009;px</translation>
     </message>
     <message>
         <source>%1 bodies</source>
@@ -1068,7 +1068,7 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     <name>GroundLayer</name>
     <message>
         <source>%1&#x202f;px</source>
-        <translation>%1 px</translation>
+        <translation>%1&#x202f;px</translation>
     </message>
 </context>
 <context>
@@ -1497,7 +1497,7 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     <name>SceneOverlay</name>
     <message>
         <source>%1&#x2009;px</source>
-        <translation>%1 px</translation>
+        <translation>%1&#x2009;px</translation>
     </message>
     <message>
         <source>your method</source>
@@ -1513,11 +1513,11 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     </message>
     <message>
         <source>%1&#x2009;px/frame</source>
-        <translation>%1 px/Bild</translation>
+        <translation>%1&#x2009;px/Bild</translation>
     </message>
     <message>
         <source>%1&#x2009;px/frame²</source>
-        <translation>%1 px/Bild²</translation>
+        <translation>%1&#x2009;px/Bild²</translation>
     </message>
     <message>
         <source>sum so far</source>
@@ -1639,11 +1639,11 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     </message>
     <message>
         <source>%1&#x2009;% of the limit</source>
-        <translation>%1 % der Grenze</translation>
+        <translation>%1&#x2009;% der Grenze</translation>
     </message>
     <message>
         <source>%1&#x2009;frames</source>
-        <translation>%1 Bilder</translation>
+        <translation>%1&#x2009;Bilder</translation>
     </message>
     <message>
         <source>%1 decides it.</source>
@@ -1695,7 +1695,7 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     </message>
     <message>
         <source>grow by %1&#x2009;% a frame</source>
-        <translation>wachsen um %1 % pro Bild</translation>
+        <translation>wachsen um %1&#x2009;% pro Bild</translation>
     </message>
     <message>
         <source>grow %1 times a frame</source>
@@ -1806,7 +1806,7 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     </message>
     <message>
         <source>%1&#x2009;px</source>
-        <translation>%1 px</translation>
+        <translation>%1&#x2009;px</translation>
     </message>
 </context>
 <context>
@@ -2178,7 +2178,7 @@ Klick klappt ein oder aus (Eingabe)</translation>
     </message>
     <message>
         <source>%1 stands, slipped %2&#x202f;px.</source>
-        <translation>%1 steht, ist %2 px gerutscht.</translation>
+        <translation>%1 steht, ist %2&#x202f;px gerutscht.</translation>
     </message>
     <message>
         <source>%1 is in the air.</source>
@@ -2198,7 +2198,7 @@ Klick klappt ein oder aus (Eingabe)</translation>
     </message>
     <message>
         <source>%1 stands from frame %2 to %3 and slips %4&#x202f;px</source>
-        <translation>%1 steht von Bild %2 bis %3 und rutscht %4 px</translation>
+        <translation>%1 steht von Bild %2 bis %3 und rutscht %4&#x202f;px</translation>
     </message>
 </context>
 <context>
@@ -2236,7 +2236,7 @@ Klick klappt ein oder aus (Eingabe)</translation>
     </message>
     <message>
         <source>a step of %1&#x2009;frames</source>
-        <translation>ein Zeitschritt von %1 Bildern</translation>
+        <translation>ein Zeitschritt von %1&#x2009;Bildern</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -3033,7 +3033,7 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     </message>
     <message>
         <source>Zoom to 100&#x2009;%</source>
-        <translation>Auf 100 % zoomen</translation>
+        <translation>Auf 100&#x2009;% zoomen</translation>
     </message>
     <message>
         <source>Show the whole stage (Ctrl+0)</source>
@@ -3125,7 +3125,7 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     </message>
     <message>
         <source>%1&#x2009;%</source>
-        <translation>%1 %</translation>
+        <translation>%1&#x2009;%</translation>
     </message>
     <message>
         <source>Zoom %1</source>
@@ -3272,7 +3272,7 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     </message>
     <message>
         <source>%1&#x2009;% of the limit</source>
-        <translation>%1 % der Grenze</translation>
+        <translation>%1&#x2009;% der Grenze</translation>
     </message>
 </context>
 <context>
@@ -3583,6 +3583,822 @@ für weniger so genau.</translation>
     <message>
         <source>a value of that parameter</source>
         <translation>einen Wert dieses Parameters</translation>
+    </message>
+    <message>
+        <source>joint limits</source>
+        <translation>Gelenkgrenzen</translation>
+    </message>
+    <message>
+        <source>area</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>spring</source>
+        <translation>Feder</translation>
+    </message>
+    <message>
+        <source>damping</source>
+        <translation>Dämpfung</translation>
+    </message>
+    <message>
+        <source>gait clock</source>
+        <translation>Ganguhr</translation>
+    </message>
+    <message>
+        <source>gravity</source>
+        <translation>Schwerkraft</translation>
+    </message>
+    <message>
+        <source>ground</source>
+        <translation>Boden</translation>
+    </message>
+    <message>
+        <source>gust runs on</source>
+        <translation>Bö läuft weiter</translation>
+    </message>
+    <message>
+        <source>joints</source>
+        <translation>Gelenke</translation>
+    </message>
+    <message>
+        <source>legs</source>
+        <translation>Beine</translation>
+    </message>
+    <message>
+        <source>motor</source>
+        <translation>Motor</translation>
+    </message>
+    <message>
+        <source>anticipation</source>
+        <translation>Ausholen</translation>
+    </message>
+    <message>
+        <source>pointer</source>
+        <translation>Zeiger</translation>
+    </message>
+    <message>
+        <source>push</source>
+        <translation>Abstoßen</translation>
+    </message>
+    <message>
+        <source>springs</source>
+        <translation>Federn</translation>
+    </message>
+    <message>
+        <source>return to rest</source>
+        <translation>Rückkehr zur Ruhe</translation>
+    </message>
+    <message>
+        <source>room</source>
+        <translation>Raum</translation>
+    </message>
+    <message>
+        <source>soft sticks</source>
+        <translation>weiche Stäbe</translation>
+    </message>
+    <message>
+        <source>drag along, across</source>
+        <translation>Bremsen längs, quer</translation>
+    </message>
+    <message>
+        <source>steering</source>
+        <translation>Lenkung</translation>
+    </message>
+    <message>
+        <source>sticks</source>
+        <translation>Stäbe</translation>
+    </message>
+    <message>
+        <source>wind</source>
+        <translation>Wind</translation>
+    </message>
+    <message>
+        <source>turn round</source>
+        <translation>Umkehren</translation>
+    </message>
+    <message>
+        <source>turn to the pointer</source>
+        <translation>Drehen zum Zeiger</translation>
+    </message>
+    <message>
+        <source>walls</source>
+        <translation>Wände</translation>
+    </message>
+    <message>
+        <source>Done by the hand</source>
+        <translation>Von der Hand geleistet</translation>
+    </message>
+    <message>
+        <source>Changed with a number</source>
+        <translation>Mit einer Zahl geändert</translation>
+    </message>
+    <message>
+        <source>Done by what drives</source>
+        <translation>Von Antrieben geleistet</translation>
+    </message>
+    <message>
+        <source>Done by wind</source>
+        <translation>Vom Wind geleistet</translation>
+    </message>
+    <message>
+        <source>Done by one-way pulls</source>
+        <translation>Von einseitigen Zügen geleistet</translation>
+    </message>
+    <message>
+        <source>Given by gravity</source>
+        <translation>Von der Schwerkraft gegeben</translation>
+    </message>
+    <message>
+        <source>Given by what stands fast</source>
+        <translation>Von Feststehendem gegeben</translation>
+    </message>
+    <message>
+        <source>Lost by damping</source>
+        <translation>Durch Dämpfung verloren</translation>
+    </message>
+    <message>
+        <source>At impacts</source>
+        <translation>Bei Stößen</translation>
+    </message>
+    <message>
+        <source>Changed by sticks</source>
+        <translation>Durch Stäbe geändert</translation>
+    </message>
+    <message>
+        <source>Drift of the method</source>
+        <translation>Drift des Verfahrens</translation>
+    </message>
+    <message>
+        <source>pressed into one px</source>
+        <translation>in einen Pixel gepresst</translation>
+    </message>
+    <message>
+        <source>Twelve feet stand within 1 px of their body, on springs of stiffness a million that are 50 px long: pressed together they turn over at a touch.</source>
+        <translation>Zwölf Füße stehen innerhalb von 1 px um ihren Körper, an Federn der Steifigkeit eine Million, die 50 px lang sind: So zusammengepresst, überschlagen sie sich bei jeder Berührung.</translation>
+    </message>
+    <message>
+        <source>the pair that runs away</source>
+        <translation>das Paar, das davonläuft</translation>
+    </message>
+    <message>
+        <source>A foot and a body pull each other, but one after the other: so the pair drives itself on, though nothing pushes it.</source>
+        <translation>Ein Fuß und ein Körper ziehen einander, aber nacheinander: So treibt sich das Paar selbst an, obwohl nichts es schiebt.</translation>
+    </message>
+    <message>
+        <source>sixty feet</source>
+        <translation>sechzig Füße</translation>
+    </message>
+    <message>
+        <source>Each foot alone is soft, but sixty together pull the body too hard for a step.</source>
+        <translation>Jeder Fuß für sich ist weich, aber sechzig zusammen ziehen zu stark am Körper für einen Zeitschritt.</translation>
+    </message>
+    <message>
+        <source>a hundred feet</source>
+        <translation>hundert Füße</translation>
+    </message>
+    <message>
+        <source>A hundred soft springs on one body make a stiff one.</source>
+        <translation>Hundert weiche Federn an einem Körper ergeben eine steife.</translation>
+    </message>
+    <message>
+        <source>a thousand feet</source>
+        <translation>tausend Füße</translation>
+    </message>
+    <message>
+        <source>A thousand feet pull one body as hard as a spring of stiffness 200.</source>
+        <translation>Tausend Füße ziehen einen Körper so stark wie eine Feder der Steifigkeit 200.</translation>
+    </message>
+    <message>
+        <source>ten thousand feet</source>
+        <translation>zehntausend Füße</translation>
+    </message>
+    <message>
+        <source>Ten thousand feet pull one body as hard as a spring of stiffness 2000.</source>
+        <translation>Zehntausend Füße ziehen einen Körper so stark wie eine Feder der Steifigkeit 2000.</translation>
+    </message>
+    <message>
+        <source>all in one place</source>
+        <translation>alles an einem Ort</translation>
+    </message>
+    <message>
+        <source>Body and feet begin in one place, where no spring has a direction.</source>
+        <translation>Körper und Füße beginnen an einem Ort, wo keine Feder eine Richtung hat.</translation>
+    </message>
+    <message>
+        <source>all on one line</source>
+        <translation>alles auf einer Linie</translation>
+    </message>
+    <message>
+        <source>Body and feet stand in line, so nothing pulls them off it.</source>
+        <translation>Körper und Füße stehen in einer Linie, also zieht nichts sie davon weg.</translation>
+    </message>
+    <message>
+        <source>springs without a length</source>
+        <translation>Federn ohne Länge</translation>
+    </message>
+    <message>
+        <source>Springs of length 0 pull all points into one place, where their directions are lost.</source>
+        <translation>Federn der Länge 0 ziehen alle Punkte an einen Ort, wo ihre Richtungen verloren gehen.</translation>
+    </message>
+    <message>
+        <source>thrown into a corner</source>
+        <translation>in eine Ecke geworfen</translation>
+    </message>
+    <message>
+        <source>A body comes into a corner at a million px a frame: in one step it would be two thousand rooms away.</source>
+        <translation>Ein Körper kommt mit einer Million px pro Bild in eine Ecke: In einem Zeitschritt wäre er zweitausend Räume weit weg.</translation>
+    </message>
+    <message>
+        <source>walls closer than the body</source>
+        <translation>Wände enger als der Körper</translation>
+    </message>
+    <message>
+        <source>The body is 30 px wide and the room 15: wherever it is, it is in a wall.</source>
+        <translation>Der Körper ist 30 px breit und der Raum 15: Wo er auch ist, er steckt in einer Wand.</translation>
+    </message>
+    <message>
+        <source>a million times the gravity</source>
+        <translation>das Millionenfache der Schwerkraft</translation>
+    </message>
+    <message>
+        <source>All falls at a million px a frame, each frame, onto a floor that gives nothing back.</source>
+        <translation>Alles fällt mit einer Million px pro Bild, in jedem Bild, auf einen Boden, der nichts zurückgibt.</translation>
+    </message>
+    <message>
+        <source>grabbed and let go</source>
+        <translation>gegriffen und losgelassen</translation>
+    </message>
+    <message>
+        <source>A hand takes the body for one frame and lets it go.</source>
+        <translation>Eine Hand nimmt den Körper für ein Bild und lässt ihn los.</translation>
+    </message>
+    <message>
+        <source>torn away</source>
+        <translation>weggerissen</translation>
+    </message>
+    <message>
+        <source>A hand takes the body a billion px away in one frame, and lets it go.</source>
+        <translation>Eine Hand nimmt den Körper in einem Bild eine Milliarde px weit weg und lässt ihn los.</translation>
+    </message>
+    <message>
+        <source>torn away on stiff springs</source>
+        <translation>an steifen Federn weggerissen</translation>
+    </message>
+    <message>
+        <source>The same on springs of stiffness a million.</source>
+        <translation>Dasselbe an Federn der Steifigkeit eine Million.</translation>
+    </message>
+    <message>
+        <source>legs that flip</source>
+        <translation>Beine, die umschlagen</translation>
+    </message>
+    <message>
+        <source>The gait turns by half a circle each frame: a step sees two places of it only.</source>
+        <translation>Der Gang dreht sich in jedem Bild um einen halben Kreis: Ein Zeitschritt sieht nur zwei Orte davon.</translation>
+    </message>
+    <message>
+        <source>legs that whirl</source>
+        <translation>Beine, die wirbeln</translation>
+    </message>
+    <message>
+        <source>The gait turns 159,155 times in a frame.</source>
+        <translation>Der Gang dreht sich 159.155-mal in einem Bild.</translation>
+    </message>
+    <message>
+        <source>a hand that is nowhere</source>
+        <translation>eine Hand, die nirgends ist</translation>
+    </message>
+    <message>
+        <source>The hand moves to a place that is not a number.</source>
+        <translation>Die Hand geht an einen Ort, der keine Zahl ist.</translation>
+    </message>
+    <message>
+        <source>a pointer at the end of the world</source>
+        <translation>ein Zeiger am Ende der Welt</translation>
+    </message>
+    <message>
+        <source>The pointer goes to a place that is infinitely far away.</source>
+        <translation>Der Zeiger geht an einen Ort, der unendlich weit weg ist.</translation>
+    </message>
+    <message>
+        <source>an endless stiffness</source>
+        <translation>eine endlose Steifigkeit</translation>
+    </message>
+    <message>
+        <source>The stiffness is set to infinity.</source>
+        <translation>Die Steifigkeit wird auf unendlich gesetzt.</translation>
+    </message>
+    <message>
+        <source>feet</source>
+        <translation>Füße</translation>
+    </message>
+    <message>
+        <source>body</source>
+        <translation>Körper</translation>
+    </message>
+    <message>
+        <source>foot</source>
+        <translation>Fuß</translation>
+    </message>
+    <message>
+        <source>light</source>
+        <translation>leicht</translation>
+    </message>
+    <message>
+        <source>heavy</source>
+        <translation>schwer</translation>
+    </message>
+    <message>
+        <source>lead</source>
+        <translation>Spitze</translation>
+    </message>
+    <message>
+        <source>tail</source>
+        <translation>Schwanz</translation>
+    </message>
+    <message>
+        <source>suddenly stiff</source>
+        <translation>plötzlich steif</translation>
+    </message>
+    <message>
+        <source>In the middle of a run the stiffness goes from 0.2 to a million.</source>
+        <translation>Mitten in einem Lauf geht die Steifigkeit von 0,2 auf eine Million.</translation>
+    </message>
+    <message>
+        <source>just below the limit</source>
+        <translation>knapp unter der Grenze</translation>
+    </message>
+    <message>
+        <source>A spring that one step a frame can just follow: stiffness 3.99, where the limit is 4.</source>
+        <translation>Eine Feder, der ein Zeitschritt pro Bild gerade noch folgen kann: Steifigkeit 3,99, wo die Grenze 4 ist.</translation>
+    </message>
+    <message>
+        <source>at the limit</source>
+        <translation>an der Grenze</translation>
+    </message>
+    <message>
+        <source>At stiffness 4 the foot comes to the other side in one step, with all its speed: it goes farther each time.</source>
+        <translation>Bei Steifigkeit 4 kommt der Fuß in einem Zeitschritt auf die andere Seite, mit all seinem Tempo: Jedes Mal geht er weiter.</translation>
+    </message>
+    <message>
+        <source>just above the limit</source>
+        <translation>knapp über der Grenze</translation>
+    </message>
+    <message>
+        <source>At stiffness 4.01 each swing is a tenth larger than the one before.</source>
+        <translation>Bei Steifigkeit 4,01 ist jede Schwingung ein Zehntel größer als die vorige.</translation>
+    </message>
+    <message>
+        <source>a thousand times as stiff</source>
+        <translation>tausendmal so steif</translation>
+    </message>
+    <message>
+        <source>A spring of stiffness 1000 swings five times in a frame.</source>
+        <translation>Eine Feder der Steifigkeit 1000 schwingt fünfmal in einem Bild.</translation>
+    </message>
+    <message>
+        <source>a million times as stiff</source>
+        <translation>eine Million Mal so steif</translation>
+    </message>
+    <message>
+        <source>A spring of stiffness a million swings 159 times in a frame.</source>
+        <translation>Eine Feder der Steifigkeit eine Million schwingt 159-mal in einem Bild.</translation>
+    </message>
+    <message>
+        <source>nearly rigid</source>
+        <translation>fast starr</translation>
+    </message>
+    <message>
+        <source>A spring of stiffness 1e9 is as good as a stick.</source>
+        <translation>Eine Feder der Steifigkeit 1e9 ist so gut wie ein Stab.</translation>
+    </message>
+    <message>
+        <source>nearly rigid, and nothing slows it</source>
+        <translation>fast starr, und nichts bremst sie</translation>
+    </message>
+    <message>
+        <source>The same without damping: it may swing for ever, but no farther than it began.</source>
+        <translation>Dasselbe ohne Dämpfung: Sie darf ewig schwingen, aber nicht weiter, als sie begann.</translation>
+    </message>
+    <message>
+        <source>damping that stops all</source>
+        <translation>Dämpfung, die alles anhält</translation>
+    </message>
+    <message>
+        <source>With damping 0 no velocity is left: nothing may move.</source>
+        <translation>Mit Dämpfung 0 bleibt keine Geschwindigkeit übrig: Nichts darf sich bewegen.</translation>
+    </message>
+    <message>
+        <source>no damping</source>
+        <translation>keine Dämpfung</translation>
+    </message>
+    <message>
+        <source>With damping 1 nothing is lost: the foot swings for ever, and no farther.</source>
+        <translation>Mit Dämpfung 1 geht nichts verloren: Der Fuß schwingt ewig, und nicht weiter.</translation>
+    </message>
+    <message>
+        <source>next to nothing is left</source>
+        <translation>fast nichts bleibt übrig</translation>
+    </message>
+    <message>
+        <source>Damping of 1e-300 leaves numbers that are nearly too small to write.</source>
+        <translation>Eine Dämpfung von 1e-300 lässt Zahlen übrig, die fast zu klein zum Schreiben sind.</translation>
+    </message>
+    <message>
+        <source>a fly and a mountain</source>
+        <translation>eine Fliege und ein Berg</translation>
+    </message>
+    <message>
+        <source>One body is a billion times as heavy as the one on its spring.</source>
+        <translation>Ein Körper ist eine Milliarde Mal so schwer wie der an seiner Feder.</translation>
+    </message>
+    <message>
+        <source>the mountain swings, too</source>
+        <translation>auch der Berg schwingt</translation>
+    </message>
+    <message>
+        <source>The spring is stiff enough to move the heavy body, and so a hundred million times too stiff for the light one.</source>
+        <translation>Die Feder ist steif genug, den schweren Körper zu bewegen, und darum für den leichten hundert Millionen Mal zu steif.</translation>
+    </message>
+    <message>
+        <source>sticks that contradict each other</source>
+        <translation>Stäbe, die sich widersprechen</translation>
+    </message>
+    <message>
+        <source>Three sticks of lengths 1, 1 and 10 make no triangle: whatever moves, one is wrong.</source>
+        <translation>Drei Stäbe der Längen 1, 1 und 10 ergeben kein Dreieck: Was sich auch bewegt, einer ist falsch.</translation>
+    </message>
+    <message>
+        <source>a chain that is too short</source>
+        <translation>eine zu kurze Kette</translation>
+    </message>
+    <message>
+        <source>A chain of a thousand links between two nails is a tenth too short: no link can be right.</source>
+        <translation>Eine Kette aus tausend Gliedern zwischen zwei Nägeln ist um ein Zehntel zu kurz: Kein Glied kann richtig sein.</translation>
+    </message>
+    <message>
+        <source>a chain too heavy for its sticks</source>
+        <translation>eine Kette, zu schwer für ihre Stäbe</translation>
+    </message>
+    <message>
+        <source>A chain of a thousand links hangs between two nails: 20 passes a frame leave its links much too long.</source>
+        <translation>Eine Kette aus tausend Gliedern hängt zwischen zwei Nägeln: 20 Durchgänge pro Bild lassen ihre Glieder viel zu lang.</translation>
+    </message>
+    <message>
+        <source>a heavy chain in small steps</source>
+        <translation>eine schwere Kette in kleinen Zeitschritten</translation>
+    </message>
+    <message>
+        <source>The same chain and the same work: in place of 20 passes a frame 20 steps of one pass each. Its links err a ninth as much.</source>
+        <translation>Dieselbe Kette und dieselbe Arbeit: statt 20 Durchgängen pro Bild 20 Zeitschritte mit je einem Durchgang. Der Fehler ihrer Glieder ist ein Neuntel so groß.</translation>
+    </message>
+    <message>
+        <source>a stick without a length</source>
+        <translation>ein Stab ohne Länge</translation>
+    </message>
+    <message>
+        <source>Two points on a stick of length 0 have no direction between them, and a body hangs on them.</source>
+        <translation>Zwei Punkte an einem Stab der Länge 0 haben keine Richtung zueinander, und an ihnen hängt ein Körper.</translation>
+    </message>
+    <message>
+        <source>a stick between two nails</source>
+        <translation>ein Stab zwischen zwei Nägeln</translation>
+    </message>
+    <message>
+        <source>A stick that is too short between two points that stand fast: neither gives way.</source>
+        <translation>Ein zu kurzer Stab zwischen zwei Punkten, die feststehen: Keiner gibt nach.</translation>
+    </message>
+    <message>
+        <source>the tail goes through the lead</source>
+        <translation>der Schwanz geht durch die Spitze</translation>
+    </message>
+    <message>
+        <source>The lead turns round and swims straight through its own tail.</source>
+        <translation>Die Spitze kehrt um und schwimmt mitten durch ihren eigenen Schwanz.</translation>
+    </message>
+    <message>
+        <source>the tail is in the lead</source>
+        <translation>der Schwanz ist in der Spitze</translation>
+    </message>
+    <message>
+        <source>Lead and tail begin in one place, on a soft stick that has no direction there.</source>
+        <translation>Spitze und Schwanz beginnen an einem Ort, an einem weichen Stab, der dort keine Richtung hat.</translation>
+    </message>
+    <message>
+        <source>a target beyond the horizon</source>
+        <translation>ein Ziel hinter dem Horizont</translation>
+    </message>
+    <message>
+        <source>The target is a billion px away, and the motor pulls the harder the farther it is.</source>
+        <translation>Das Ziel ist eine Milliarde px weit weg, und je weiter, desto stärker zieht der Motor.</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>ten million frames</source>
+        <translation>zehn Millionen Bilder</translation>
+    </message>
+    <message>
+        <source>A foot swings for nearly four days of playing, and nothing slows it: no error may add up.</source>
+        <translation>Ein Fuß schwingt fast vier Tage Spielzeit lang, und nichts bremst ihn: Kein Fehler darf sich summieren.</translation>
+    </message>
+    <message>
+        <source>a million frames at rest</source>
+        <translation>eine Million Bilder in Ruhe</translation>
+    </message>
+    <message>
+        <source>What has come to rest keeps velocities that are nearly too small to write, and must keep still.</source>
+        <translation>Was zur Ruhe gekommen ist, behält Geschwindigkeiten, die fast zu klein zum Schreiben sind, und muss still bleiben.</translation>
+    </message>
+    <message>
+        <source>a million steps a frame</source>
+        <translation>eine Million Zeitschritte pro Bild</translation>
+    </message>
+    <message>
+        <source>Steps of a millionth of a frame: what each adds is nearly lost in rounding.</source>
+        <translation>Zeitschritte von einem millionstel Bild: Was jeder hinzufügt, geht fast im Runden verloren.</translation>
+    </message>
+    <message>
+        <source>a third of a frame</source>
+        <translation>ein Drittel Bild</translation>
+    </message>
+    <message>
+        <source>Three steps a frame, of a length that no binary number is equal to.</source>
+        <translation>Drei Zeitschritte pro Bild, von einer Länge, der keine Binärzahl gleich ist.</translation>
+    </message>
+    <message>
+        <source>a hundred frames in a step</source>
+        <translation>hundert Bilder in einem Zeitschritt</translation>
+    </message>
+    <message>
+        <source>One step leaps over seven swings of the spring.</source>
+        <translation>Ein Zeitschritt überspringt sieben Schwingungen der Feder.</translation>
+    </message>
+    <message>
+        <source>no distance to divide by</source>
+        <translation>kein Abstand, durch den man teilen könnte</translation>
+    </message>
+    <message>
+        <source>In the printed formula the pointer can be at distance 0: it divides by that, and the run must end with a word about it.</source>
+        <translation>In der gedruckten Formel kann der Zeiger den Abstand 0 haben: Sie teilt durch ihn, und der Lauf muss mit einem Wort darüber enden.</translation>
+    </message>
+    <message>
+        <source>the pointer on the root</source>
+        <translation>der Zeiger auf der Wurzel</translation>
+    </message>
+    <message>
+        <source>The trunk turns to a pointer that is exactly where it begins.</source>
+        <translation>Der Stamm dreht sich zu einem Zeiger, der genau dort ist, wo er beginnt.</translation>
+    </message>
+    <message>
+        <source>sixteen forks</source>
+        <translation>sechzehn Gabelungen</translation>
+    </message>
+    <message>
+        <source>Each branch forks into two as large as itself, sixteen times: 131,071 branches in the wind.</source>
+        <translation>Jeder Zweig gabelt sich in zwei so große wie er selbst, sechzehnmal: 131.071 Zweige im Wind.</translation>
+    </message>
+    <message>
+        <source>a tree without an end</source>
+        <translation>ein Baum ohne Ende</translation>
+    </message>
+    <message>
+        <source>Branches that are as large as their parents never get small enough to stop forking.</source>
+        <translation>Zweige, die so groß sind wie ihre Eltern, werden nie klein genug, um sich nicht mehr zu gabeln.</translation>
+    </message>
+    <message>
+        <source>a tree of glass</source>
+        <translation>ein Baum aus Glas</translation>
+    </message>
+    <message>
+        <source>Joints a million times as stiff as wood, bent by ten degrees and let go.</source>
+        <translation>Gelenke, eine Million Mal so steif wie Holz, um zehn Grad gebogen und losgelassen.</translation>
+    </message>
+    <message>
+        <source>wind from the branch itself</source>
+        <translation>Wind aus dem Zweig selbst</translation>
+    </message>
+    <message>
+        <source>The pointer is exactly where the trunk ends: the wind has no direction there.</source>
+        <translation>Der Zeiger ist genau dort, wo der Stamm endet: Der Wind hat dort keine Richtung.</translation>
+    </message>
+    <message>
+        <source>wind without a distance</source>
+        <translation>Wind ohne Abstand</translation>
+    </message>
+    <message>
+        <source>What resists the wind is the distance to the pointer, and it is 0.</source>
+        <translation>Was dem Wind widersteht, ist der Abstand zum Zeiger, und der ist 0.</translation>
+    </message>
+    <message>
+        <source>branches</source>
+        <translation>Zweige</translation>
+    </message>
+    <message>
+        <source>steps of its own</source>
+        <translation>eigene Zeitschritte</translation>
+    </message>
+    <message>
+        <source>Backward Euler</source>
+        <translation>Implizites Euler-Verfahren</translation>
+    </message>
+    <message>
+        <source>Dormand–Prince 8(5,3)</source>
+        <translation>Dormand–Prince 8(5,3)</translation>
+    </message>
+    <message>
+        <source>Dormand–Prince 5(4)</source>
+        <translation>Dormand–Prince 5(4)</translation>
+    </message>
+    <message>
+        <source>Explicit Euler</source>
+        <translation>Explizites Euler-Verfahren</translation>
+    </message>
+    <message>
+        <source>solve for the new place</source>
+        <translation>nach dem neuen Ort auflösen</translation>
+    </message>
+    <message>
+        <source>Implicit midpoint</source>
+        <translation>Implizite Mittelpunktsregel</translation>
+    </message>
+    <message>
+        <source>Runge–Kutta–Nyström 8(6)</source>
+        <translation>Runge–Kutta–Nyström 8(6)</translation>
+    </message>
+    <message>
+        <source>kick</source>
+        <translation>Schub</translation>
+    </message>
+    <message>
+        <source>half kick</source>
+        <translation>halber Schub</translation>
+    </message>
+    <message>
+        <source>move</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>half move</source>
+        <translation>halbe Bewegung</translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>half turn</source>
+        <translation>halbe Drehung</translation>
+    </message>
+    <message>
+        <source>new velocity</source>
+        <translation>neue Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Position Verlet</source>
+        <translation>Positions-Verlet</translation>
+    </message>
+    <message>
+        <source>Published</source>
+        <translation>Veröffentlicht</translation>
+    </message>
+    <message>
+        <source>try a place</source>
+        <translation>einen Ort probieren</translation>
+    </message>
+    <message>
+        <source>Midpoint</source>
+        <translation>Mittelpunktsregel</translation>
+    </message>
+    <message>
+        <source>Runge–Kutta 4</source>
+        <translation>Runge–Kutta 4</translation>
+    </message>
+    <message>
+        <source>Semi-implicit Euler</source>
+        <translation>Semi-implizites Euler-Verfahren</translation>
+    </message>
+    <message>
+        <source>TR-BDF2</source>
+        <translation>TR-BDF2</translation>
+    </message>
+    <message>
+        <source>Velocity Verlet</source>
+        <translation>Velocity-Verlet</translation>
+    </message>
+    <message>
+        <source>Keep joints from bending too far: a knee does not bend forwards.</source>
+        <translation>Hält Gelenke davon ab, sich zu weit zu beugen: Ein Knie beugt sich nicht nach vorn.</translation>
+    </message>
+    <message>
+        <source>Shifts the swimmer back before it goes to a new target, as a cat draws back before it leaps.</source>
+        <translation>Schiebt den Schwimmer zurück, bevor er zu einem neuen Ziel startet, so wie eine Katze vor dem Sprung zurückweicht.</translation>
+    </message>
+    <message>
+        <source>Keeps the area of the body: what gets longer gets thinner.</source>
+        <translation>Erhält die Fläche des Körpers: Was länger wird, wird schmaler.</translation>
+    </message>
+    <message>
+        <source>Pulls a foot to the body, wherever that is.</source>
+        <translation>Zieht einen Fuß zum Körper, wo der auch ist.</translation>
+    </message>
+    <message>
+        <source>Takes a share of every velocity each frame, so that things come to rest.</source>
+        <translation>Nimmt jeder Geschwindigkeit in jedem Bild einen Anteil, damit die Dinge zur Ruhe kommen.</translation>
+    </message>
+    <message>
+        <source>Turns the angle that swings the legs on, a little each frame: the beat of the walk.</source>
+        <translation>Dreht den Winkel, der die Beine schwingt, in jedem Bild ein wenig weiter: der Takt des Gehens.</translation>
+    </message>
+    <message>
+        <source>Pulls everything down, and everything alike.</source>
+        <translation>Zieht alles nach unten, und alles gleich.</translation>
+    </message>
+    <message>
+        <source>Keeps the feet from sinking in, and from slipping where it holds them.</source>
+        <translation>Hält die Füße davon ab, einzusinken und dort zu rutschen, wo er sie hält.</translation>
+    </message>
+    <message>
+        <source>Lets a gust run outwards from the pointer, so that near branches feel it first.</source>
+        <translation>Lässt eine Bö vom Zeiger nach außen laufen, sodass nahe Zweige sie zuerst spüren.</translation>
+    </message>
+    <message>
+        <source>Set each branch on the end of the branch that carries it.</source>
+        <translation>Setzt jeden Zweig auf das Ende des Zweigs, der ihn trägt.</translation>
+    </message>
+    <message>
+        <source>Pull each foot to a place of its own, as seen from the body.</source>
+        <translation>Zieht jeden Fuß an einen eigenen Ort, vom Körper aus gesehen.</translation>
+    </message>
+    <message>
+        <source>Pulls the swimmer to its target, as a spring does.</source>
+        <translation>Zieht den Schwimmer zu seinem Ziel, so wie eine Feder es tut.</translation>
+    </message>
+    <message>
+        <source>Pulls a foot to a place beside the body.</source>
+        <translation>Zieht einen Fuß an einen Ort neben dem Körper.</translation>
+    </message>
+    <message>
+        <source>Pulls a foot to a fixed place.</source>
+        <translation>Zieht einen Fuß an einen festen Ort.</translation>
+    </message>
+    <message>
+        <source>Carries a point to where the pointer is.</source>
+        <translation>Trägt einen Punkt dorthin, wo der Zeiger ist.</translation>
+    </message>
+    <message>
+        <source>Pushes apart what comes too close, so that creatures do not walk through each other.</source>
+        <translation>Schiebt auseinander, was sich zu nahe kommt, damit Figuren nicht durcheinander hindurchgehen.</translation>
+    </message>
+    <message>
+        <source>Keep two points a length apart: they pull when it is more, and push when it is less.</source>
+        <translation>Hält zwei Punkte eine Länge auseinander: Zieht, wenn es mehr ist, und schiebt, wenn es weniger ist.</translation>
+    </message>
+    <message>
+        <source>Turns each branch a part of the way back to where it grew.</source>
+        <translation>Dreht jeden Zweig ein Stück des Wegs dorthin zurück, wo er wuchs.</translation>
+    </message>
+    <message>
+        <source>Keeps everything between two walls and above a floor.</source>
+        <translation>Hält alles zwischen zwei Wänden und über einem Boden.</translation>
+    </message>
+    <message>
+        <source>Keep a point near its distance, but let it lag behind for a while.</source>
+        <translation>Hält einen Punkt nahe an seinem Abstand, lässt ihn aber eine Weile nachhängen.</translation>
+    </message>
+    <message>
+        <source>Slows the tail, and more so across the body than along it, as water does.</source>
+        <translation>Bremst den Schwanz, und zwar quer zum Körper mehr als längs, so wie Wasser es tut.</translation>
+    </message>
+    <message>
+        <source>Lets the arrow keys and the pointer set how fast the legs swing.</source>
+        <translation>Lässt Pfeiltasten und Zeiger bestimmen, wie schnell die Beine schwingen.</translation>
+    </message>
+    <message>
+        <source>Give each pair of points its length back, by moving them: a stick does not stretch.</source>
+        <translation>Gibt jedem Paar von Punkten seine Länge zurück, indem er sie bewegt: Ein Stab dehnt sich nicht.</translation>
+    </message>
+    <message>
+        <source>Bend each joint back: the harder, the farther a branch has turned from where it grew.</source>
+        <translation>Biegt jedes Gelenk zurück: je stärker, desto weiter sich ein Zweig von dort gedreht hat, wo er wuchs.</translation>
+    </message>
+    <message>
+        <source>Makes a creature that meets a wall walk the other way.</source>
+        <translation>Lässt eine Figur, die auf eine Wand trifft, in die andere Richtung gehen.</translation>
+    </message>
+    <message>
+        <source>Turns every branch to the pointer while its button is down.</source>
+        <translation>Dreht jeden Zweig zum Zeiger, solange dessen Taste gedrückt ist.</translation>
+    </message>
+    <message>
+        <source>Put back what has gone past a wall or the floor, and turn its velocity round.</source>
+        <translation>Setzt zurück, was über eine Wand oder den Boden hinaus ist, und kehrt seine Geschwindigkeit um.</translation>
+    </message>
+    <message>
+        <source>Turns the branches away from the pointer while its button is down.</source>
+        <translation>Dreht die Zweige vom Zeiger weg, solange dessen Taste gedrückt ist.</translation>
     </message>
 </context>
 <context>

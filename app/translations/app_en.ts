@@ -5,9 +5,9 @@
     <name>app::RemedySearch</name>
     <message numerus="yes">
         <source>Tried out: it holds for %n frames.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Tried out: it holds for %n frame.</numerusform>
+            <numerusform>Tried out: it holds for %n frames.</numerusform>
         </translation>
     </message>
 </context>

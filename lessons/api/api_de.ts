@@ -146,5 +146,9 @@
         <source>bodies</source>
         <translation>Körper</translation>
     </message>
+    <message>
+        <source>creature</source>
+        <translation>Figur</translation>
+    </message>
 </context>
 </TS>

@@ -195,7 +195,7 @@ This stick is **one-sided**: the lead takes nothing of the error, the tail takes
 That is enough for a direction: from tail to lead is the way that it looks. When it is sent to the side, it turns there in a smooth curve. When it is sent straight back, it pushes its tail ahead of it for a while: the stick knows a length, not a front.
 
 In each frame the lead moves first. The tail follows in the same frame.</source>
-        <translation>Ein Punkt hat kein Vorn. Gib ihm also einen zweiten Punkt, den **Schwanz**, mit einem starren Stab von 40 px an die Spitze gebunden.
+        <translation>Ein Punkt hat kein Vorn. Gib ihm also einen zweiten Punkt, den **Schwanz**, mit einem starren Stab von 40&#x202f;px an die Spitze gebunden.
 
 Dieser Stab ist **einseitig**: Die Spitze übernimmt nichts vom Fehler, der Schwanz alles. Der Motor weiß nicht einmal, dass es einen Schwanz gibt. Und der Schwanz hat keine eigene Geschwindigkeit: Er wird hinterhergezogen, wohin die Spitze auch geht.
 
@@ -231,7 +231,7 @@ Each frame takes only 0.1 of the error. But a soft stick alone would let the tai
 The tail’s velocity is split in two, **along** the spine and **across** it. Along, it keeps 0.7 each frame, across only 0.5: it bobs more than it swings round.</source>
         <translation>Jetzt bekommt der Schwanz eine eigene Geschwindigkeit, und der Stab gibt nach: Er ist **weich**. Der Schwanz hinkt hinterher und schwingt vorbei, und der Körper wird gestaucht und gestreckt.
 
-Jedes Bild nimmt nur 0,1 des Fehlers. Aber ein weicher Stab allein würde den Schwanz durch die Spitze hindurchlassen. Darum gibt es **drei Fälle**: Kürzer als 20 px oder länger als 60 px nimmt er 0,8 von dem, was jenseits der Grenze ist; dazwischen 0,1 des Wegs zu 40 px.
+Jedes Bild nimmt nur 0,1 des Fehlers. Aber ein weicher Stab allein würde den Schwanz durch die Spitze hindurchlassen. Darum gibt es **drei Fälle**: Kürzer als 20&#x202f;px oder länger als 60&#x202f;px nimmt er 0,8 von dem, was jenseits der Grenze ist; dazwischen 0,1 des Wegs zu 40&#x202f;px.
 
 Die Geschwindigkeit des Schwanzes wird zerlegt, **längs** zum Rückgrat und **quer** dazu. Längs behält er in jedem Bild 0,7, quer nur 0,5: Er federt mehr, als er herumschwingt.</translation>
     </message>
@@ -265,7 +265,7 @@ The price: a tentacle feels the body, but the body does not feel the tentacle. F
 Nothing here was drawn frame by frame: springs and constraints do all of it.</source>
         <translation>Die Seiten tragen **Tentakel**: Ketten von Punkten mit Stäben dazwischen. Jeder Punkt geht weiter, wie er kam (Verlet), und **Wasser** nimmt einen Anteil seines Tempos. Dann ziehen die Stäbe ihn heran.
 
-Auch diese Stäbe sind einseitig. Von der Seite nach außen stellt jedes Glied sein äußeres Ende richtig und lässt das innere in Ruhe. Darum **genügt ein Durchgang**: Kein späteres Glied stört ein früheres, und jedes Glied hat genau seine 7 px.
+Auch diese Stäbe sind einseitig. Von der Seite nach außen stellt jedes Glied sein äußeres Ende richtig und lässt das innere in Ruhe. Darum **genügt ein Durchgang**: Kein späteres Glied stört ein früheres, und jedes Glied hat genau seine 7&#x202f;px.
 
 Der Preis: Ein Tentakel spürt den Körper, aber der Körper spürt den Tentakel nicht. Für etwas so Leichtes ist das eine faire Lüge.
 
@@ -273,11 +273,11 @@ Nichts hier wurde Bild für Bild gezeichnet: Federn und Zwangsbedingungen tun da
     </message>
     <message>
         <source>Click at least 150&#x202f;px away, and wait until it has arrived.</source>
-        <translation>Klicke mindestens 150 px entfernt und warte, bis es angekommen ist.</translation>
+        <translation>Klicke mindestens 150&#x202f;px entfernt und warte, bis es angekommen ist.</translation>
     </message>
     <message>
         <source>Set **keep** to 1 and click somewhere else. After 100&#x202f;frames it still swings.</source>
-        <translation>Setze **Erhalt** auf 1 und klicke woandershin. Nach 100 Bildern schwingt es immer noch.</translation>
+        <translation>Setze **Erhalt** auf 1 und klicke woandershin. Nach 100&#x202f;Bildern schwingt es immer noch.</translation>
     </message>
     <message>
         <source>Take the lead in your hand and throw it. It comes back.</source>
@@ -285,15 +285,15 @@ Nichts hier wurde Bild für Bild gezeichnet: Federn und Zwangsbedingungen tun da
     </message>
     <message>
         <source>Send it to places so that it turns round: the tail at least 30&#x202f;px to the right of the lead.</source>
-        <translation>Schicke es so umher, dass es sich umdreht: den Schwanz mindestens 30 px rechts von der Spitze.</translation>
+        <translation>Schicke es so umher, dass es sich umdreht: den Schwanz mindestens 30&#x202f;px rechts von der Spitze.</translation>
     </message>
     <message>
         <source>Pull it at least 100&#x202f;px away by its tail, let go, and wait until it is back.</source>
-        <translation>Zieh es am Schwanz mindestens 100 px weg, lass los und warte, bis es zurück ist.</translation>
+        <translation>Zieh es am Schwanz mindestens 100&#x202f;px weg, lass los und warte, bis es zurück ist.</translation>
     </message>
     <message>
         <source>Stop inside a frame when the lead has moved, and the tail is 5&#x202f;px too far away.</source>
-        <translation>Halte innerhalb eines Bildes an, wenn die Spitze sich bewegt hat und der Schwanz 5 px zu weit weg ist.</translation>
+        <translation>Halte innerhalb eines Bildes an, wenn die Spitze sich bewegt hat und der Schwanz 5&#x202f;px zu weit weg ist.</translation>
     </message>
     <message>
         <source>Click far away, and stop inside a frame right after the shift.</source>
@@ -309,11 +309,11 @@ Nichts hier wurde Bild für Bild gezeichnet: Federn und Zwangsbedingungen tun da
     </message>
     <message>
         <source>Send it so far that its spine gets 55&#x202f;px long.</source>
-        <translation>Schicke es so weit, dass sein Rückgrat 55 px lang wird.</translation>
+        <translation>Schicke es so weit, dass sein Rückgrat 55&#x202f;px lang wird.</translation>
     </message>
     <message>
         <source>Send it where it looks, so that it is squashed to 32&#x202f;px before it starts.</source>
-        <translation>Schicke es dorthin, wohin es schaut, sodass es vor dem Start auf 32 px gestaucht wird.</translation>
+        <translation>Schicke es dorthin, wohin es schaut, sodass es vor dem Start auf 32&#x202f;px gestaucht wird.</translation>
     </message>
     <message>
         <source>Go back in time, set **soft** to 1, and compare with the ghost.</source>
@@ -321,15 +321,15 @@ Nichts hier wurde Bild für Bild gezeichnet: Federn und Zwangsbedingungen tun da
     </message>
     <message>
         <source>Squash it until it is 40&#x202f;px wide.</source>
-        <translation>Stauche es, bis es 40 px breit ist.</translation>
+        <translation>Stauche es, bis es 40&#x202f;px breit ist.</translation>
     </message>
     <message>
         <source>Stretch it until it is only 22&#x202f;px wide.</source>
-        <translation>Strecke es, bis es nur noch 22 px breit ist.</translation>
+        <translation>Strecke es, bis es nur noch 22&#x202f;px breit ist.</translation>
     </message>
     <message>
         <source>Pull one side at least 40&#x202f;px out. The other side makes up for it: the area stays.</source>
-        <translation>Zieh eine Seite mindestens 40 px hinaus. Die andere gleicht es aus: Die Fläche bleibt.</translation>
+        <translation>Zieh eine Seite mindestens 40&#x202f;px hinaus. Die andere gleicht es aus: Die Fläche bleibt.</translation>
     </message>
     <message>
         <source>Set **tentacles** to 8, send it somewhere, and wait until it has arrived.</source>
@@ -337,7 +337,7 @@ Nichts hier wurde Bild für Bild gezeichnet: Federn und Zwangsbedingungen tun da
     </message>
     <message>
         <source>Set **water** to 0.98 and send it to and fro until a tentacle whips at 40&#x202f;px per frame.</source>
-        <translation>Setze **Wasser** auf 0,98 und schicke es hin und her, bis ein Tentakel mit 40 px pro Bild peitscht.</translation>
+        <translation>Setze **Wasser** auf 0,98 und schicke es hin und her, bis ein Tentakel mit 40&#x202f;px pro Bild peitscht.</translation>
     </message>
     <message>
         <source>Go back in time, change **water**, and compare with the ghost.</source>
@@ -371,6 +371,14 @@ Nichts hier wurde Bild für Bild gezeichnet: Federn und Zwangsbedingungen tun da
     </message>
     <message>
         <source>tentacles</source>
+        <translation>Tentakel</translation>
+    </message>
+    <message>
+        <source>side</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>tentacle</source>
         <translation>Tentakel</translation>
     </message>
 </context>

@@ -15,13 +15,13 @@ What went too far is put back until its edge touches the wall. Then its velocity
 A body in your hand meets no wall, and there is no ceiling.
 
 (The tutorial behind this lesson calls the wall at 20&#x202f;px “right” and the one at 520&#x202f;px “left”. Here left is left.)</source>
-        <translation>Zwei Wände und ein Boden. Nach jeder Bewegung fragen sie: **Ist ein Rand an mir vorbei?** Ein Ort ist die Mitte einer Scheibe, also zählt ihre halbe Breite: 15 px beim Körper, 5 px bei einem Fuß.
+        <translation>Zwei Wände und ein Boden. Nach jeder Bewegung fragen sie: **Ist ein Rand an mir vorbei?** Ein Ort ist die Mitte einer Scheibe, also zählt ihre halbe Breite: 15&#x202f;px beim Körper, 5&#x202f;px bei einem Fuß.
 
 Was zu weit ging, wird zurückgesetzt, bis sein Rand die Wand berührt. Dann wird seine Geschwindigkeit quer zur Wand umgekehrt: mal −1, und mal **Abprall**, der Anteil, den es behält. Bei 0 bleibt es an der Wand.
 
 Ein Körper in deiner Hand trifft auf keine Wand, und eine Decke gibt es nicht.
 
-(Das Tutorial, auf dem diese Lektion beruht, nennt die Wand bei 20 px „rechts“ und die bei 520 px „links“. Hier ist links links.)</translation>
+(Das Tutorial, auf dem diese Lektion beruht, nennt die Wand bei 20&#x202f;px „rechts“ und die bei 520&#x202f;px „links“. Hier ist links links.)</translation>
     </message>
     <message>
         <source>Gravity</source>
@@ -57,7 +57,7 @@ Am Boden hält nichts die Füße: Sie gleiten auseinander, und der Körper sinkt
     </message>
     <message>
         <source>Hold the body high up until the feet hang still. They hang radius + g / k below it: 52.5&#x202f;px.</source>
-        <translation>Halte den Körper hoch oben, bis die Füße still hängen. Sie hängen Radius + g / k unter ihm: 52,5 px.</translation>
+        <translation>Halte den Körper hoch oben, bis die Füße still hängen. Sie hängen Radius + g / k unter ihm: 52,5&#x202f;px.</translation>
     </message>
     <message>
         <source>Do the same with **damping** at 0.6. Do the feet hang any lower?</source>
@@ -69,7 +69,7 @@ Am Boden hält nichts die Füße: Sie gleiten auseinander, und der Körper sinkt
     </message>
     <message>
         <source>Put the walls 60&#x202f;px apart (**left** 240, **right** 300), lift the body, and let it down on its feet.</source>
-        <translation>Stelle die Wände 60 px auseinander (**linke Wand** 240, **rechte Wand** 300), heb den Körper an und lass ihn auf seine Füße herunter.</translation>
+        <translation>Stelle die Wände 60&#x202f;px auseinander (**linke Wand** 240, **rechte Wand** 300), heb den Körper an und lass ihn auf seine Füße herunter.</translation>
     </message>
 </context>
 <context>

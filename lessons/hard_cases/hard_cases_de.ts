@@ -91,7 +91,7 @@
     </message>
     <message>
         <source>the middle moved %1&#x2009;px</source>
-        <translation>die Mitte hat sich um %1 px bewegt</translation>
+        <translation>die Mitte hat sich um %1&#x2009;px bewegt</translation>
     </message>
     <message>
         <source>Longest</source>
@@ -99,7 +99,7 @@
     </message>
     <message>
         <source>The length of the third stick. The other two are 20&#x2009;px long.</source>
-        <translation>Die Länge des dritten Stabs. Die anderen zwei sind 20 px lang.</translation>
+        <translation>Die Länge des dritten Stabs. Die anderen zwei sind 20&#x2009;px lang.</translation>
     </message>
     <message>
         <source>The limit of a step</source>
@@ -185,7 +185,7 @@ The printed code asks `atan2(0, 0)`, which is 0: to the right, for every foot. S
 The rule on the right gives **each pair a direction of its own**: it turns by the golden angle from one pair to the next, so many feet spread evenly. The two ends of a spring get opposite directions. It counts nothing but the numbers of the two points, so the same run comes out each time.
 
 Every method but the printed one uses it, everywhere.</source>
-        <translation>Fünf Füße und ein Körper beginnen an **einem Ort**. Jede Feder will 50 px lang sein. In welche Richtung?
+        <translation>Fünf Füße und ein Körper beginnen an **einem Ort**. Jede Feder will 50&#x2009;px lang sein. In welche Richtung?
 
 Der gedruckte Code fragt `atan2(0, 0)`, und das ist 0: nach rechts, für jeden Fuß. Also gehen alle fünf zusammen, der Körper geht nach links, und was fünf Füße waren, ist für immer einer: Nichts unterscheidet sie mehr.
 
@@ -203,7 +203,7 @@ Jedes Verfahren außer dem gedruckten verwendet sie, überall.</translation>
 It can be saved by small steps: 1/32 of a frame is too long still, 1/64 holds. That is 64 times the work, for a motion that nobody sees.
 
 **Backward Euler** needs one step a frame, at any stiffness. The price: it slows what swings, as if there were more damping. For what should be stiff and calm that is right; for what should swing, it is not.</source>
-        <translation>Drei Beine, jedes 5000-mal so steif wie zuvor: fast Stäbe. In einem Zeitschritt schickt das semi-implizite Euler-Verfahren die Füße 20 000 px weit weg. Einige Bilder später sind die Zahlen zu groß zum Schreiben: Der Lauf **hält beim letzten guten Bild an** und sagt, wer zuerst davonging. Nichts ist verloren. Geh zurück und ändere etwas.
+        <translation>Drei Beine, jedes 5000-mal so steif wie zuvor: fast Stäbe. In einem Zeitschritt schickt das semi-implizite Euler-Verfahren die Füße 20 000&#x2009;px weit weg. Einige Bilder später sind die Zahlen zu groß zum Schreiben: Der Lauf **hält beim letzten guten Bild an** und sagt, wer zuerst davonging. Nichts ist verloren. Geh zurück und ändere etwas.
 
 Retten lässt er sich mit kleinen Zeitschritten: 1/32 Bild ist noch zu lang, 1/64 hält. Das ist 64-mal die Arbeit, für eine Bewegung, die niemand sieht.
 
@@ -231,7 +231,7 @@ Das **implizite Euler-Verfahren** braucht einen Zeitschritt pro Bild, bei jeder 
 On the left **springs** pull. What is wrong stays wrong, so they pull for ever, and three springs of 1.5 are too stiff for a step: in a line they swing like one of 3 k, and the limit is 4.22.
 
 On the right **sticks** hold. They do not pull: each is made right by *moving* its ends, one after the other. The last in the list has its length, and the others bear the error. A place cannot be moved farther than an error is large, so sticks never run away. They come to rest, with a lie shared out among them. Its size is in their colour.</source>
-        <translation>Drei Längen: 20, 20 und 200 px. Kein Dreieck hat sie. Was sich auch bewegt, etwas ist falsch.
+        <translation>Drei Längen: 20, 20 und 200&#x2009;px. Kein Dreieck hat sie. Was sich auch bewegt, etwas ist falsch.
 
 Links ziehen **Federn**. Was falsch ist, bleibt falsch, darum ziehen sie ewig, und drei Federn von 1,5 sind zu steif für einen Zeitschritt: In einer Linie schwingen sie wie eine von 3 k, und die Grenze ist 4,22.
 
@@ -257,7 +257,7 @@ To go far, type a frame&apos;s number into the counter.
 What an error *adds up to* counts for more than how small it is.</source>
         <translation>Nichts bremst diesen Fuß. Er sollte ewig schwingen.
 
-**Runge–Kutta 4** ist das genauere der beiden: In den ersten zehn Bildern ist es nie mehr als 1,3 px daneben, Velocity-Verlet bis zu 14 px. Aber sein Fehler zeigt immer in dieselbe Richtung: Mit Zeitschritten von einem Bild nimmt jeder 0,08 % der Schwingung. Nach **851 Bildern** ist die Hälfte übrig, nach 5000 fast nichts.
+**Runge–Kutta 4** ist das genauere der beiden: In den ersten zehn Bildern ist es nie mehr als 1,3&#x2009;px daneben, Velocity-Verlet bis zu 14&#x2009;px. Aber sein Fehler zeigt immer in dieselbe Richtung: Mit Zeitschritten von einem Bild nimmt jeder 0,08&#x2009;% der Schwingung. Nach **851&#x2009;Bildern** ist die Hälfte übrig, nach 5000 fast nichts.
 
 **Velocity-Verlet**, unten, schwingt ein wenig zu schnell. Aber seine Zeitschritte lassen sich genau zurücknehmen, und so geht nichts verloren, nicht in zehn Millionen Bildern.
 
@@ -303,7 +303,7 @@ Hände, Wände und Zeitschritte gehören zu einem Fall. Greifst du ein, ist es d
     </message>
     <message>
         <source>With **Published** and steps of 1&#x2009;frame, go to frame 0 and set **k** to 0.2. Wait until it rests: 157&#x2009;px from where it belongs.</source>
-        <translation>Geh mit **Veröffentlicht** und Zeitschritten von 1 Bild zu Bild 0 und setze **k** auf 0,2. Warte, bis es ruht: 157 px von dort, wo es hingehört.</translation>
+        <translation>Geh mit **Veröffentlicht** und Zeitschritten von 1 Bild zu Bild 0 und setze **k** auf 0,2. Warte, bis es ruht: 157&#x2009;px von dort, wo es hingehört.</translation>
     </message>
     <message>
         <source>**Published** at k = 0.3, with steps of **1/4&#x2009;frame**: wait until it rests. Less wrong, and never right.</source>
@@ -331,7 +331,7 @@ Hände, Wände und Zeitschritte gehören zu einem Fall. Greifst du ein, ist es d
     </message>
     <message>
         <source>With any other method and all feet apart, set **radius** to 0: all fall into one place. After 60&#x2009;frames set it to 50 again. Do they part?</source>
-        <translation>Setze mit jedem anderen Verfahren, wenn alle Füße getrennt sind, **Radius** auf 0: Alle fallen an einen Ort. Setze ihn nach 60 Bildern wieder auf 50. Trennen sie sich?</translation>
+        <translation>Setze mit jedem anderen Verfahren, wenn alle Füße getrennt sind, **Radius** auf 0: Alle fallen an einen Ort. Setze ihn nach 60&#x2009;Bildern wieder auf 50. Trennen sie sich?</translation>
     </message>
     <message>
         <source>**Semi-implicit Euler**: find a step with which the stiff legs come to rest.</source>
@@ -339,7 +339,7 @@ Hände, Wände und Zeitschritte gehören zu einem Fall. Greifst du ein, ist es d
     </message>
     <message>
         <source>**Backward Euler**, steps of 1&#x2009;frame: go to frame 0, type 1000000 as **k**, and play 30&#x2009;frames.</source>
-        <translation>**Implizites Euler-Verfahren**, Zeitschritte von 1 Bild: Geh zu Bild 0, gib 1000000 als **k** ein und spiele 30 Bilder.</translation>
+        <translation>**Implizites Euler-Verfahren**, Zeitschritte von 1 Bild: Geh zu Bild 0, gib 1000000 als **k** ein und spiele 30&#x2009;Bilder.</translation>
     </message>
     <message>
         <source>The price: **Backward Euler** with **k** 0.2 and **damp** 1, from frame 0. Nothing slows the legs. Wait until they have stopped swinging.</source>
@@ -355,7 +355,7 @@ Hände, Wände und Zeitschritte gehören zu einem Fall. Greifst du ein, ist es d
     </message>
     <message>
         <source>Sticks: make **longest** so short that there is such a triangle, and all three are right to 0.1&#x2009;px.</source>
-        <translation>Stäbe: Mach **Längster** so kurz, dass es so ein Dreieck gibt und alle drei bis auf 0,1 px stimmen.</translation>
+        <translation>Stäbe: Mach **Längster** so kurz, dass es so ein Dreieck gibt und alle drei bis auf 0,1&#x2009;px stimmen.</translation>
     </message>
     <message>
         <source>**Runge–Kutta 4**, steps of 1&#x2009;frame: go to frame 5000. What is left?</source>

@@ -45,7 +45,7 @@ Füße spüren einander nicht. Sie spüren den Körper, und **der Körper spürt
 **Stay below a dozen feet.** Each foot adds work to each frame. And the body feels every foot: the more there are, the stiffer it is held. At some number a step of a whole frame carries the body past its place by more than it was away, and every swing is wider than the last. From about 10 on they tremble, 16 mostly fly off, 60 explode.
 
 The springs are not to blame: with two steps of half a frame each, 60 feet hold.</source>
-        <translation>Jetzt setzt der Code auch die Füße: jeden **zufällig**, bis zu 50 px vom Körper in x und in y. Eine Zahl, der **Startwert** (seed), entscheidet über alle, darum lässt sich ein Lauf wiederholen.
+        <translation>Jetzt setzt der Code auch die Füße: jeden **zufällig**, bis zu 50&#x202f;px vom Körper in x und in y. Eine Zahl, der **Startwert** (seed), entscheidet über alle, darum lässt sich ein Lauf wiederholen.
 
 **Bleib unter einem Dutzend Füßen.** Jeder Fuß macht in jedem Bild Arbeit. Und der Körper spürt jeden Fuß: Je mehr es sind, desto steifer wird er gehalten. Ab einer gewissen Zahl trägt ein Zeitschritt von einem ganzen Bild den Körper weiter über seinen Ort hinaus, als er davon entfernt war, und jede Schwingung ist weiter als die vorige. Ab etwa 10 zittern sie, 16 fliegen meist davon, 60 explodieren.
 
@@ -53,11 +53,11 @@ Die Federn sind nicht schuld: Mit zwei Zeitschritten von je einem halben Bild ha
     </message>
     <message>
         <source>Pull a foot at least 100&#x202f;px out, let go, and wait until all is still.</source>
-        <translation>Zieh einen Fuß mindestens 100 px hinaus, lass los und warte, bis alles still ist.</translation>
+        <translation>Zieh einen Fuß mindestens 100&#x202f;px hinaus, lass los und warte, bis alles still ist.</translation>
     </message>
     <message>
         <source>Carry the body at least 200&#x202f;px. Both feet follow.</source>
-        <translation>Trag den Körper mindestens 200 px. Beide Füße folgen.</translation>
+        <translation>Trag den Körper mindestens 200&#x202f;px. Beide Füße folgen.</translation>
     </message>
     <message>
         <source>Set **damping** to 0.9 and hands off. How long does it stay in the picture?</source>
@@ -65,11 +65,11 @@ Die Federn sind nicht schuld: Mit zwei Zeitschritten von je einem halben Bild ha
     </message>
     <message>
         <source>Pull one foot at least 100&#x202f;px out, let go, and wait until all is still.</source>
-        <translation>Zieh einen Fuß mindestens 100 px hinaus, lass los und warte, bis alles still ist.</translation>
+        <translation>Zieh einen Fuß mindestens 100&#x202f;px hinaus, lass los und warte, bis alles still ist.</translation>
     </message>
     <message>
         <source>Set **feet** to 12 and give it 200&#x202f;frames. Does it calm down?</source>
-        <translation>Setze **Füße** auf 12 und gib ihnen 200 Bilder. Kommt alles zur Ruhe?</translation>
+        <translation>Setze **Füße** auf 12 und gib ihnen 200&#x202f;Bilder. Kommt alles zur Ruhe?</translation>
     </message>
     <message>
         <source>Go back in time, change **damping**, and compare with the ghost.</source>

@@ -91,7 +91,7 @@ Each frame the code measures the distance. What it has too much is the **error**
 Both points start in one place, where a stick has no direction. `atan2(0, 0)` is 0, so they part straight up and down.
 
 This angle is counted from the y axis: that is why dx comes first in `atan2`.</source>
-        <translation>Ein **Stab** ist eine Regel: Diese zwei Punkte sind 100 px auseinander, was auch geschieht. Eine solche Regel heißt **Zwangsbedingung**. Der Zeiger trägt p0, und die Regel tut den Rest.
+        <translation>Ein **Stab** ist eine Regel: Diese zwei Punkte sind 100&#x202f;px auseinander, was auch geschieht. Eine solche Regel heißt **Zwangsbedingung**. Der Zeiger trägt p0, und die Regel tut den Rest.
 
 In jedem Bild misst der Code den Abstand. Was er zu viel hat, ist der **Fehler**; unter 0 hat er zu wenig. Beide Punkte gehen am Stab entlang, und jeder übernimmt **die Hälfte des Fehlers**. Dann stimmt der Abstand, auf einen Schlag: Es gibt hier keine Feder und keine Geschwindigkeit.
 
@@ -113,7 +113,7 @@ At 0, p0 stays at the pointer and p1 is pulled along.
 In between, both move. The pointer puts p0 back each frame, so the stick is wrong again. While the pointer stands still, **each frame leaves share of the error**: at 0.5 half of it, then a quarter, and p0 comes to the pointer after all.</source>
         <translation>Jeder die Hälfte ist nicht immer, was du willst. **Anteil** (share) ist der Teil des Fehlers, den p0 übernimmt, von 0 bis 1. p1 übernimmt den Rest.
 
-Bei 1 ist p1 ein Nagel. Der Zeiger trägt p0 davon, und der Stab bringt ihn auf 100 px an den Nagel zurück, auf der Seite, auf der der Zeiger ist.
+Bei 1 ist p1 ein Nagel. Der Zeiger trägt p0 davon, und der Stab bringt ihn auf 100&#x202f;px an den Nagel zurück, auf der Seite, auf der der Zeiger ist.
 
 Bei 0 bleibt p0 am Zeiger, und p1 wird hinterhergezogen.
 
@@ -137,7 +137,7 @@ Beweg den Zeiger langsam, und du siehst es kaum. Beweg ihn schnell, und das Drei
 
 Die drei beginnen an einem Ort und trennen sich auf einer Linie. Auf ihr bleiben sie, bis der Zeiger sie verlässt: Auf einer Linie kennt kein Stab einen Weg zur Seite.
 
-Drei Stäbe von 100 px können alle zugleich stimmen. Stäbe von 100, 100 und 300 px können das nie: Ein Fehler bliebe für immer.</translation>
+Drei Stäbe von 100&#x202f;px können alle zugleich stimmen. Stäbe von 100, 100 und 300&#x202f;px können das nie: Ein Fehler bliebe für immer.</translation>
     </message>
     <message>
         <source>A list of sticks</source>
@@ -197,11 +197,11 @@ Zieh sie, wirf sie, lass sie fallen. Die Farbe eines Stabs zeigt, welcher Fehler
     </message>
     <message>
         <source>Lead p0 at least 150&#x202f;px away. p1 is pulled after it.</source>
-        <translation>Führe p0 mindestens 150 px weg. p1 wird hinterhergezogen.</translation>
+        <translation>Führe p0 mindestens 150&#x202f;px weg. p1 wird hinterhergezogen.</translation>
     </message>
     <message>
         <source>Stop inside a frame (**Shift+→**) when the pointer has moved p0 by 20&#x202f;px or more, and the stick has not acted.</source>
-        <translation>Halte innerhalb eines Bildes an (**Umschalt+→**), wenn der Zeiger p0 um 20 px oder mehr bewegt hat und der Stab noch nicht gewirkt hat.</translation>
+        <translation>Halte innerhalb eines Bildes an (**Umschalt+→**), wenn der Zeiger p0 um 20&#x202f;px oder mehr bewegt hat und der Stab noch nicht gewirkt hat.</translation>
     </message>
     <message>
         <source>Set **length** to 0 and lead p0 away. Where is p1?</source>
@@ -213,7 +213,7 @@ Zieh sie, wirf sie, lass sie fallen. Die Farbe eines Stabs zeigt, welcher Fehler
     </message>
     <message>
         <source>Set **share** to 0 and lead p0 at least 150&#x202f;px away. It stays at the pointer.</source>
-        <translation>Setze **Anteil** auf 0 und führe p0 mindestens 150 px weg. Er bleibt am Zeiger.</translation>
+        <translation>Setze **Anteil** auf 0 und führe p0 mindestens 150&#x202f;px weg. Er bleibt am Zeiger.</translation>
     </message>
     <message>
         <source>Set **share** to 0.5, move the pointer, and hold it still until p0 has come to it.</source>
@@ -221,23 +221,23 @@ Zieh sie, wirf sie, lass sie fallen. Die Farbe eines Stabs zeigt, welcher Fehler
     </message>
     <message>
         <source>Move the pointer so fast that a stick is wrong by 10&#x202f;px.</source>
-        <translation>Beweg den Zeiger so schnell, dass ein Stab um 10 px falsch ist.</translation>
+        <translation>Beweg den Zeiger so schnell, dass ein Stab um 10&#x202f;px falsch ist.</translation>
     </message>
     <message>
         <source>Then hold it still until all three sticks are right to 0.01&#x202f;px.</source>
-        <translation>Halte ihn dann still, bis alle drei Stäbe bis auf 0,01 px stimmen.</translation>
+        <translation>Halte ihn dann still, bis alle drei Stäbe bis auf 0,01&#x202f;px stimmen.</translation>
     </message>
     <message>
         <source>Set **length** to 150 and lead p0 off the line, until all three sticks are right to 0.01&#x202f;px.</source>
-        <translation>Setze **Länge** auf 150 und führe p0 von der Linie weg, bis alle drei Stäbe bis auf 0,01 px stimmen.</translation>
+        <translation>Setze **Länge** auf 150 und führe p0 von der Linie weg, bis alle drei Stäbe bis auf 0,01&#x202f;px stimmen.</translation>
     </message>
     <message>
         <source>Lead p0 at least 150&#x202f;px away, and wait until every stick is right to 0.1&#x202f;px.</source>
-        <translation>Führe p0 mindestens 150 px weg und warte, bis jeder Stab bis auf 0,1 px stimmt.</translation>
+        <translation>Führe p0 mindestens 150&#x202f;px weg und warte, bis jeder Stab bis auf 0,1&#x202f;px stimmt.</translation>
     </message>
     <message>
         <source>Set **triangles** to 15 and shake p0, until a stick is wrong by 20&#x202f;px.</source>
-        <translation>Setze **Dreiecke** auf 15 und schüttle p0, bis ein Stab um 20 px falsch ist.</translation>
+        <translation>Setze **Dreiecke** auf 15 und schüttle p0, bis ein Stab um 20&#x202f;px falsch ist.</translation>
     </message>
     <message>
         <source>Go back in time, change **length**, and compare with the ghost.</source>
@@ -249,7 +249,7 @@ Zieh sie, wirf sie, lass sie fallen. Die Farbe eines Stabs zeigt, welcher Fehler
     </message>
     <message>
         <source>Set **iterations** to 20, carry the box 50&#x202f;px or more, drop it, and wait until it lies still.</source>
-        <translation>Setze **Iterationen** auf 20, trag die Kiste 50 px oder mehr, lass sie fallen und warte, bis sie still liegt.</translation>
+        <translation>Setze **Iterationen** auf 20, trag die Kiste 50&#x202f;px oder mehr, lass sie fallen und warte, bis sie still liegt.</translation>
     </message>
     <message>
         <source>Set **gravity** to 0 and throw it. A second later it still glides.</source>
@@ -269,7 +269,7 @@ Zieh sie, wirf sie, lass sie fallen. Die Farbe eines Stabs zeigt, welcher Fehler
     </message>
     <message>
         <source>Set **iterations** to 1 and shake it, until a stick is wrong by 25&#x202f;%.</source>
-        <translation>Setze **Iterationen** auf 1 und schüttle sie, bis ein Stab um 25 % falsch ist.</translation>
+        <translation>Setze **Iterationen** auf 1 und schüttle sie, bis ein Stab um 25&#x202f;% falsch ist.</translation>
     </message>
     <message>
         <source>Go back in time to before you threw it, change **iterations**, and compare with the ghost.</source>

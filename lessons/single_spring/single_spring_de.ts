@@ -27,7 +27,7 @@ The arrow is the pull that a spring to the cross would have. It does not act yet
 
 Solange du den Fuß hältst, ist seine Geschwindigkeit der Weg, den deine Hand im letzten Bild kam. Wenn du loslässt, behält er sie. Also **wirft ihn eine Hand, die sich bewegt**.
 
-**Dämpfung** ist der Anteil seiner Geschwindigkeit, den er in jedem Bild behält. Bei 0,9 gleitet ein Wurf von 10 px pro Bild 90 px weit und bleibt stehen.
+**Dämpfung** ist der Anteil seiner Geschwindigkeit, den er in jedem Bild behält. Bei 0,9 gleitet ein Wurf von 10&#x202f;px pro Bild 90&#x202f;px weit und bleibt stehen.
 
 Der Pfeil ist der Zug, den eine Feder zum Kreuz hätte. Er wirkt noch nicht: Das ist der nächste Schritt.</translation>
     </message>
@@ -77,7 +77,7 @@ Dieser Körper ist ein Griff: Er spürt keinen Zug und behält keine Geschwindig
 Nothing else changes: the pull is still k times the distance, now to the target.
 
 But **an offset chooses the side for the foot**. From wherever you let it go, it ends on the right. To keep the distance and leave the side free you need more than an offset: a direction.</source>
-        <translation>Der Fuß kam auf dem Körper zur Ruhe, und der eine verdeckte den anderen. Gib der Feder also ein anderes **Ziel**: das Kreuz, 50 px rechts vom Körper. Der **Versatz** wird zum x des Körpers addiert; sein y bleibt.
+        <translation>Der Fuß kam auf dem Körper zur Ruhe, und der eine verdeckte den anderen. Gib der Feder also ein anderes **Ziel**: das Kreuz, 50&#x202f;px rechts vom Körper. Der **Versatz** wird zum x des Körpers addiert; sein y bleibt.
 
 Sonst ändert sich nichts: Der Zug ist noch immer k mal der Abstand, jetzt zum Ziel.
 
@@ -95,17 +95,17 @@ dx and dy, the x and y of `from` in the code, lead from the body to the foot. `a
 The angle is in **radians**: 1&#x202f;rad = 57.2958°, and half a turn is 3.1416&#x202f;rad. (The tutorial behind this lesson says about 59°; its code is right all the same, as it never needs degrees.)
 
 `cos` and `sin` lead back: the x and y of a way of 1&#x202f;px at that angle. Times **radius**, plus the body’s place: that is the target.</source>
-        <translation>Das Ziel ist jetzt 50 px vom Körper entfernt, **in der Richtung, in der der Fuß ist**: Jeder Ort auf dem Ring ist recht.
+        <translation>Das Ziel ist jetzt 50&#x202f;px vom Körper entfernt, **in der Richtung, in der der Fuß ist**: Jeder Ort auf dem Ring ist recht.
 
 dx und dy, das x und y von `from` im Code, führen vom Körper zum Fuß. `atan2(dy, dx)` macht aus ihnen einen **Winkel**, von der x-Achse aus gezählt. y zeigt nach unten, darum wächst er im Uhrzeigersinn.
 
 Der Winkel ist in **Radiant**: 1 rad = 57,2958°, und eine halbe Drehung ist 3,1416 rad. (Das Tutorial, auf dem diese Lektion beruht, sagt etwa 59°; sein Code stimmt trotzdem, denn Grad braucht er nie.)
 
-`cos` und `sin` führen zurück: das x und y eines Wegs von 1 px in diesem Winkel. Mal **Radius**, plus der Ort des Körpers: Das ist das Ziel.</translation>
+`cos` und `sin` führen zurück: das x und y eines Wegs von 1&#x202f;px in diesem Winkel. Mal **Radius**, plus der Ort des Körpers: Das ist das Ziel.</translation>
     </message>
     <message>
         <source>Drag the foot to the cross, to 15&#x202f;px, hold it still, and let go. Nothing pulls it: it stays.</source>
-        <translation>Zieh den Fuß bis auf 15 px zum Kreuz, halte ihn still und lass los. Nichts zieht an ihm: Er bleibt.</translation>
+        <translation>Zieh den Fuß bis auf 15&#x202f;px zum Kreuz, halte ihn still und lass los. Nichts zieht an ihm: Er bleibt.</translation>
     </message>
     <message>
         <source>Throw it: let go while the mouse is moving. It glides and stops.</source>
@@ -113,11 +113,11 @@ Der Winkel ist in **Radiant**: 1 rad = 57,2958°, und eine halbe Drehung ist 3,1
     </message>
     <message>
         <source>Set **damping** to 1 and throw it again. Does it ever stop? Give it 60&#x202f;frames.</source>
-        <translation>Setze **Dämpfung** auf 1 und wirf ihn noch einmal. Bleibt er je stehen? Gib ihm 60 Bilder.</translation>
+        <translation>Setze **Dämpfung** auf 1 und wirf ihn noch einmal. Bleibt er je stehen? Gib ihm 60&#x202f;Bilder.</translation>
     </message>
     <message>
         <source>Pull the foot at least 100&#x202f;px away from the cross, let go, and wait until it is still.</source>
-        <translation>Zieh den Fuß mindestens 100 px vom Kreuz weg, lass los und warte, bis er still ist.</translation>
+        <translation>Zieh den Fuß mindestens 100&#x202f;px vom Kreuz weg, lass los und warte, bis er still ist.</translation>
     </message>
     <message>
         <source>Stop inside a frame (**Shift+→**) when the spring has pulled and nothing has moved yet.</source>
@@ -125,7 +125,7 @@ Der Winkel ist in **Radiant**: 1 rad = 57,2958°, und eine halbe Drehung ist 3,1
     </message>
     <message>
         <source>Set **damping** to 1, pull the foot out and let go. Does it ever stop? Give it 100&#x202f;frames.</source>
-        <translation>Setze **Dämpfung** auf 1, zieh den Fuß hinaus und lass los. Bleibt er je stehen? Gib ihm 100 Bilder.</translation>
+        <translation>Setze **Dämpfung** auf 1, zieh den Fuß hinaus und lass los. Bleibt er je stehen? Gib ihm 100&#x202f;Bilder.</translation>
     </message>
     <message>
         <source>Go back in time, change **damping**, and compare with the ghost.</source>
@@ -133,11 +133,11 @@ Der Winkel ist in **Radiant**: 1 rad = 57,2958°, und eine halbe Drehung ist 3,1
     </message>
     <message>
         <source>Carry the body at least 200&#x202f;px away, and wait until the foot lies on it.</source>
-        <translation>Trag den Körper mindestens 200 px weg und warte, bis der Fuß auf ihm liegt.</translation>
+        <translation>Trag den Körper mindestens 200&#x202f;px weg und warte, bis der Fuß auf ihm liegt.</translation>
     </message>
     <message>
         <source>Set the stiffness **k** to 0.02 and carry the body until the foot is 150&#x202f;px behind.</source>
-        <translation>Setze die Steifigkeit **k** auf 0,02 und trag den Körper, bis der Fuß 150 px zurückliegt.</translation>
+        <translation>Setze die Steifigkeit **k** auf 0,02 und trag den Körper, bis der Fuß 150&#x202f;px zurückliegt.</translation>
     </message>
     <message>
         <source>Throw the foot, and stop inside a frame when the spring has pulled it and it has not moved.</source>
@@ -153,7 +153,7 @@ Der Winkel ist in **Radiant**: 1 rad = 57,2958°, und eine halbe Drehung ist 3,1
     </message>
     <message>
         <source>Carry the body at least 100&#x202f;px. The target goes with it.</source>
-        <translation>Trag den Körper mindestens 100 px. Das Ziel geht mit.</translation>
+        <translation>Trag den Körper mindestens 100&#x202f;px. Das Ziel geht mit.</translation>
     </message>
     <message>
         <source>Let the foot go close by on the left of the body, so that it comes to rest there.</source>

@@ -79,9 +79,9 @@ The trunk begins in the middle of the ground, 275&#x202f;px to the right and 400
 `cos` and `sin` take radians, so the angle is divided by the degrees to a radian: 57.2958. The tutorial behind this lesson divides by 57.3. That leans the trunk by 0.0066&#x202f;° to the right, and its end is 0.0116&#x202f;px off. The switch **Formula** has both.</source>
         <translation>Ein Zweig ist dreierlei: wo er beginnt, sein **Winkel** und seine Länge. Wo er endet, folgt daraus: `cos` und `sin` des Winkels, mal die Länge, führen von seinem Anfang zu seinem Ende.
 
-Der Stamm beginnt in der Mitte des Bodens, 275 px nach rechts und 400 px nach unten. Sein Winkel ist −90 °: y zeigt nach unten, darum wachsen Winkel im Uhrzeigersinn, und minus eine Vierteldrehung ist gerade nach oben. Er ist 100 px lang.
+Der Stamm beginnt in der Mitte des Bodens, 275&#x202f;px nach rechts und 400&#x202f;px nach unten. Sein Winkel ist −90 °: y zeigt nach unten, darum wachsen Winkel im Uhrzeigersinn, und minus eine Vierteldrehung ist gerade nach oben. Er ist 100&#x202f;px lang.
 
-`cos` und `sin` nehmen Radiant, darum wird der Winkel durch die Grad pro Radiant geteilt: 57,2958. Das Tutorial, auf dem diese Lektion beruht, teilt durch 57,3. Das neigt den Stamm um 0,0066 ° nach rechts, und sein Ende ist 0,0116 px daneben. Der Schalter **Formel** hat beide.</translation>
+`cos` und `sin` nehmen Radiant, darum wird der Winkel durch die Grad pro Radiant geteilt: 57,2958. Das Tutorial, auf dem diese Lektion beruht, teilt durch 57,3. Das neigt den Stamm um 0,0066 ° nach rechts, und sein Ende ist 0,0116&#x202f;px daneben. Der Schalter **Formel** hat beide.</translation>
     </message>
     <message>
         <source>Where a branch ends, two smaller ones begin. One leans 30&#x202f;° to the left of it, one to the right: that is the **spread**. Each is 0.8 times as large: the **slope**. And each of them does the same.
@@ -273,7 +273,7 @@ Ein, zwei Variablen genügen für ganz andere Muster. Die **Beispiele** zeigen e
     </message>
     <message>
         <source>Switch **Formula** to published. Find its 0.0116&#x202f;px in the code: the x of `end` is no longer 275.</source>
-        <translation>Stelle **Formel** auf veröffentlicht. Such seine 0,0116 px im Code: Das x von `end` ist nicht mehr 275.</translation>
+        <translation>Stelle **Formel** auf veröffentlicht. Such seine 0,0116&#x202f;px im Code: Das x von `end` ist nicht mehr 275.</translation>
     </message>
     <message>
         <source>Make a tree with just three branches: raise **smallest branch**.</source>
@@ -337,11 +337,11 @@ Ein, zwei Variablen genügen für ganz andere Muster. Die **Beispiele** zeigen e
     </message>
     <message>
         <source>Blow at a twig from less than 20&#x202f;px until it is bent by more than 30&#x202f;°.</source>
-        <translation>Blase aus weniger als 20 px auf einen Zweig, bis er um mehr als 30 ° gebogen ist.</translation>
+        <translation>Blase aus weniger als 20&#x202f;px auf einen Zweig, bis er um mehr als 30 ° gebogen ist.</translation>
     </message>
     <message>
         <source>Now from a corner, for 60&#x202f;frames: nothing bends by more than 15&#x202f;°.</source>
-        <translation>Jetzt aus einer Ecke, 60 Bilder lang: Nichts biegt sich um mehr als 15 °.</translation>
+        <translation>Jetzt aus einer Ecke, 60&#x202f;Bilder lang: Nichts biegt sich um mehr als 15 °.</translation>
     </message>
     <message>
         <source>While you blow, go back a few frames, set **Formula** to published, and play on. Which tree bends more?</source>
@@ -361,7 +361,7 @@ Ein, zwei Variablen genügen für ganz andere Muster. Die **Beispiele** zeigen e
     </message>
     <message>
         <source>Hold the button for 60&#x202f;frames and watch the twigs, then the trunk.</source>
-        <translation>Halte die Taste 60 Bilder lang und beobachte die feinen Zweige, dann den Stamm.</translation>
+        <translation>Halte die Taste 60&#x202f;Bilder lang und beobachte die feinen Zweige, dann den Stamm.</translation>
     </message>
     <message>
         <source>Go back to where your wind began, set **turbulence** to 0, and play on. The ghost trembles, the tree does not.</source>
@@ -381,7 +381,7 @@ Ein, zwei Variablen genügen für ganz andere Muster. Die **Beispiele** zeigen e
     </message>
     <message>
         <source>Set **damping** to 1, blow, and let go. After 300&#x202f;frames it still sways: look at the energy.</source>
-        <translation>Setze **Dämpfung** auf 1, blase und lass los. Nach 300 Bildern schwankt er noch immer: Sieh dir die Energie an.</translation>
+        <translation>Setze **Dämpfung** auf 1, blase und lass los. Nach 300&#x202f;Bildern schwankt er noch immer: Sieh dir die Energie an.</translation>
     </message>
     <message>
         <source>To the pointer</source>
@@ -425,7 +425,7 @@ Let go, and an eighth of the way is left out each frame: after 5&#x202f;frames h
 
 Solange du die Taste hältst, wirken beide, eins nach dem anderen: Erst kehrt der ganze Baum zurück, dann biegt ihn der Wind. Beide nehmen ein Achtel von dem, was ihnen fehlt, darum bleibt ein Zweig etwa auf halbem Weg zwischen beiden.
 
-Lass los, und in jedem Bild fällt ein Achtel des Wegs weg: Nach 5 Bildern ist die Hälfte der Biegung übrig. Innerhalb von 1 ° bleibt ein Zweig, wo er ist. Nichts schwingt über seine Ruhelage hinaus, denn nichts hat hier eine Geschwindigkeit.</translation>
+Lass los, und in jedem Bild fällt ein Achtel des Wegs weg: Nach 5&#x202f;Bildern ist die Hälfte der Biegung übrig. Innerhalb von 1 ° bleibt ein Zweig, wo er ist. Nichts schwingt über seine Ruhelage hinaus, denn nichts hat hier eine Geschwindigkeit.</translation>
     </message>
     <message>
         <source>Distance</source>
@@ -437,9 +437,9 @@ Lass los, und in jedem Bild fällt ein Achtel des Wegs weg: Nach 5 Bildern ist
 Nearer than 1&#x202f;px that would be more than all of it. **Corrected** stops at the wind’s angle, and with the pointer on the very end it takes a direction that belongs to the branch. The published code shoots past, and divides by 0 there.
 
 Its distance is in the branch’s own measure, too: for a branch half as large it counts twice.</source>
-        <translation>Nahe bei dir soll der Wind stark sein, und weit weg schwach. Darum weicht die 8 in der Formel des Windes dem **Abstand** zwischen dem Zeiger und dem Ende des Zweigs: Bei 100 px dreht sich ein Zweig in jedem Bild um ein Hundertstel des fehlenden Winkels. Sein Rückweg ist noch immer ein Achtel, darum biegen sich ferne Zweige kaum.
+        <translation>Nahe bei dir soll der Wind stark sein, und weit weg schwach. Darum weicht die 8 in der Formel des Windes dem **Abstand** zwischen dem Zeiger und dem Ende des Zweigs: Bei 100&#x202f;px dreht sich ein Zweig in jedem Bild um ein Hundertstel des fehlenden Winkels. Sein Rückweg ist noch immer ein Achtel, darum biegen sich ferne Zweige kaum.
 
-Näher als 1 px wäre das mehr als alles davon. **Korrigiert** hält beim Winkel des Windes an, und mit dem Zeiger genau auf dem Ende nimmt es eine Richtung, die zum Zweig gehört. Der veröffentlichte Code schießt darüber hinaus und teilt dort durch 0.
+Näher als 1&#x202f;px wäre das mehr als alles davon. **Korrigiert** hält beim Winkel des Windes an, und mit dem Zeiger genau auf dem Ende nimmt es eine Richtung, die zum Zweig gehört. Der veröffentlichte Code schießt darüber hinaus und teilt dort durch 0.
 
 Auch ist sein Abstand im eigenen Maß des Zweigs: Bei einem halb so großen Zweig zählt er doppelt.</translation>
     </message>
@@ -497,7 +497,7 @@ Ein Zweig hat eine **Drehgeschwindigkeit**, in Grad pro Bild. Seine Trägheit is
 
 Wind schiebt mit dem Sinus des Winkels zwischen Zweig und Wind. Eine Bö läuft mit dem **Böentempo** nach außen: Ferne Zweige spüren sie später. Lass los, und der Baum schwingt über seine Ruhelage hinaus.
 
-Mit diesen Werten kann ein Zeitschritt bis zu 3,1 Bilder lang sein. Ohne Dämpfung und Wind bleibt die Energie.</translation>
+Mit diesen Werten kann ein Zeitschritt bis zu 3,1&#x202f;Bilder lang sein. Ohne Dämpfung und Wind bleibt die Energie.</translation>
     </message>
 </context>
 <context>
@@ -516,6 +516,10 @@ Mit diesen Werten kann ein Zeitschritt bis zu 3,1 Bilder lang sein. Ohne Dämp
     <message>
         <source>branches</source>
         <translation>Zweige</translation>
+    </message>
+    <message>
+        <source>branch</source>
+        <translation>Zweig</translation>
     </message>
 </context>
 </TS>

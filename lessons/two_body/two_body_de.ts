@@ -17,19 +17,19 @@
     </message>
     <message>
         <source>With k at 0.3 and damping at 0.9, choose the method **Semi-implicit Euler** and watch 100&#x202f;frames, hands off.</source>
-        <translation>Wähle bei k 0,3 und Dämpfung 0,9 das **Semi-implizite Euler-Verfahren** und sieh 100 Bilder zu, Hände weg.</translation>
+        <translation>Wähle bei k 0,3 und Dämpfung 0,9 das **Semi-implizite Euler-Verfahren** und sieh 100&#x202f;Bilder zu, Hände weg.</translation>
     </message>
     <message>
         <source>Hold one end and pull so fast that the leg stretches to 100&#x202f;px or more.</source>
-        <translation>Halte ein Ende und zieh so schnell, dass sich das Bein auf 100 px oder mehr dehnt.</translation>
+        <translation>Halte ein Ende und zieh so schnell, dass sich das Bein auf 100&#x202f;px oder mehr dehnt.</translation>
     </message>
     <message>
         <source>Hold one end and press the leg to under 20&#x202f;px. Then let go.</source>
-        <translation>Halte ein Ende und drück das Bein auf unter 20 px zusammen. Dann lass los.</translation>
+        <translation>Halte ein Ende und drück das Bein auf unter 20&#x202f;px zusammen. Dann lass los.</translation>
     </message>
     <message>
         <source>Set **radius** to 100 and wait until the leg is still, 100&#x202f;px long.</source>
-        <translation>Setze **Radius** auf 100 und warte, bis das Bein still ist, 100 px lang.</translation>
+        <translation>Setze **Radius** auf 100 und warte, bis das Bein still ist, 100&#x202f;px lang.</translation>
     </message>
     <message>
         <source>Go back in time, change **k**, and compare with the ghost.</source>
@@ -47,7 +47,7 @@ The foot moves first, and the body sees it **where it already is**. So the two p
 With k = 0.3 it flies for ever. Set damping to 0.85 as well, and it calms down: damping then takes more than the order of moves gives.
 
 The method Semi-implicit Euler moves both **at once**. Their pulls are opposite, and the momentum stays 0.</source>
-        <translation>Jetzt werden **beide gezogen**: der Fuß an einen Ort 50 px vom Körper, und der Körper an einen Ort 50 px vom Fuß. Es ist eine Regel, zweimal verwendet.
+        <translation>Jetzt werden **beide gezogen**: der Fuß an einen Ort 50&#x202f;px vom Körper, und der Körper an einen Ort 50&#x202f;px vom Fuß. Es ist eine Regel, zweimal verwendet.
 
 Der Fuß bewegt sich zuerst, und der Körper sieht ihn dort, **wo er schon ist**. Darum sind die zwei Züge nicht ganz entgegengesetzt, und die Geschwindigkeiten ergeben zusammen mehr als nichts. Diese Summe ist der **Impuls**, und hier kommt er aus dem Nichts: Das Paar treibt davon.
 
@@ -69,7 +69,7 @@ But it shows the spring that was there before. A leg longer than **radius** pull
 
 Es wird nach jedem Bild gezeichnet, aus den zwei Orten, wie sie dann sind, darum passt es immer. Es fügt keinen Zug hinzu und kostet keine Phase: **Was gezeichnet wird, kann nicht ändern, was berechnet wird**.
 
-Aber es zeigt die Feder, die schon vorher da war. Ein Bein, das länger als **Radius** ist, zieht seine zwei Enden zusammen, ein kürzeres drückt sie auseinander, und bei 50 px tut es nichts.</translation>
+Aber es zeigt die Feder, die schon vorher da war. Ein Bein, das länger als **Radius** ist, zieht seine zwei Enden zusammen, ein kürzeres drückt sie auseinander, und bei 50&#x202f;px tut es nichts.</translation>
     </message>
 </context>
 <context>

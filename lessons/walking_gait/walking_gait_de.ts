@@ -47,7 +47,7 @@ Two feet carry the body up and down by 55&#x202f;px. With five it is 4&#x202f;px
 At a spread of 0 all step together. The body falls and rises, and it gets nowhere.</source>
         <translation>Mehr Füße brauchen keinen neuen Code: Die Schleife gibt jedem einen Winkel, und sie teilen sich die Uhr. Fuß i von n gehört i/n einer ganzen Drehung hinter Fuß 0. **Verteilung** macht daraus mehr oder weniger als eine ganze Drehung.
 
-Zwei Füße tragen den Körper um 55 px auf und ab. Bei fünf sind es 4 px, bei zwölf 1 px: Irgendein Fuß ist immer auf dem Weg nach unten. Sie gehen auch schneller, 1,4 px pro Bild statt 1,2.
+Zwei Füße tragen den Körper um 55&#x202f;px auf und ab. Bei fünf sind es 4&#x202f;px, bei zwölf 1&#x202f;px: Irgendein Fuß ist immer auf dem Weg nach unten. Sie gehen auch schneller, 1,4&#x202f;px pro Bild statt 1,2.
 
 Bei einer Verteilung von 0 treten alle zugleich auf. Der Körper fällt und steigt, und kommt nicht vom Fleck.</translation>
     </message>
@@ -67,7 +67,7 @@ Neither gets past the top speed, 0.15 either way. Let go, and the creature keeps
 
 **Pfeiltasten**, solange es läuft: In jedem Bild, in dem → gedrückt ist, kommt **Änderung** zum Tempo hinzu, ← nimmt ebenso viel weg.
 
-**Zeiger:** Solange seine Taste gedrückt ist, bestimmt er das Tempo: 200 px rechts vom Körper verlangen **Höchsttempo**, halb so weit die Hälfte davon, und links ist es negativ.
+**Zeiger:** Solange seine Taste gedrückt ist, bestimmt er das Tempo: 200&#x202f;px rechts vom Körper verlangen **Höchsttempo**, halb so weit die Hälfte davon, und links ist es negativ.
 
 Keines von beiden kommt über das Höchsttempo hinaus, 0,15 in jeder Richtung. Lass los, und die Figur behält das Tempo, das sie hat.</translation>
     </message>
@@ -83,7 +83,7 @@ The creature **turns round** when any part of it touches a wall: the clock&apos;
 You can steer it, as before.</source>
         <translation>Zwei Wände, wie in der Lektion davor, für Füße und Körper. Wo ein Rand über eine Wand hinaus ist, wird er zurückgesetzt, und die Geschwindigkeit quer zur Wand wird 0.
 
-Die Figur **kehrt um**, wenn irgendein Teil von ihr eine Wand berührt: Das Tempo der Uhr bekommt das Vorzeichen, das wegführt. Das ist eine Regel, keine Kraft: Die Wand hält nur an, was sie trifft. Steht **An einer Wand** auf keep_on, geht sie endlos gegen die Wand. Ihre stehenden Füße rutschen dann 1,1 px pro Bild, mehr als doppelt so viel wie unterwegs.
+Die Figur **kehrt um**, wenn irgendein Teil von ihr eine Wand berührt: Das Tempo der Uhr bekommt das Vorzeichen, das wegführt. Das ist eine Regel, keine Kraft: Die Wand hält nur an, was sie trifft. Steht **An einer Wand** auf keep_on, geht sie endlos gegen die Wand. Ihre stehenden Füße rutschen dann 1,1&#x202f;px pro Bild, mehr als doppelt so viel wie unterwegs.
 
 Lenken kannst du sie wie zuvor.</translation>
     </message>
@@ -109,7 +109,7 @@ Jeden Druck spüren **beide**, in entgegengesetzter Richtung, im selben Moment. 
     </message>
     <message>
         <source>Set **traction** to none for 150&#x202f;frames: ice. It treads on the spot.</source>
-        <translation>Setze **Haftung** 150 Bilder lang auf keine: Eis. Sie tritt auf der Stelle.</translation>
+        <translation>Setze **Haftung** 150&#x202f;Bilder lang auf keine: Eis. Sie tritt auf der Stelle.</translation>
     </message>
     <message>
         <source>Set **bounce** to 0.8 and stop just when a foot bounces.</source>
@@ -117,15 +117,15 @@ Jeden Druck spüren **beide**, in entgegengesetzter Richtung, im selben Moment. 
     </message>
     <message>
         <source>Lift the body at least 100&#x202f;px and let go. It lands on its feet and walks on.</source>
-        <translation>Heb den Körper mindestens 100 px an und lass los. Sie landet auf den Füßen und geht weiter.</translation>
+        <translation>Heb den Körper mindestens 100&#x202f;px an und lass los. Sie landet auf den Füßen und geht weiter.</translation>
     </message>
     <message>
         <source>Set **feet** to 12 and watch for 200&#x202f;frames. How much does the body go up and down?</source>
-        <translation>Setze **Füße** auf 12 und sieh 200 Bilder lang zu. Wie weit geht der Körper auf und ab?</translation>
+        <translation>Setze **Füße** auf 12 und sieh 200&#x202f;Bilder lang zu. Wie weit geht der Körper auf und ab?</translation>
     </message>
     <message>
         <source>Set **spread** to 0 for 200&#x202f;frames. All feet step together: does it get anywhere?</source>
-        <translation>Setze **Verteilung** 200 Bilder lang auf 0. Alle Füße treten zugleich auf: Kommt sie vom Fleck?</translation>
+        <translation>Setze **Verteilung** 200&#x202f;Bilder lang auf 0. Alle Füße treten zugleich auf: Kommt sie vom Fleck?</translation>
     </message>
     <message>
         <source>Set **speed** to 0.3 and stop when no foot touches the ground.</source>
@@ -133,11 +133,11 @@ Jeden Druck spüren **beide**, in entgegengesetzter Richtung, im selben Moment. 
     </message>
     <message>
         <source>Hold the **←** key until the creature walks to the left, and let it walk 100&#x202f;px that way.</source>
-        <translation>Halte die Taste **←**, bis die Figur nach links geht, und lass sie 100 px in diese Richtung gehen.</translation>
+        <translation>Halte die Taste **←**, bis die Figur nach links geht, und lass sie 100&#x202f;px in diese Richtung gehen.</translation>
     </message>
     <message>
         <source>Make it as fast as it can with the pointer: hold the button at least 200&#x202f;px away from it.</source>
-        <translation>Mach sie mit dem Zeiger so schnell wie möglich: Halte die Taste mindestens 200 px von ihr entfernt.</translation>
+        <translation>Mach sie mit dem Zeiger so schnell wie möglich: Halte die Taste mindestens 200&#x202f;px von ihr entfernt.</translation>
     </message>
     <message>
         <source>Make it stand: bring the clock to within 0.005&#x202f;rad/frame of 0.</source>
@@ -145,11 +145,11 @@ Jeden Druck spüren **beide**, in entgegengesetzter Richtung, im selben Moment. 
     </message>
     <message>
         <source>Set **at wall** to keep_on and let it walk against a wall for 200&#x202f;frames.</source>
-        <translation>Stelle **An einer Wand** auf keep_on und lass sie 200 Bilder lang gegen eine Wand gehen.</translation>
+        <translation>Stelle **An einer Wand** auf keep_on und lass sie 200&#x202f;Bilder lang gegen eine Wand gehen.</translation>
     </message>
     <message>
         <source>Put the walls 150&#x202f;px apart or closer, and see it turn to the left.</source>
-        <translation>Stelle die Wände 150 px oder enger auseinander und sieh, wie sie nach links umkehrt.</translation>
+        <translation>Stelle die Wände 150&#x202f;px oder enger auseinander und sieh, wie sie nach links umkehrt.</translation>
     </message>
     <message>
         <source>Throw the creature into a wall.</source>
@@ -165,7 +165,7 @@ Jeden Druck spüren **beide**, in entgegengesetzter Richtung, im selben Moment. 
     </message>
     <message>
         <source>Set **creatures** to 5 and watch the crowd for 300&#x202f;frames.</source>
-        <translation>Setze **Figuren** auf 5 und sieh der Menge 300 Bilder lang zu.</translation>
+        <translation>Setze **Figuren** auf 5 und sieh der Menge 300&#x202f;Bilder lang zu.</translation>
     </message>
     <message>
         <source>Swing</source>
@@ -383,7 +383,7 @@ The body is a handle again: only your hand moves it.</source>
 
 Winkel sind in Radiant. Fuß 0 hat den Winkel 0; Fuß 1 hat π, eine halbe Drehung weiter. Der Code zieht den Knochen vom Körper **ab**, darum gehört Fuß 0 nach **links**.
 
-(Das Tutorial, auf dem diese Lektion beruht, sagt rechts, und an einer Stelle, das Bein sei 75 px lang. Sein Code hat links und 50, und sein Code ist, was hier läuft.)
+(Das Tutorial, auf dem diese Lektion beruht, sagt rechts, und an einer Stelle, das Bein sei 75&#x202f;px lang. Sein Code hat links und 50, und sein Code ist, was hier läuft.)
 
 Der Körper ist wieder ein Griff: Nur deine Hand bewegt ihn.</translation>
     </message>
@@ -397,7 +397,7 @@ Der Körper ist wieder ein Griff: Nur deine Hand bewegt ihn.</translation>
 Still it tells you something: how long the spring is. At rest each line is as long as **leg** says, 50&#x202f;px. While a foot swings, you see it stretch and shrink.</source>
         <translation>Ein **Bein** ist eine Linie vom Körper zu einem Fuß. Sie wird für jedes Bild neu gemacht, aus dem, wo Körper und Fuß in diesem Moment sind. Nichts spürt sie: Der Code, der die Füße bewegt, ist derselbe wie zuvor.
 
-Trotzdem sagt sie dir etwas: wie lang die Feder ist. In Ruhe ist jede Linie so lang, wie **Bein** sagt, 50 px. Während ein Fuß schwingt, siehst du sie sich dehnen und schrumpfen.</translation>
+Trotzdem sagt sie dir etwas: wie lang die Feder ist. In Ruhe ist jede Linie so lang, wie **Bein** sagt, 50&#x202f;px. Während ein Fuß schwingt, siehst du sie sich dehnen und schrumpfen.</translation>
     </message>
     <message>
         <source>Feet below the body</source>
@@ -409,11 +409,11 @@ Trotzdem sagt sie dir etwas: wie lang die Feder ist. In Ruhe ist jede Linie so l
 It comes after the bone: it does not turn with the leg&apos;s angle, and is the same for all feet.
 
 Each place is now 50&#x202f;px to the side and 50&#x202f;px down: 70.7&#x202f;px from the body. The feet start in their places, so nothing moves until you move something.</source>
-        <translation>Füße gehören unter einen Körper. Eine Zahl genügt: **Absenkung** schiebt den Ort jedes Fußes gerade nach unten, um 50 px. (y zeigt nach unten, darum wird sie addiert.)
+        <translation>Füße gehören unter einen Körper. Eine Zahl genügt: **Absenkung** schiebt den Ort jedes Fußes gerade nach unten, um 50&#x202f;px. (y zeigt nach unten, darum wird sie addiert.)
 
 Sie kommt nach dem Knochen: Sie dreht sich nicht mit dem Winkel des Beins und ist für alle Füße gleich.
 
-Jeder Ort ist jetzt 50 px seitlich und 50 px unten: 70,7 px vom Körper. Die Füße beginnen an ihren Orten, darum bewegt sich nichts, bis du etwas bewegst.</translation>
+Jeder Ort ist jetzt 50&#x202f;px seitlich und 50&#x202f;px unten: 70,7&#x202f;px vom Körper. Die Füße beginnen an ihren Orten, darum bewegt sich nichts, bis du etwas bewegst.</translation>
     </message>
     <message>
         <source>Curved legs</source>
@@ -435,9 +435,9 @@ At 0.05&#x202f;rad a frame a full turn (2π, 6.28&#x202f;rad) takes 126&#x202f;f
 A foot is on a spring: it doesn&apos;t follow exactly. At this speed it goes round on 50.6&#x202f;px where its place is 50&#x202f;px out. Near the speed at which it would swing by itself, it goes much farther.</source>
         <translation>Jetzt bewegen sich die Orte. Die Figur bekommt **eine Uhr**, die sich in jedem Bild um **Tempo** dreht, als Letztes von allem. Jeder Fuß addiert sie zu seinem eigenen Winkel. So gehen die Orte im Kreis, im Uhrzeigersinn, eine halbe Drehung auseinander, und jeder Fuß läuft seinem Ort nach.
 
-Bei 0,05 rad pro Bild dauert eine ganze Drehung (2π, 6,28 rad) 126 Bilder.
+Bei 0,05 rad pro Bild dauert eine ganze Drehung (2π, 6,28 rad) 126&#x202f;Bilder.
 
-Ein Fuß hängt an einer Feder: Er folgt nicht genau. Bei diesem Tempo kreist er auf 50,6 px, wo sein Ort 50 px draußen ist. Nahe dem Tempo, mit dem er von selbst schwingen würde, kommt er viel weiter hinaus.</translation>
+Ein Fuß hängt an einer Feder: Er folgt nicht genau. Bei diesem Tempo kreist er auf 50,6&#x202f;px, wo sein Ort 50&#x202f;px draußen ist. Nahe dem Tempo, mit dem er von selbst schwingen würde, kommt er viel weiter hinaus.</translation>
     </message>
     <message>
         <source>The body is pulled, too</source>
@@ -469,15 +469,15 @@ A standing foot is stopped **after** it moved. So it slips a little in each fram
 From here on k is 0.1.</source>
         <translation>Die Schwerkraft zieht alles nach unten, und der **Boden** hält die Füße. Nur die Füße: Sie halten den Körper. Ein Fuß unter dem Boden wird darauf zurückgesetzt, und seine Geschwindigkeit wird 0, auch seitwärts. Das ist seine **Haftung**.
 
-Jetzt steht der Fuß. Sein Bein zieht weiter, und nur der Körper kann nachgeben: Er geht, etwa 150 px in jeder Drehung der Uhr. Ein negatives **Tempo** geht nach links. Ohne Haftung tritt er auf der Stelle.
+Jetzt steht der Fuß. Sein Bein zieht weiter, und nur der Körper kann nachgeben: Er geht, etwa 150&#x202f;px in jeder Drehung der Uhr. Ein negatives **Tempo** geht nach links. Ohne Haftung tritt er auf der Stelle.
 
-Ein stehender Fuß wird angehalten, **nachdem** er sich bewegt hat. Darum rutscht er in jedem Bild ein wenig, im Mittel 0,4 px. Mit Zeitschritten von einem halben Bild rutscht er 0,25 px, und geht 1,4 px pro Bild statt 1,2.
+Ein stehender Fuß wird angehalten, **nachdem** er sich bewegt hat. Darum rutscht er in jedem Bild ein wenig, im Mittel 0,4&#x202f;px. Mit Zeitschritten von einem halben Bild rutscht er 0,25&#x202f;px, und geht 1,4&#x202f;px pro Bild statt 1,2.
 
 Von hier an ist k 0,1.</translation>
     </message>
     <message>
         <source>Carry the body at least 150&#x202f;px. Both feet follow, each on its side.</source>
-        <translation>Trag den Körper mindestens 150 px. Beide Füße folgen, jeder auf seiner Seite.</translation>
+        <translation>Trag den Körper mindestens 150&#x202f;px. Beide Füße folgen, jeder auf seiner Seite.</translation>
     </message>
     <message>
         <source>Pull foot 0 over to the right of the body, let go, and wait until all is still. Where does it end?</source>
@@ -493,7 +493,7 @@ Von hier an ist k 0,1.</translation>
     </message>
     <message>
         <source>Pull a foot at least 100&#x202f;px away and let go. The line shows how far the spring swings.</source>
-        <translation>Zieh einen Fuß mindestens 100 px weg und lass los. Die Linie zeigt, wie weit die Feder schwingt.</translation>
+        <translation>Zieh einen Fuß mindestens 100&#x202f;px weg und lass los. Die Linie zeigt, wie weit die Feder schwingt.</translation>
     </message>
     <message>
         <source>Set **drop** to 0, as it was before, and wait until all is still.</source>
@@ -517,27 +517,27 @@ Von hier an ist k 0,1.</translation>
     </message>
     <message>
         <source>Set **speed** to −0.05 for at least 60&#x202f;frames. Which way do the feet go round now?</source>
-        <translation>Setze **Tempo** für mindestens 60 Bilder auf −0,05. In welche Richtung kreisen die Füße jetzt?</translation>
+        <translation>Setze **Tempo** für mindestens 60&#x202f;Bilder auf −0,05. In welche Richtung kreisen die Füße jetzt?</translation>
     </message>
     <message>
         <source>Find a speed at which a foot goes round more than 150&#x202f;px from the middle of its places. Hands off while you measure.</source>
-        <translation>Finde ein Tempo, bei dem ein Fuß mehr als 150 px von der Mitte seiner Orte entfernt kreist. Hände weg, während du misst.</translation>
+        <translation>Finde ein Tempo, bei dem ein Fuß mehr als 150&#x202f;px von der Mitte seiner Orte entfernt kreist. Hände weg, während du misst.</translation>
     </message>
     <message>
         <source>Carry the body 200&#x202f;px to the side, slowly. It looks like walking.</source>
-        <translation>Trag den Körper 200 px zur Seite, langsam. Es sieht aus wie Gehen.</translation>
+        <translation>Trag den Körper 200&#x202f;px zur Seite, langsam. Es sieht aus wie Gehen.</translation>
     </message>
     <message>
         <source>Pull a foot at least 100&#x202f;px away and let go. Now the body comes along.</source>
-        <translation>Zieh einen Fuß mindestens 100 px weg und lass los. Jetzt kommt der Körper mit.</translation>
+        <translation>Zieh einen Fuß mindestens 100&#x202f;px weg und lass los. Jetzt kommt der Körper mit.</translation>
     </message>
     <message>
         <source>Set **damping** to 1 and throw the creature. After 100&#x202f;frames its momentum is what your hand gave it.</source>
-        <translation>Setze **Dämpfung** auf 1 und wirf die Figur. Nach 100 Bildern ist ihr Impuls, was deine Hand ihr gab.</translation>
+        <translation>Setze **Dämpfung** auf 1 und wirf die Figur. Nach 100&#x202f;Bildern ist ihr Impuls, was deine Hand ihr gab.</translation>
     </message>
     <message>
         <source>Hold a foot for 60&#x202f;frames. It feels nothing, but the body still feels its leg.</source>
-        <translation>Halte einen Fuß 60 Bilder lang. Er spürt nichts, aber der Körper spürt noch immer sein Bein.</translation>
+        <translation>Halte einen Fuß 60&#x202f;Bilder lang. Er spürt nichts, aber der Körper spürt noch immer sein Bein.</translation>
     </message>
 </context>
 <context>
