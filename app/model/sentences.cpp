@@ -3,6 +3,7 @@
 #include "app/model/hard_sentences.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 #include <QRegularExpression>
 
 namespace app {
@@ -32,6 +33,11 @@ QString capitalised(QString text)
     if (!text.isEmpty())
         text[0] = text[0].toUpper();
     return text;
+}
+
+QString withinSentence(const QString &name)
+{
+    return QLocale().language() == QLocale::German ? name : name.toLower();
 }
 
 QString bodyTitle(const QString &name)

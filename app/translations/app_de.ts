@@ -1874,7 +1874,7 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     </message>
     <message>
         <source>Error against time</source>
-        <translation>Fehler über der Zeit</translation>
+        <translation>Fehler und Zeit</translation>
     </message>
     <message>
         <source>How far off each method is, and what it costs</source>
@@ -1882,7 +1882,7 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     </message>
     <message>
         <source>Over the run</source>
-        <translation>Über den Lauf</translation>
+        <translation>Im Lauf</translation>
     </message>
     <message>
         <source>How the error grows, at about the cost of your method</source>
@@ -2029,7 +2029,7 @@ Klick klappt ein oder aus (Eingabe)</translation>
     </message>
     <message>
         <source>ns a frame</source>
-        <translation>ns pro Bild</translation>
+        <translation>ns/Bild</translation>
     </message>
     <message>
         <source>Nanoseconds, billionths of a second, that each frame of the run spends on it. ± is how far half of the rounds are apart.</source>
@@ -2037,7 +2037,7 @@ Klick klappt ein oder aus (Eingabe)</translation>
     </message>
     <message>
         <source>ns a point</source>
-        <translation>ns pro Punkt</translation>
+        <translation>ns/Punkt</translation>
     </message>
     <message>
         <source>The same for each point that it works on.</source>
@@ -2424,7 +2424,7 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     </message>
     <message>
         <source>&amp;Open an experiment…</source>
-        <translation>Experiment &amp;öffnen …</translation>
+        <translation>Experiment ö&amp;ffnen …</translation>
     </message>
     <message>
         <source>&amp;Save the experiment</source>
@@ -2480,7 +2480,7 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     </message>
     <message>
         <source>Start the step &amp;afresh</source>
-        <translation>Schritt &amp;neu beginnen</translation>
+        <translation>Schritt neu be&amp;ginnen</translation>
     </message>
     <message>
         <source>Forget the &amp;old run</source>
@@ -2523,16 +2523,8 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>&amp;Code und Parameter</translation>
     </message>
     <message>
-        <source>&amp;Energy</source>
-        <translation>&amp;Energie</translation>
-    </message>
-    <message>
         <source>Where energy and momentum went, below the picture (Ctrl+3)</source>
         <translation>Wohin Energie und Impuls gingen, unter der Szene (Strg+3)</translation>
-    </message>
-    <message>
-        <source>E&amp;ffects</source>
-        <translation>E&amp;ffekte</translation>
     </message>
     <message>
         <source>What each effect of the scene costs, with a switch for each (Ctrl+4)</source>
@@ -2760,7 +2752,7 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     </message>
     <message>
         <source>Lan&amp;guage</source>
-        <translation>S&amp;prache</translation>
+        <translation>Spr&amp;ache</translation>
     </message>
     <message>
         <source>As the &amp;system has it</source>
@@ -2784,7 +2776,7 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     </message>
     <message>
         <source>&lt;b&gt;Space&lt;/b&gt; plays, &lt;b&gt;→&lt;/b&gt; next frame, &lt;b&gt;Shift+→&lt;/b&gt; into the frame. Drag anything.</source>
-        <translation>&lt;b&gt;Leertaste&lt;/b&gt; spielt ab, &lt;b&gt;→&lt;/b&gt; nächstes Bild, &lt;b&gt;Umschalt+→&lt;/b&gt; ins Bild hinein. Zieh an irgendetwas.</translation>
+        <translation>&lt;b&gt;Leertaste&lt;/b&gt; spielt ab, &lt;b&gt;→&lt;/b&gt; nächstes Bild, &lt;b&gt;Umschalt+→&lt;/b&gt; ins Bild. Zieh an etwas.</translation>
     </message>
     <message>
         <source>L&amp;earn</source>
@@ -2801,6 +2793,14 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>What accuracy costs in time, on this scene</source>
         <translation>Was Genauigkeit an Zeit kostet, in dieser Szene</translation>
+    </message>
+    <message>
+        <source>E&amp;nergy</source>
+        <translation>&amp;Energie</translation>
+    </message>
+    <message>
+        <source>Effec&amp;ts</source>
+        <translation>E&amp;ffekte</translation>
     </message>
 </context>
 <context>
@@ -3362,19 +3362,19 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     </message>
     <message>
         <source>%1 off over %2 frames</source>
-        <translation>%1 Abweichung über %2 Bilder</translation>
+        <translation>%1 daneben in %2 Bildern</translation>
     </message>
     <message>
         <source>forces once a frame</source>
-        <translation>Kräfte einmal pro Bild</translation>
+        <translation>Kräfte einmal/Bild</translation>
     </message>
     <message>
         <source>forces %1 times a frame</source>
-        <translation>Kräfte %1-mal pro Bild</translation>
+        <translation>Kräfte %1-mal/Bild</translation>
     </message>
     <message>
         <source>forces %1 times a frame until now</source>
-        <translation>Kräfte bis jetzt %1-mal pro Bild</translation>
+        <translation>Kräfte bisher %1-mal/Bild</translation>
     </message>
 </context>
 <context>
@@ -3543,7 +3543,7 @@ für weniger so genau.</translation>
     </message>
     <message>
         <source>Error against time</source>
-        <translation>Fehler über der Zeit</translation>
+        <translation>Fehler und Zeit</translation>
     </message>
     <message>
         <source>time, µs a frame</source>

@@ -65,7 +65,7 @@
     </message>
     <message>
         <source>Big step, small step</source>
-        <translation>Großer Schritt, kleiner Schritt</translation>
+        <translation>Große, kleine Schritte</translation>
     </message>
     <message>
         <source>A real spring pulls **all the time**. A computed one asks for its pull once a **step**, and goes straight on until the next. Here a step is one frame.
@@ -81,7 +81,7 @@ Mehr und kleinere Zeitschritte folgen der Biegung genauer, und jeder ist **Arbei
     </message>
     <message>
         <source>Energy that grows</source>
-        <translation>Energie, die wächst</translation>
+        <translation>Wachsende Energie</translation>
     </message>
     <message>
         <source>Motion has energy, and so has a stretched spring. Without damping **their sum never changes**. **Drift** is what the method adds to it.
@@ -97,7 +97,7 @@ Das **semi-implizite Euler-Verfahren** bewegt mit der neuen Geschwindigkeit. Ein
     </message>
     <message>
         <source>Halve the step</source>
-        <translation>Den Zeitschritt halbieren</translation>
+        <translation>Halber Zeitschritt</translation>
     </message>
     <message>
         <source>Half the step is twice the work. What do you get for it?
@@ -121,7 +121,7 @@ Die Kurve **Genauigkeit** (Messen, ganz oben) zeigt jedes Verfahren als Leiter. 
     </message>
     <message>
         <source>Steps that adapt</source>
-        <translation>Zeitschritte, die sich anpassen</translation>
+        <translation>Zeitschritte nach Maß</translation>
     </message>
     <message>
         <source>This foot falls past the middle, closely. Far out little happens, and a step could be long. At the middle its spring turns round in less than a frame: only there are small steps needed.

@@ -103,7 +103,7 @@
     </message>
     <message>
         <source>The limit of a step</source>
-        <translation>Die Grenze eines Zeitschritts</translation>
+        <translation>Grenze des Zeitschritts</translation>
     </message>
     <message>
         <source>Implicit midpoint</source>
@@ -131,7 +131,7 @@ Die kleine **Anzeige** zeigt, wie nahe du ihr bist.</translation>
     </message>
     <message>
         <source>The runaway pair</source>
-        <translation>Das Paar, das davonläuft</translation>
+        <translation>Das Paar läuft davon</translation>
     </message>
     <message>
         <source>Semi-implicit Euler</source>
@@ -211,7 +211,7 @@ Das **implizite Euler-Verfahren** braucht einen Zeitschritt pro Bild, bei jeder 
     </message>
     <message>
         <source>Sticks that contradict</source>
-        <translation>Stäbe, die sich widersprechen</translation>
+        <translation>Stäbe im Widerspruch</translation>
     </message>
     <message>
         <source>The same, as sticks</source>
@@ -219,7 +219,7 @@ Das **implizite Euler-Verfahren** braucht einen Zeitschritt pro Bild, bei jeder 
     </message>
     <message>
         <source>Made of</source>
-        <translation>Gemacht aus</translation>
+        <translation>Material</translation>
     </message>
     <message>
         <source>Whether springs hold the three points, or rigid sticks.</source>
@@ -380,6 +380,14 @@ Hände, Wände und Zeitschritte gehören zu einem Fall. Greifst du ein, ist es d
     <message>
         <source>Make any case **stop**: find one that a method does not claim, and see who went first.</source>
         <translation>Bring einen Fall zum **Anhalten**: Finde einen, den ein Verfahren nicht zusagt, und sieh, wer zuerst davonging.</translation>
+    </message>
+    <message>
+        <source>springs</source>
+        <translation>Federn</translation>
+    </message>
+    <message>
+        <source>sticks</source>
+        <translation>Stäbe</translation>
     </message>
 </context>
 <context>

@@ -101,7 +101,7 @@ Dieser Winkel zählt von der y-Achse aus: Darum steht dx in `atan2` an erster St
     </message>
     <message>
         <source>Who takes the error</source>
-        <translation>Wer den Fehler übernimmt</translation>
+        <translation>Wer den Fehler trägt</translation>
     </message>
     <message>
         <source>Half each is not always what you want. **share** is the part of the error that p0 takes, from 0 to 1. p1 takes the rest.
@@ -157,7 +157,7 @@ Die Farbe eines Stabs zeigt seinen Fehler. Nach einer schnellen Bewegung kannst 
     </message>
     <message>
         <source>Points that move</source>
-        <translation>Punkte, die sich bewegen</translation>
+        <translation>Bewegte Punkte</translation>
     </message>
     <message>
         <source>Now the points move by themselves, and fall. But a stick puts a point elsewhere without asking its velocity. The remedy: **do not keep a velocity. It is the way that the point came**, its place now minus its place one frame before:
@@ -274,6 +274,14 @@ Zieh sie, wirf sie, lass sie fallen. Die Farbe eines Stabs zeigt, welcher Fehler
     <message>
         <source>Go back in time to before you threw it, change **iterations**, and compare with the ghost.</source>
         <translation>Geh in der Zeit zurück, bevor du sie geworfen hast, ändere **Iterationen** und vergleiche mit dem Geist.</translation>
+    </message>
+    <message>
+        <source>free</source>
+        <translation>frei</translation>
+    </message>
+    <message>
+        <source>limited</source>
+        <translation>begrenzt</translation>
     </message>
 </context>
 <context>

@@ -53,7 +53,7 @@ Am schnellsten ist der Fuß nahe am Kreuz, wo der Zug am schwächsten ist, darum
     </message>
     <message>
         <source>A moving body</source>
-        <translation>Ein Körper, der sich bewegt</translation>
+        <translation>Ein bewegter Körper</translation>
     </message>
     <message>
         <source>Now the spring ends at the **body**, and you can carry the body about. The spring reads the body’s place anew in each frame, so **the foot follows wherever you go**. Its formula is the same as before: only the centre is now a place that moves.

@@ -37,7 +37,7 @@
     </message>
     <message>
         <source>Each pulls the other</source>
-        <translation>Jeder zieht den anderen</translation>
+        <translation>Beide ziehen</translation>
     </message>
     <message>
         <source>Now **both are pulled**: the foot to a place 50&#x202f;px from the body, and the body to a place 50&#x202f;px from the foot. It is one rule, used twice.

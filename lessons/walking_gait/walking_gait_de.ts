@@ -83,7 +83,7 @@ The creature **turns round** when any part of it touches a wall: the clock&apos;
 You can steer it, as before.</source>
         <translation>Zwei Wände, wie in der Lektion davor, für Füße und Körper. Wo ein Rand über eine Wand hinaus ist, wird er zurückgesetzt, und die Geschwindigkeit quer zur Wand wird 0.
 
-Die Figur **kehrt um**, wenn irgendein Teil von ihr eine Wand berührt: Das Tempo der Uhr bekommt das Vorzeichen, das wegführt. Das ist eine Regel, keine Kraft: Die Wand hält nur an, was sie trifft. Steht **An einer Wand** auf keep_on, geht sie endlos gegen die Wand. Ihre stehenden Füße rutschen dann 1,1&#x202f;px pro Bild, mehr als doppelt so viel wie unterwegs.
+Die Figur **kehrt um**, wenn irgendein Teil von ihr eine Wand berührt: Das Tempo der Uhr bekommt das Vorzeichen, das wegführt. Das ist eine Regel, keine Kraft: Die Wand hält nur an, was sie trifft. Steht **An einer Wand** auf weitergehen, geht sie endlos gegen die Wand. Ihre stehenden Füße rutschen dann 1,1&#x202f;px pro Bild, mehr als doppelt so viel wie unterwegs.
 
 Lenken kannst du sie wie zuvor.</translation>
     </message>
@@ -145,7 +145,7 @@ Jeden Druck spüren **beide**, in entgegengesetzter Richtung, im selben Moment. 
     </message>
     <message>
         <source>Set **at wall** to keep_on and let it walk against a wall for 200&#x202f;frames.</source>
-        <translation>Stelle **An einer Wand** auf keep_on und lass sie 200&#x202f;Bilder lang gegen eine Wand gehen.</translation>
+        <translation>Stelle **An einer Wand** auf weitergehen und lass sie 200&#x202f;Bilder lang gegen eine Wand gehen.</translation>
     </message>
     <message>
         <source>Put the walls 150&#x202f;px apart or closer, and see it turn to the left.</source>
@@ -441,7 +441,7 @@ Ein Fuß hängt an einer Feder: Er folgt nicht genau. Bei diesem Tempo kreist er
     </message>
     <message>
         <source>The body is pulled, too</source>
-        <translation>Auch der Körper wird gezogen</translation>
+        <translation>Zug auch am Körper</translation>
     </message>
     <message>
         <source>What pulls is pulled back, just as hard, the other way. That needs no new formula: each leg&apos;s pull goes onto its foot, and the **opposite** goes onto the body, in the same moment.
@@ -538,6 +538,30 @@ Von hier an ist k 0,1.</translation>
     <message>
         <source>Hold a foot for 60&#x202f;frames. It feels nothing, but the body still feels its leg.</source>
         <translation>Halte einen Fuß 60&#x202f;Bilder lang. Er spürt nichts, aber der Körper spürt noch immer sein Bein.</translation>
+    </message>
+    <message>
+        <source>full</source>
+        <translation>voll</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation>umkehren</translation>
+    </message>
+    <message>
+        <source>keep_on</source>
+        <translation>weitergehen</translation>
+    </message>
+    <message>
+        <source>both</source>
+        <translation>beiden</translation>
+    </message>
+    <message>
+        <source>one</source>
+        <translation>einem</translation>
     </message>
 </context>
 <context>
