@@ -48,7 +48,7 @@ const LessonEntry *LessonLibrary::lesson(const QString &wanted) const
     return found == lessons.end() ? nullptr : &*found;
 }
 
-LessonLibrary LessonLibrary::load(const QStringList &folders)
+LessonLibrary LessonLibrary::load(const QStringList &folders, Language *language)
 {
     LessonLibrary library;
     QSet<QString> seen;
@@ -59,7 +59,7 @@ LessonLibrary LessonLibrary::load(const QStringList &folders)
                 continue;
             seen.insert(real);
             try {
-                LessonEntry entry = loadLesson(file);
+                LessonEntry entry = loadLesson(file, language);
                 if (!library.lesson(entry.id))
                     library.lessons.push_back(std::move(entry));
             } catch (const Refusal &refusal) {

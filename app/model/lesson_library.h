@@ -9,6 +9,8 @@
 
 namespace app {
 
+class Language;
+
 /// A lesson as loaded: what its plugin's metadata says, and its steps.
 struct LessonEntry
 {
@@ -37,8 +39,9 @@ struct LessonLibrary
 
     const LessonEntry *lesson(const QString &id) const;
 
-    /// Loads the plugins in `folders`, in that order; of two with one id the first counts.
-    static LessonLibrary load(const QStringList &folders);
+    /// Loads the plugins in `folders`, in that order; of two with one id the first counts. Their texts are in
+    /// `language`, which learns what they bring; in English without one.
+    static LessonLibrary load(const QStringList &folders, Language *language = nullptr);
     /// Where lessons are looked for: SPRINGSTEP_LESSONS (a list, as PATH is), then beside the program (build
     /// tree), then in the install tree.
     static QStringList folders();

@@ -1,5 +1,6 @@
 #include "app/model/lesson_plugin.h"
 
+#include "app/model/language.h"
 #include "app/model/refusal.h"
 #include "app/model/words.h"
 #include "lessons/api/lesson.h"
@@ -123,9 +124,15 @@ std::vector<lessons::Step> stepsOf(QObject *instance)
     }
 }
 
+/// What lesson.json says, in the learner's language.
+QString told(const QString &text)
+{
+    return QCoreApplication::translate("lesson.json", text.toUtf8().constData());
 }
 
-LessonEntry loadLesson(const QString &file)
+}
+
+LessonEntry loadLesson(const QString &file, Language *language)
 {
     QPluginLoader loader(file);
     checkInterface(loader);
@@ -136,6 +143,10 @@ LessonEntry loadLesson(const QString &file)
     if (!instance)
         throw Refusal(Text::tr("It cannot be loaded; build or install it again. The system says: %1.")
                           .arg(oneLine(loader.errorString())));
+    if (language)
+        language->learn();
+    lesson.title = told(lesson.title);
+    lesson.summary = told(lesson.summary);
     lesson.steps = stepsOf(instance);
     QStringList made;
     for (const lessons::Step &step : lesson.steps)

@@ -15,13 +15,13 @@ namespace {
 constexpr QChar minus(0x2212);
 constexpr double longest = 1e7; ///< from here on numbers are written with a power of ten
 
-/// Without the sign of a number that is shown as 0.
+/// With the learner's decimal sign, and without the sign of a number that is shown as 0.
 QString signedText(QString text)
 {
     bool isNumber = false; // "-2·10⁹" is none to QString
     if (text.startsWith('-') && text.toDouble(&isNumber) == 0.0 && isNumber)
         text.remove(0, 1);
-    return text.replace('-', minus);
+    return text.replace('-', minus).replace('.', QLocale().decimalPoint());
 }
 
 }

@@ -6,7 +6,7 @@
 
 namespace app {
 
-// Numbers on the screen: with a minus sign, and never "minus nought".
+// Numbers on the screen: with a minus sign and the decimal sign of QLocale(), and never "minus nought".
 
 /// With exactly `decimals` digits after the point: for what changes while it is read. From 1e7 on as roughNumber().
 QString fixedNumber(double value, int decimals);

@@ -3,6 +3,8 @@
 #include "app/model/hard_sentences.h"
 
 #include <QCoreApplication>
+#include <QLocale>
+#include <QRegularExpression>
 
 namespace app {
 
@@ -33,10 +35,16 @@ QString capitalised(QString text)
     return text;
 }
 
+QString withinSentence(const QString &name)
+{
+    return QLocale().language() == QLocale::German ? name : name.toLower();
+}
+
 QString bodyTitle(const QString &name)
 {
     QStringList parts;
-    for (const QString &part : name.split('.')) {
+    static const QRegularExpression joints(QStringLiteral("[._]"));
+    for (const QString &part : name.split(joints)) {
         qsizetype digits = 0;
         while (digits < part.size() && part[part.size() - 1 - digits].isDigit())
             ++digits;

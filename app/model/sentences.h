@@ -13,9 +13,11 @@ namespace app {
 QString phrase(const std::string &text);
 /// `text` with a capital letter first, as the first word of a line.
 QString capitalised(QString text);
+/// A name as it stands within a sentence: in German nouns keep their capital letter.
+QString withinSentence(const QString &name);
 
 /// What people call the body that files call `name`: "foot 0" for "foot0", "creature 1, foot 0" for
-/// "creature1.foot0".
+/// "creature1.foot0", "tentacle 2, 5" for "tentacle2_5".
 QString bodyTitle(const QString &name);
 
 /// What sim refused, as one clear sentence with the remedy.

@@ -18,7 +18,7 @@ namespace {
 /// A parameter and a value of it, for the name of a ghost.
 QString written(const QString &parameter, double value)
 {
-    return QStringLiteral("%1 %2").arg(parameter, QLocale::c().toString(value, 'g', 4));
+    return QStringLiteral("%1 %2").arg(parameter, QLocale().toString(value, 'g', 4));
 }
 
 /// The way in which `script` was computed before `method` took its place: its step, or its method.

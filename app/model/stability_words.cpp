@@ -34,7 +34,9 @@ QString percent(double share)
 
 QString frames(double h)
 {
-    return Text::tr("%1\u2009frames").arg(roughNumber(h));
+    return Text::tr("%1\u2009"
+                    "frames")
+        .arg(roughNumber(h));
 }
 
 QString nameOf(const StabilityReading &reading, int point)

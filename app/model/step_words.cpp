@@ -3,6 +3,7 @@
 #include "app/model/numbers.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 
 #include <cmath>
 
@@ -24,7 +25,7 @@ QString stepTitle(double h)
         return Text::tr("1/%1 frame").arg(parts, 0, 'f', 0);
     if (h == 1.0)
         return Text::tr("1 frame");
-    return Text::tr("%1 frames").arg(QString::number(h, 'g', 6));
+    return Text::tr("%1 frames").arg(QLocale().toString(h, 'g', 6));
 }
 
 QString toleranceTitle(double tolerance)

@@ -133,7 +133,7 @@ std::vector<Guide> exactMarks(ExactRun &exact, const Look &look, const Script &s
                          Guide::About::exactMotion});
     }
     if (farthest >= 0) {
-        marks[worst].label = Text::tr("%1 px off").arg(QLocale::c().toString(distance, 'f', 1));
+        marks[worst].label = Text::tr("%1 px off").arg(QLocale().toString(distance, 'f', 1));
         marks.push_back({Guide::Shape::line,
                          state.at(farthest),
                          right->at(farthest),

@@ -117,7 +117,7 @@ namespace bounce {
 Scene setUp(const Values &values)
 {
     Scene scene = loneFoot();
-    scene.names = {"ball"};
+    scene.names = {SIM_TEXT("ball")};
     scene.start.place(foot, {60, 130});
     scene.start.push(foot, {1.6, 0});
 

@@ -69,7 +69,7 @@ sim::Scene crowd(int creatures, int feet)
 {
     sim::Scene scene = pointsInTheMiddle(creatures * (feet + 1));
     for (int creature = 0; creature < creatures; ++creature) {
-        const std::string name = "creature" + std::to_string(creature);
+        const std::string name = SIM_TEXT("creature") + std::to_string(creature);
         const int first = creature * (feet + 1);
         for (int i = 0; i < feet; ++i)
             scene.names.push_back(name + ".foot" + std::to_string(i));
@@ -86,7 +86,7 @@ sim::Scene crowdByParts(int creatures, int feet)
     scene.names.reserve(static_cast<std::size_t>(scene.start.points()));
     const auto namePart = [&](const std::string &part) {
         for (int creature = 0; creature < creatures; ++creature)
-            scene.names.push_back("creature" + std::to_string(creature) + part);
+            scene.names.push_back(SIM_TEXT("creature") + std::to_string(creature) + part);
     };
     namePart(".body");
     for (int i = 0; i < feet; ++i)

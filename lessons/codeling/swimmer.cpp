@@ -59,7 +59,7 @@ void addSides(sim::Scene &scene)
     grow(scene.start, 2);
     scene.start.place(side0, middle - sim::Vec2{0, restWidth / 2});
     scene.start.place(side1, middle + sim::Vec2{0, restWidth / 2});
-    scene.names.insert(scene.names.end(), {"side0", "side1"});
+    scene.names.insert(scene.names.end(), {SIM_TEXT("side") "0", SIM_TEXT("side") "1"});
     scene.groups.push_back({SIM_TEXT("sides"), {side0, 2}, sim::Inertia::none});
 }
 
@@ -75,7 +75,7 @@ std::vector<sim::Stick> addTentacles(sim::Scene &scene, int tentacles, int links
         const int point = firstOfTentacles + i;
         const int inner = link == 0 ? root : point - 1;
         scene.start.place(point, scene.start.at(inner) + linkLength * fan(number, tentacles));
-        scene.names.push_back("tentacle" + std::to_string(number) + "_" + std::to_string(link));
+        scene.names.push_back(SIM_TEXT("tentacle") + std::to_string(number) + "_" + std::to_string(link));
         sticks.push_back({inner, point, linkLength, 0.0});
     }
     scene.groups.push_back({SIM_TEXT("tentacles"), {firstOfTentacles, count}});

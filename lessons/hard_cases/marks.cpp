@@ -41,7 +41,7 @@ std::vector<Guide> middleMarks(const sim::Scene &scene, const sim::State &state,
     const double way = sim::length(is - was);
     if (way >= leastShown)
         marks.push_back({Guide::Shape::line, was, is, 0.0,
-                         Text::tr("the middle moved %1 px").arg(QLocale::c().toString(way, 'f', 0))});
+                         Text::tr("the middle moved %1 px").arg(QLocale().toString(way, 'f', 0))});
     return marks;
 }
 

@@ -176,6 +176,7 @@ Step contradictionStep()
     Parameter madeOf =
         choice("made_of", Text::tr("Made of"),
                Text::tr("Whether springs hold the three points, or rigid sticks."), {"springs", "sticks"});
+    madeOf.choiceTitles = {Text::tr("springs"), Text::tr("sticks")};
     step.addParameters({madeOf, longest(), stiffnessUpTo(1.5, 3.0), damping(0.9)});
     step.narration = Text::tr(
         "Three lengths: 20, 20 and 200 px. No triangle has them. Whatever moves, something is wrong.\n\n"

@@ -113,7 +113,10 @@ Parameter jointLimits()
             0.0,
             1.0,
             0,
-            {"free", "limited"}};
+            {"free", "limited"},
+            false,
+            Role::none,
+            {Text::tr("free"), Text::tr("limited")}};
 }
 
 /// A step with what all steps of this lesson share. `id` is the marker of its set-up, too.

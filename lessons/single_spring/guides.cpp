@@ -7,6 +7,7 @@
 #include "sim/effects/spring.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 
 #include <numbers>
 
@@ -21,10 +22,10 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(SingleSpring)
 };
 
-/// A number as prose writes it, with a real minus sign.
+/// A number as the learner writes it, with a real minus sign.
 QString number(double value, int decimals)
 {
-    QString text = QString::number(value, 'f', decimals);
+    QString text = QLocale().toString(value, 'f', decimals);
     return text.replace(u'-', u'−');
 }
 

@@ -8,6 +8,7 @@
 #include "standing.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 
 #include <cmath>
 
@@ -62,7 +63,7 @@ std::vector<Guide> trunkEnd(const sim::Scene &scene, const sim::State &state, co
         return {};
     const Vec2 end = sim::endOf(joints->tree(), state, 0, sim::degreesOf(formulaOf(values)));
     const Vec2 off = end - endOf(scene, state, 0);
-    const QString label = Text::tr("%1 px off").arg(sim::length(off), 0, 'f', 4);
+    const QString label = Text::tr("%1 px off").arg(QLocale().toString(sim::length(off), 'f', 4));
     return {{Guide::Shape::cross, end, {}, 0.0, label}};
 }
 

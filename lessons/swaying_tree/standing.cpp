@@ -21,7 +21,7 @@ Scene standing(const Tree &tree, TreeFormula formula)
     fromTheTrunk(tree, scene.start, degreesOf(formula), [](int) {});
     scene.names.reserve(tree.parent.size());
     for (int i = 0; i < branches; ++i)
-        scene.names.push_back("branch" + std::to_string(i));
+        scene.names.push_back(SIM_TEXT("branch") + std::to_string(i));
     scene.groups = {{SIM_TEXT("branches"), {0, branches}, Inertia::none}};
     return scene;
 }

@@ -29,7 +29,10 @@ Parameter formula()
             0.0,
             1.0,
             0,
-            {QStringLiteral("corrected"), QStringLiteral("published")}};
+            {QStringLiteral("corrected"), QStringLiteral("published")},
+            false,
+            lessons::Role::none,
+            {Text::tr("corrected"), Text::tr("published")}};
 }
 
 Parameter baseLength()

@@ -72,9 +72,12 @@ Parameter footBounce()
 
 Parameter traction()
 {
-    return choice("traction", Text::tr("Traction"),
-                  Text::tr("Whether the ground stops a foot sideways, too. Without it is ice."),
-                  {QStringLiteral("full"), QStringLiteral("none")});
+    Parameter parameter =
+        choice("traction", Text::tr("Traction"),
+               Text::tr("Whether the ground stops a foot sideways, too. Without it is ice."),
+               {QStringLiteral("full"), QStringLiteral("none")});
+    parameter.choiceTitles = {Text::tr("full"), Text::tr("none")};
+    return parameter;
 }
 
 Parameter legCount()
@@ -132,9 +135,11 @@ Parameter change()
 
 Parameter atWall()
 {
-    return choice("at_wall", Text::tr("At a wall"),
-                  Text::tr("Whether it turns round where it bumps into a wall, or walks on."),
-                  {QStringLiteral("turn"), QStringLiteral("keep_on")});
+    Parameter parameter = choice("at_wall", Text::tr("At a wall"),
+                                 Text::tr("Whether it turns round where it bumps into a wall, or walks on."),
+                                 {QStringLiteral("turn"), QStringLiteral("keep_on")});
+    parameter.choiceTitles = {Text::tr("turn"), Text::tr("keep_on")};
+    return parameter;
 }
 
 Parameter creatures()
@@ -166,9 +171,12 @@ Parameter distance()
 
 Parameter feltBy()
 {
-    return choice("felt_by", Text::tr("Felt by"),
-                  Text::tr("Whether both bodies feel a push, or only the one that comes first."),
-                  {QStringLiteral("both"), QStringLiteral("one")});
+    Parameter parameter =
+        choice("felt_by", Text::tr("Felt by"),
+               Text::tr("Whether both bodies feel a push, or only the one that comes first."),
+               {QStringLiteral("both"), QStringLiteral("one")});
+    parameter.choiceTitles = {Text::tr("both"), Text::tr("one")};
+    return parameter;
 }
 
 }

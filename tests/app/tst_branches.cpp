@@ -2,6 +2,7 @@
 
 #include "branches_bench.h"
 
+#include "app/model/same_run.h"
 #include "app/model/difference_words.h"
 
 #include <QSignalSpy>
@@ -107,8 +108,8 @@ private slots:
                 QCOMPARE(session.branches().all().size(), std::size_t(1));
                 QCOMPARE(session.timeline().at(), (sim::Cursor{45, 1}));
                 const bool isOld = round % 2 == 0;
-                QVERIFY(isSameRun(session.timeline().script(), isOld ? old : other));
-                QVERIFY(isSameRun(*session.beside()->script, isOld ? other : old));
+                QVERIFY(sameScript(session.timeline().script(), isOld ? old : other));
+                QVERIFY(sameScript(*session.beside()->script, isOld ? other : old));
                 for (const std::int64_t frame : {60, 31, 0, 59, 75})
                     QVERIFY(sim::sameBits(world.at(frame), world.straight(frame)));
                 QVERIFY(sim::sameBits(world.at(60), isOld ? oldState : otherState));

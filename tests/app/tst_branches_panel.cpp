@@ -115,10 +115,10 @@ private slots:
         QTest::keyClick(bench.openMenu(), Qt::Key_Down);
         QTest::keyClick(bench.openMenu(), Qt::Key_Right);
         QTest::keyClick(bench.openMenu(), Qt::Key_G); // Go back to it
-        QVERIFY(isSameRun(bench.session().timeline().script(), old));
+        QVERIFY(sameScript(bench.session().timeline().script(), old));
         QCOMPARE(bench.branches().size(), std::size_t(1));
         QTest::keyClick(&bench.window, Qt::Key_Z, Qt::ControlModifier);
-        QVERIFY(!isSameRun(bench.session().timeline().script(), old));
+        QVERIFY(!sameScript(bench.session().timeline().script(), old));
     }
 
     void aRunIsKeptNamedAndDeletedByMouse()

@@ -323,6 +323,7 @@ void SceneDrawingTest::namesAndNumbersAreReadable_data()
     QTest::newRow("a numbered foot") << bodyTitle("foot12") << "foot 12";
     QTest::newRow("a foot of one of several") << bodyTitle("creature1.foot0") << "creature 1, foot 0";
     QTest::newRow("a letter") << bodyTitle("p12") << "p12";
+    QTest::newRow("a link of a tentacle") << bodyTitle("tentacle2_5") << "tentacle 2, 5";
     QTest::newRow("minus") << fixedNumber(-3.26, 1) << "−3.3";
     QTest::newRow("no minus nought") << fixedNumber(-0.01, 1) << "0.0";
     QTest::newRow("almost nothing") << shownMagnitude(0.0004) << "< 0.01";

@@ -32,13 +32,13 @@ bool sameList(const Branches &a, const Branches &b)
     return std::equal(a.all().begin(), a.all().end(), b.all().begin(), b.all().end(),
                       [](const Branch &one, const Branch &other) {
                           return one.id == other.id && one.name == other.name && one.isKept == other.isKept &&
-                                 isSameRun(*one.script, *other.script);
+                                 sameScript(*one.script, *other.script);
                       });
 }
 
 bool isSame(const Found &a, const Found &b)
 {
-    return isSameRun(a.script, b.script) && sim::sameBits(a.state, b.state);
+    return sameScript(a.script, b.script) && sim::sameBits(a.state, b.state);
 }
 
 }

@@ -54,7 +54,7 @@ void EffectHeads::paintEvent(QPaintEvent *)
     painter.setPen(m_theme.tokens().ink3);
     for (const Head &head : headsFor(m_list.viewport()->width())) {
         const QRectF box(head.left, 0.0, head.right - head.left, height());
-        painter.drawText(box, int(head.side | Qt::AlignVCenter), head.title);
+        painter.drawText(box, int(head.side | Qt::AlignVCenter | Qt::TextDontClip), head.title);
     }
 }
 

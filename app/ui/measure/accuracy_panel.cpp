@@ -11,11 +11,13 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QStackedWidget>
 #include <QTextDocumentFragment>
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <set>
 
 namespace app {
@@ -23,6 +25,8 @@ namespace app {
 namespace {
 
 constexpr int margin = 16;
+constexpr int leastPlot = 150;   ///< px; below that a plot tells nothing
+constexpr int leastRemarks = 36; ///< px: two lines; what does not fit is scrolled to
 
 QLabel *textLabel(const char *name, Qt::TextFormat format, QWidget *parent)
 {
@@ -49,7 +53,16 @@ AccuracyPanel::AccuracyPanel(AccuracyStudy &study, const Theme &theme, QWidget *
     m_views->addWidget(new OrderPlot(study, theme, m_views));
     m_title->addAction(tabs());
     m_unstable = textLabel("failure", Qt::PlainText, this);
+    m_views->setMinimumHeight(leastPlot);
     m_remarks = textLabel("caption", Qt::PlainText, this);
+    m_remarks->setAlignment(Qt::AlignTop);
+    m_remarksArea = new QScrollArea(this);
+    m_remarksArea->setWidget(m_remarks);
+    m_remarks->setAutoFillBackground(false);
+    m_remarksArea->viewport()->setAutoFillBackground(false);
+    m_remarksArea->setWidgetResizable(true);
+    m_remarksArea->setFrameShape(QFrame::NoFrame);
+    m_remarksArea->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 12);
     column->setSpacing(8);
@@ -58,7 +71,7 @@ AccuracyPanel::AccuracyPanel(AccuracyStudy &study, const Theme &theme, QWidget *
     column->addWidget(m_views, 1);
     column->addWidget(stateRow());
     column->addWidget(card());
-    column->addWidget(m_remarks);
+    column->addWidget(m_remarksArea);
     connect(&study, &AccuracyStudy::changed, this, &AccuracyPanel::refresh);
     connect(m_workPrecision, &WorkPrecisionPlot::targetChanged, this, &AccuracyPanel::refreshCard);
     connect(&theme, &Theme::changed, this, &AccuracyPanel::dress);
@@ -170,6 +183,19 @@ QString AccuracyPanel::remarks() const
     return m_remarks->text();
 }
 
+void AccuracyPanel::fitRemarks()
+{
+    const int whole = std::max(0, m_remarks->heightForWidth(m_remarksArea->viewport()->width()));
+    m_remarksArea->setMinimumHeight(std::min(whole, leastRemarks));
+    m_remarksArea->setMaximumHeight(whole);
+}
+
+void AccuracyPanel::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    fitRemarks();
+}
+
 void AccuracyPanel::refresh()
 {
     const sim::Accuracy *accuracy = m_study.accuracy();
@@ -190,7 +216,8 @@ void AccuracyPanel::refresh()
     m_unstable->setVisible(!unstable.isEmpty());
     const QString remarks = accuracy ? remarksOn(*accuracy).join(QStringLiteral("\n")) : QString();
     m_remarks->setText(remarks);
-    m_remarks->setVisible(!remarks.isEmpty());
+    m_remarksArea->setVisible(!remarks.isEmpty());
+    fitRemarks();
     refreshState();
     refreshCard();
 }

@@ -8,6 +8,7 @@
 class QLabel;
 class QProgressBar;
 class QPushButton;
+class QScrollArea;
 class QStackedWidget;
 class QToolButton;
 
@@ -35,17 +36,19 @@ public:
     QString remarks() const;
 
     QSize sizeHint() const override { return {560, 520}; }
-    QSize minimumSizeHint() const override { return {420, 320}; }
+    QSize minimumSizeHint() const override { return {420, 360}; }
 
 protected:
     void showEvent(QShowEvent *event) override;
     void hideEvent(QHideEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
 
 private:
     QWidget *tabs();
     QWidget *stateRow();
     QWidget *card();
     void refresh();
+    void fitRemarks();
     void refreshState();
     void refreshCard();
     void dress();
@@ -66,6 +69,7 @@ private:
     QLabel *m_verdict;
     QPushButton *m_use;
     QLabel *m_remarks;
+    QScrollArea *m_remarksArea; ///< gives way where there is little room
 };
 
 }

@@ -2,6 +2,8 @@
 
 #include "app/model/numbers.h"
 
+#include <QLocale>
+
 #include <algorithm>
 #include <cmath>
 
@@ -48,7 +50,7 @@ QString PowerTicker::getTickLabel(double tick, const QLocale &, QChar, int)
 {
     const int exponent = static_cast<int>(std::lround(std::log10(tick)));
     if (m_writing == Writing::plain && std::abs(exponent) <= 3)
-        return QString::number(tick, 'g', 6);
+        return QLocale().toString(tick, 'g', 6);
     return powerOfTen(exponent);
 }
 

@@ -130,7 +130,8 @@ void Narration::open()
     m_back->setEnabled(before);
     m_back->setToolTip(before ? tr("Back: %1 (Page Up)").arg(before->title) : tr("This is the first step."));
     m_next->setEnabled(after);
-    m_next->setFullText(after ? tr("Next: %1").arg(after->title) : tr("The last step"));
+    const QString last = tr("The last step");
+    m_next->setFullText(after ? tr("Next: %1").arg(after->title) : last, after ? after->title : last);
     m_next->setToolTip(after ? tr("Next: %1 (Page Down)").arg(after->title)
                              : tr("No step comes after this one."));
     m_area->verticalScrollBar()->setValue(0);

@@ -1,5 +1,6 @@
 #include "app/ui/panels/parameter_panel.h"
 
+#include "app/model/sentences.h"
 #include "app/ui/panels/panel_title.h"
 #include "app/ui/panels/parameter_row.h"
 
@@ -134,7 +135,7 @@ void ParameterPanel::addRows()
         if (m_rows.size() == alwaysShown)
             m_column->addWidget(m_more);
         if (m_rows.size() >= alwaysShown)
-            rest.push_back(rest.isEmpty() ? parameter.name : parameter.name.toLower());
+            rest.push_back(rest.isEmpty() ? parameter.name : withinSentence(parameter.name));
         m_rows.push_back(new ParameterRow(m_session, parameter, m_theme, m_area->widget()));
         m_column->addWidget(m_rows.back());
     }

@@ -18,9 +18,10 @@ StepButton::StepButton(QWidget *parent) : QPushButton(parent)
     setPrimary(false);
 }
 
-void StepButton::setFullText(const QString &text)
+void StepButton::setFullText(const QString &text, const QString &brief)
 {
     m_text = text;
+    m_brief = brief;
     setAccessibleName(text);
     fit();
 }
@@ -41,7 +42,9 @@ QSize StepButton::minimumSizeHint() const
 
 void StepButton::fit()
 {
-    QString shown = fontMetrics().elidedText(m_text, Qt::ElideRight, width() - around);
+    const int room = width() - around;
+    const QString &fitting = fontMetrics().horizontalAdvance(m_text) <= room ? m_text : m_brief;
+    QString shown = fontMetrics().elidedText(fitting, Qt::ElideRight, room);
     shown.replace('&', "&&");
     // A space that stays between text and icon, although the button is laid out from the right.
     setText(shown + QChar(0x00A0) + QChar(0x200E));

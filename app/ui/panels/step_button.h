@@ -12,7 +12,8 @@ class StepButton : public QPushButton
 public:
     explicit StepButton(QWidget *parent = nullptr);
 
-    void setFullText(const QString &text);
+    /// @param brief shown where there is no room for `text`
+    void setFullText(const QString &text, const QString &brief);
     /// Filled, as the thing to do next.
     void setPrimary(bool primary);
     bool isPrimary() const { return property("primary").toBool(); }
@@ -25,6 +26,7 @@ private:
     void fit();
 
     QString m_text;
+    QString m_brief;
 };
 
 }

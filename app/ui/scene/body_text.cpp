@@ -4,6 +4,7 @@
 #include "app/model/sentences.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 
 #include <cmath>
 
@@ -33,9 +34,9 @@ QString bodySentence(const QString &name, sim::Vec2 at, sim::Vec2 speed)
 QString shownMagnitude(double value)
 {
     if (value != 0.0 && std::abs(value) < 0.005)
-        return QStringLiteral("< 0.01");
+        return "< " + fixedNumber(0.01, 2);
     if (std::abs(value) >= 1000.0)
-        return QString::number(value, 'g', 4).replace('-', QChar(0x2212));
+        return QLocale().toString(value, 'g', 4).replace('-', QChar(0x2212));
     return fixedNumber(value, 2);
 }
 

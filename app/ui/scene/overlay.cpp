@@ -8,6 +8,7 @@
 #include "app/ui/scene/reference_marks.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 
 #include <array>
 #include <cmath>
@@ -42,7 +43,7 @@ double scaleLength(double zoom)
 
 QString plain(double value)
 {
-    return QString::number(value, 'g', 6);
+    return QLocale().toString(value, 'g', 6);
 }
 
 }

@@ -5,6 +5,8 @@
 #include "app/ui/stability/stability_gauge.h"
 #include "app/ui/theme/plot_axes.h"
 
+#include <QLocale>
+
 #include <algorithm>
 #include <cmath>
 
@@ -102,7 +104,7 @@ void GrowthPlot::label(const sim::GrowthMap &map)
         auto ticker = QSharedPointer<QCPAxisTickerText>::create();
         const int first = static_cast<int>(std::ceil(std::log10(axis.values.front()) - 1e-9));
         for (int i = first; i <= std::log10(axis.values.back()) + 1e-9; ++i)
-            ticker->addTick(i, std::abs(i) <= 3 ? QString::number(std::pow(10.0, i)) : powerOfTen(i));
+            ticker->addTick(i, std::abs(i) <= 3 ? QLocale().toString(std::pow(10.0, i)) : powerOfTen(i));
         return ticker;
     };
     xAxis->setTicker(powers(map.x));

@@ -18,7 +18,9 @@ namespace {
 QString valueWords(const sim::MapAxis &axis, double value)
 {
     if (axis.parameter.empty())
-        return GrowthPlot::tr("a step of %1\u2009frames").arg(roughNumber(value));
+        return GrowthPlot::tr("a step of %1\u2009"
+                              "frames")
+            .arg(roughNumber(value));
     return QStringLiteral("%1 %2").arg(QString::fromStdString(axis.parameter), roughNumber(value));
 }
 

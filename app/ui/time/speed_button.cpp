@@ -23,7 +23,7 @@ constexpr int arrow = 12;
 
 QString number(double value)
 {
-    return QLocale::c().toString(value, 'g', 3);
+    return QLocale().toString(value, 'g', 3);
 }
 
 }

@@ -160,11 +160,11 @@ void MainWindow::makeViewActions()
     };
     toggle(tr("&Lessons"), "Ctrl+1", {m_left})->setObjectName("showLessons");
     toggle(tr("&Code and parameters"), "Ctrl+2", {m_codeDock, m_parameterDock})->setObjectName("showCode");
-    QAction *energy = toggle(tr("&Energy"), "Ctrl+3", {m_energyDock});
+    QAction *energy = toggle(tr("E&nergy"), "Ctrl+3", {m_energyDock});
     energy->setChecked(false);
     energy->setToolTip(tr("Where energy and momentum went, below the picture (Ctrl+3)"));
     energy->setObjectName("showEnergy");
-    QAction *effects = add(tr("E&ffects"), {QKeySequence("Ctrl+4")}, window,
+    QAction *effects = add(tr("Effec&ts"), {QKeySequence("Ctrl+4")}, window,
                            [this](bool shown) { showEffects(shown || m_effects->isCovered()); });
     effects->setCheckable(true);
     effects->setToolTip(tr("What each effect of the scene costs, with a switch for each (Ctrl+4)"));
@@ -176,6 +176,7 @@ void MainWindow::makeViewActions()
     m_stabilityAction = add(tr("&Stability of the step"), {QKeySequence("Ctrl+L")}, window,
                             [this](bool shown) { showStability(shown); });
     m_stabilityAction->setCheckable(true);
+    makeLanguageMenu();
     makeAppearanceActions();
 }
 

@@ -1,5 +1,6 @@
 #include "app/ui/window/gui.h"
 
+#include "app/model/language.h"
 #include "app/model/session.h"
 #include "app/ui/effects/effects_panel.h"
 #include "app/ui/window/appearance.h"
@@ -36,7 +37,8 @@ QString noLessons()
 
 int runWindow(QApplication &application, const QString &file)
 {
-    const LessonLibrary library = LessonLibrary::load(LessonLibrary::folders());
+    Language language(Language::chosen(QSettings().value("window/language").toString()));
+    const LessonLibrary library = LessonLibrary::load(LessonLibrary::folders(), &language);
     if (library.lessons.empty())
         return refuse(noLessons());
     Theme theme(keptScheme());
@@ -58,7 +60,8 @@ int takeScreenshot(QApplication &application, const ScreenshotRequest &request)
     QSettings::setDefaultFormat(QSettings::IniFormat);
     QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings.path());
 
-    const LessonLibrary library = LessonLibrary::load(LessonLibrary::folders());
+    Language language(Language::chosen({}));
+    const LessonLibrary library = LessonLibrary::load(LessonLibrary::folders(), &language);
     if (library.lessons.empty())
         return refuse(noLessons());
     try {

@@ -102,6 +102,8 @@ private:
     void makeFocusActions();
     void rememberChoices();
     void setFocusMode(bool on);
+    void makeLanguageMenu();
+    void chooseLanguage(const QString &code);
     QWidget *modeSwitch();
     void arrangeForMeasuring();
     QWidget *header();

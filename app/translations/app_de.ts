@@ -1,0 +1,4411 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+<context>
+    <name>Accuracy</name>
+    <message>
+        <source>%1: the picture cannot be written: %2. Choose another folder or name.</source>
+        <translation>%1: Die Bilddatei lässt sich nicht schreiben: %2. Wähle einen anderen Ordner oder Namen.</translation>
+    </message>
+    <message>
+        <source>Stopped before everything was measured.</source>
+        <translation>Angehalten, bevor alles gemessen war.</translation>
+    </message>
+    <message>
+        <source>%1 frames; reference %2, known to %3 px</source>
+        <translation>%1 Bilder; Referenz %2, bekannt auf %3 px</translation>
+    </message>
+    <message>
+        <source>time, ns a frame</source>
+        <translation>Zeit, ns pro Bild</translation>
+    </message>
+    <message>
+        <source>error, px</source>
+        <translation>Fehler, px</translation>
+    </message>
+    <message>
+        <source>in use</source>
+        <translation>verwendet</translation>
+    </message>
+    <message>
+        <source>step</source>
+        <translation>Zeitschritt</translation>
+    </message>
+    <message>
+        <source>forces/frame</source>
+        <translation>Kräfte/Bild</translation>
+    </message>
+    <message>
+        <source>ns/frame</source>
+        <translation>ns/Bild</translation>
+    </message>
+    <message>
+        <source>+-</source>
+        <translation>+-</translation>
+    </message>
+    <message>
+        <source>unstable</source>
+        <translation>instabil</translation>
+    </message>
+    <message>
+        <source>takes too long</source>
+        <translation>dauert zu lange</translation>
+    </message>
+    <message>
+        <source>There is no continuous motion behind this scene: what %1 does depends on the step. So each method is compared with itself at a finer step (%2), which is up to %3 px from the next coarser one.</source>
+        <translation>Hinter dieser Szene steht keine stetige Bewegung: Was %1 bewirkt, hängt vom Zeitschritt ab. Darum wird jedes Verfahren mit sich selbst bei feinerem Zeitschritt verglichen (%2); der liegt bis zu %3 px neben dem nächstgröberen.</translation>
+    </message>
+    <message>
+        <source>Errors are distances from %1 (%2). Its check, %3 (%4), is up to %5 px from it.</source>
+        <translation>Fehler sind Abstände von %1 (%2). Die Gegenprobe %3 (%4) weicht davon bis zu %5 px ab.</translation>
+    </message>
+    <message>
+        <source>Errors are given up to frame %1 of %2</source>
+        <translation>Fehler gibt es bis Bild %1 von %2</translation>
+    </message>
+    <message>
+        <source>: after it they are too far apart to be believed.</source>
+        <translation>: Danach liegen sie zu weit auseinander, um glaubhaft zu sein.</translation>
+    </message>
+    <message>
+        <source>: after it the reference stops being finite.</source>
+        <translation>: Danach bleibt die Referenz nicht mehr endlich.</translation>
+    </message>
+    <message>
+        <source>: computing a reference further takes too long.</source>
+        <translation>: Eine Referenz darüber hinaus zu berechnen, dauert zu lange.</translation>
+    </message>
+    <message>
+        <source>Nothing that was measured is within %1 px.</source>
+        <translation>Nichts Gemessenes bleibt innerhalb von %1 px.</translation>
+    </message>
+    <message>
+        <source>To be within %1 px this scene costs %2 µs a frame: %3, which is %4 px off.</source>
+        <translation>Innerhalb von %1 px zu bleiben, kostet in dieser Szene %2 µs pro Bild: %3 mit einer Abweichung von %4 px.</translation>
+    </message>
+    <message>
+        <source>The method in use, %1, has no error to show: see the table.</source>
+        <translation>Das verwendete Verfahren %1 hat keinen Fehler vorzuweisen: siehe Tabelle.</translation>
+    </message>
+    <message>
+        <source>The method in use, %1, costs %2 µs a frame and is %3 px off.</source>
+        <translation>Das verwendete Verfahren %1 kostet %2 µs pro Bild und weicht um %3 px ab.</translation>
+    </message>
+    <message>
+        <source>tolerance %1</source>
+        <translation>Toleranz %1</translation>
+    </message>
+    <message>
+        <source>h %1</source>
+        <translation>h %1</translation>
+    </message>
+    <message>
+        <source>method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>* on the front: nothing measured is at least as exact and cheaper.</source>
+        <translation>* auf der Bestlinie: Nichts Gemessenes ist mindestens so genau und billiger.</translation>
+    </message>
+    <message>
+        <source>This machine is busy with other things: times vary by %1 %.</source>
+        <translation>Dieser Rechner hat anderes zu tun: Die Zeiten schwanken um %1 %.</translation>
+    </message>
+    <message>
+        <source>Nothing moves here unless you do something: save a run in which you do, and measure that file.</source>
+        <translation>Hier bewegt sich nichts, solange du nichts tust: Speichere einen Lauf, in dem du etwas tust, und miss diese Datei.</translation>
+    </message>
+</context>
+<context>
+    <name>AccuracyWords</name>
+    <message>
+        <source>Yours costs %1 and is %2 off.</source>
+        <translation>Deines kostet %1 und weicht um %2 ab.</translation>
+    </message>
+    <message>
+        <source>Yours is %1 off.</source>
+        <translation>Deines weicht um %1 ab.</translation>
+    </message>
+    <message>
+        <source>Yours is unstable here: its numbers grow without bound.</source>
+        <translation>Deines ist hier instabil: Seine Zahlen wachsen ohne Grenze.</translation>
+    </message>
+    <message>
+        <source>Yours cannot compute this scene.</source>
+        <translation>Deines kann diese Szene nicht berechnen.</translation>
+    </message>
+    <message>
+        <source>Yours would take too long to measure.</source>
+        <translation>Deines zu messen, würde zu lange dauern.</translation>
+    </message>
+    <message>
+        <source>Errors first, then times: what it costs to be within %1 will stand here.</source>
+        <translation>Erst die Fehler, dann die Zeiten: Was es kostet, innerhalb von %1 zu bleiben, wird hier stehen.</translation>
+    </message>
+    <message>
+        <source>Nothing here comes within %1.</source>
+        <translation>Nichts kommt hier auf %1 heran.</translation>
+    </message>
+    <message>
+        <source>Nothing here comes within %1. The closest is %2: %3 off.</source>
+        <translation>Nichts kommt hier auf %1 heran. Am nächsten kommt %2: %3 Abweichung.</translation>
+    </message>
+    <message>
+        <source>Errors count up to frame %1 of %2.</source>
+        <translation>Fehler zählen bis Bild %1 von %2.</translation>
+    </message>
+    <message>
+        <source>After it, even the two finest steps part: here the smallest difference grows.</source>
+        <translation>Danach trennen sich sogar die zwei feinsten Zeitschritte: Hier wächst der kleinste Unterschied.</translation>
+    </message>
+    <message>
+        <source>After it, two very exact solutions part: here the smallest difference grows until nobody can say where the bodies really are.</source>
+        <translation>Danach trennen sich zwei sehr genaue Lösungen: Hier wächst der kleinste Unterschied, bis niemand mehr sagen kann, wo die Körper wirklich sind.</translation>
+    </message>
+    <message>
+        <source>After it, the exact motion itself grows without bound.</source>
+        <translation>Danach wächst die exakte Bewegung selbst ohne Grenze.</translation>
+    </message>
+    <message>
+        <source>To know the exact motion any longer would take too long.</source>
+        <translation>Die exakte Bewegung noch länger zu kennen, würde zu lange dauern.</translation>
+    </message>
+    <message>
+        <source>one of its effects</source>
+        <translation>einer ihrer Effekte</translation>
+    </message>
+    <message>
+        <source>This scene has no exact motion to compare with: %1 acts once a step, however short the step is. So each method is compared with its own finest steps.</source>
+        <translation>Diese Szene hat keine exakte Bewegung zum Vergleich: „%1“ wirkt einmal pro Zeitschritt, wie kurz er auch ist. Darum wird jedes Verfahren mit seinen eigenen feinsten Zeitschritten verglichen.</translation>
+    </message>
+    <message>
+        <source>Not able to compute this scene: %1.</source>
+        <translation>Kann diese Szene nicht berechnen: %1.</translation>
+    </message>
+    <message>
+        <source>%1&#x2009;px</source>
+        <translation>%1&#x2009;px</translation>
+    </message>
+    <message>
+        <source>%1&#x2009;ms</source>
+        <translation>%1&#x2009;ms</translation>
+    </message>
+    <message>
+        <source>%1&#x2009;µs</source>
+        <translation>%1&#x2009;µs</translation>
+    </message>
+    <message>
+        <source>%1, tolerance %2</source>
+        <translation>%1, Toleranz %2</translation>
+    </message>
+    <message>
+        <source>%1, step %2</source>
+        <translation>%1, Zeitschritt %2</translation>
+    </message>
+    <message>
+        <source>Not off at all, to the last digit</source>
+        <translation>Bis zur letzten Stelle ohne Abweichung</translation>
+    </message>
+    <message>
+        <source>At most %1 off</source>
+        <translation>Weicht höchstens um %1 ab</translation>
+    </message>
+    <message>
+        <source>Unstable: its numbers grow without bound</source>
+        <translation>Instabil: Seine Zahlen wachsen ohne Grenze</translation>
+    </message>
+    <message>
+        <source>Cannot compute this scene</source>
+        <translation>Kann diese Szene nicht berechnen</translation>
+    </message>
+    <message>
+        <source>Left out: it would take too long</source>
+        <translation>Ausgelassen: Es würde zu lange dauern</translation>
+    </message>
+    <message>
+        <source>Not tried yet</source>
+        <translation>Noch nicht versucht</translation>
+    </message>
+    <message>
+        <source>%1 ± %2 a frame</source>
+        <translation>%1 ± %2 pro Bild</translation>
+    </message>
+    <message>
+        <source>Computes all forces %1 times a frame</source>
+        <translation>Berechnet alle Kräfte %1-mal pro Bild</translation>
+    </message>
+    <message>
+        <source>On the front: nothing is as exact for less</source>
+        <translation>Auf der Bestlinie: Nichts ist für weniger so genau</translation>
+    </message>
+    <message>
+        <source>Nothing moves here unless you do something, so nothing can be off: drag a body or change a number, then measure again.</source>
+        <translation>Hier bewegt sich nichts, solange du nichts tust, also kann auch nichts abweichen: Zieh an einem Körper oder ändere eine Zahl und miss dann noch einmal.</translation>
+    </message>
+    <message>
+        <source>A first look, at frames 0 to %1: further, the exact motion is still being computed.</source>
+        <translation>Ein erster Blick auf die Bilder 0 bis %1: Weiter hinten wird die exakte Bewegung noch berechnet.</translation>
+    </message>
+    <message>
+        <source>To be within %1, nothing is cheaper than what you use: %2, at %3 a frame and %4 off.</source>
+        <translation>Innerhalb von %1 ist nichts billiger als das, was du verwendest: %2 für %3 pro Bild bei %4 Abweichung.</translation>
+    </message>
+    <message>
+        <source>To be within %1, this scene costs %2 a frame: %3.</source>
+        <translation>Innerhalb von %1 zu bleiben, kostet in dieser Szene %2 pro Bild: %3.</translation>
+    </message>
+    <message>
+        <source>The machine is busy with other things: the times differ by %1&#x2009;% from run to run. Errors are not touched by that.</source>
+        <translation>Der Rechner hat anderes zu tun: Die Zeiten unterscheiden sich von Lauf zu Lauf um %1&#x2009;%. Die Fehler berührt das nicht.</translation>
+    </message>
+    <message>
+        <source>Unstable: %1</source>
+        <translation>Instabil: %1</translation>
+    </message>
+    <message>
+        <source>unstable at big steps: %1</source>
+        <translation>instabil bei großen Zeitschritten: %1</translation>
+    </message>
+</context>
+<context>
+    <name>BodyText</name>
+    <message>
+        <source>%1 at (%2, %3)</source>
+        <translation>%1 bei (%2, %3)</translation>
+    </message>
+    <message>
+        <source>%1, at rest</source>
+        <translation>%1, in Ruhe</translation>
+    </message>
+    <message>
+        <source>%1, moving %2 px a frame</source>
+        <translation>%1, bewegt sich um %2 px pro Bild</translation>
+    </message>
+</context>
+<context>
+    <name>CodeListing</name>
+    <message>
+        <source>Scene</source>
+        <translation>Szene</translation>
+    </message>
+    <message>
+        <source>%1: the order</source>
+        <translation>%1: die Reihenfolge</translation>
+    </message>
+</context>
+<context>
+    <name>CodeMarks</name>
+    <message>
+        <source>done</source>
+        <translation>erledigt</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>jetzt</translation>
+    </message>
+    <message>
+        <source>next</source>
+        <translation>als Nächstes</translation>
+    </message>
+    <message>
+        <source>1 pull</source>
+        <translation>1 Zug</translation>
+    </message>
+    <message>
+        <source>%1 pulls</source>
+        <translation>%1 Züge</translation>
+    </message>
+    <message>
+        <source>1 point</source>
+        <translation>1 Punkt</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 Punkte</translation>
+    </message>
+</context>
+<context>
+    <name>CodeValues</name>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>too large</source>
+        <translation>zu groß</translation>
+    </message>
+    <message>
+        <source>%1: from %2 to %3%4</source>
+        <translation>%1: von %2 auf %3%4</translation>
+    </message>
+    <message>
+        <source>%1: %2%3, unchanged</source>
+        <translation>%1: %2%3, unverändert</translation>
+    </message>
+    <message>
+        <source>%1: %2%3</source>
+        <translation>%1: %2%3</translation>
+    </message>
+    <message>
+        <source>The sum of %1 pulls</source>
+        <translation>Die Summe von %1 Zügen</translation>
+    </message>
+</context>
+<context>
+    <name>CommandLine</name>
+    <message>
+        <source>The same as JSON.</source>
+        <translation>Dasselbe als JSON.</translation>
+    </message>
+    <message>
+        <source>Lists lessons, steps, parameters and methods.</source>
+        <translation>Listet Lektionen, Schritte, Parameter und Verfahren auf.</translation>
+    </message>
+    <message>
+        <source>Computes an experiment and writes every frame as CSV: frame,body,x,y,vx,vy.</source>
+        <translation>Berechnet ein Experiment und schreibt jedes Bild als CSV: frame,body,x,y,vx,vy.</translation>
+    </message>
+    <message>
+        <source>The experiment.</source>
+        <translation>Das Experiment.</translation>
+    </message>
+    <message>
+        <source>--%1 is %2; it can be %3 to %4.</source>
+        <translation>--%1 ist %2; möglich ist %3 bis %4.</translation>
+    </message>
+    <message>
+        <source>Measures what error each method makes on a scene, and what it costs.</source>
+        <translation>Misst, welchen Fehler jedes Verfahren in einer Szene macht und was es kostet.</translation>
+    </message>
+    <message>
+        <source>The experiment, or the step.</source>
+        <translation>Das Experiment oder der Schritt.</translation>
+    </message>
+    <message>
+        <source>Draws error against time.</source>
+        <translation>Zeichnet den Fehler über der Zeit.</translation>
+    </message>
+    <message>
+        <source>Names the cheapest way within E px.</source>
+        <translation>Nennt den billigsten Weg innerhalb von E px.</translation>
+    </message>
+    <message>
+        <source>Frames to compute (default 200, or the file&apos;s).</source>
+        <translation>Zu berechnende Bilder (Vorgabe 200 oder die der Datei).</translation>
+    </message>
+    <message>
+        <source>Runs every hard case under every method, and tells what holds; exit code 1 if a method fails a case that it claims.</source>
+        <translation>Rechnet jeden harten Fall mit jedem Verfahren und meldet, was hält; Exit-Code 1, wenn ein Verfahren an einem Fall scheitert, den es zusagt.</translation>
+    </message>
+    <message>
+        <source>Runs this case only.</source>
+        <translation>Rechnet nur diesen Fall.</translation>
+    </message>
+    <message>
+        <source>Runs of full size: some take hours.</source>
+        <translation>Läufe in voller Größe: Manche dauern Stunden.</translation>
+    </message>
+    <message>
+        <source>Measures what each effect of a scene costs in a frame, and what else the frame takes.</source>
+        <translation>Misst, was jeder Effekt einer Szene pro Bild kostet und was das Bild sonst noch braucht.</translation>
+    </message>
+    <message>
+        <source>Measures the frames after frame N (default 0).</source>
+        <translation>Misst die Bilder nach Bild N (Vorgabe 0).</translation>
+    </message>
+    <message>
+        <source>Physically based animation, step by step.
+
+Without a verb the window opens, with an experiment if FILE names one.
+
+Verbs; each has its own --help, and none needs a display:
+  lessons [--json]                            lists lessons, steps, parameters, methods
+  trace FILE                                  writes the run of an experiment as CSV
+  accuracy FILE|LESSON/STEP [--json] [--svg OUT] [--tolerance E]
+                                              measures errors and costs of the methods
+  hardcases [--case ID] [--json]              tells which methods hold where runs break
+  cost FILE|LESSON/STEP [--json] [--frame N]  measures what each effect costs in a frame
+  screenshot LESSON/STEP --frame N OUT.png    draws the window</source>
+        <translation>Physikalisch basierte Animation, Schritt für Schritt.
+
+Ohne Verb öffnet sich das Fenster, mit einem Experiment, wenn FILE eines nennt.
+
+Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
+  lessons [--json]                            listet Lektionen, Schritte, Parameter und Verfahren auf
+  trace FILE                                  schreibt den Lauf eines Experiments als CSV
+  accuracy FILE|LESSON/STEP [--json] [--svg OUT] [--tolerance E]
+                                              misst Fehler und Kosten der Verfahren
+  hardcases [--case ID] [--json]              sagt, welche Verfahren halten, wo Läufe brechen
+  cost FILE|LESSON/STEP [--json] [--frame N]  misst, was jeder Effekt pro Bild kostet
+  screenshot LESSON/STEP --frame N OUT.png    zeichnet das Fenster</translation>
+    </message>
+    <message>
+        <source>An experiment to open.</source>
+        <translation>Ein Experiment, das geöffnet wird.</translation>
+    </message>
+    <message>
+        <source>Prints the version.</source>
+        <translation>Gibt die Version aus.</translation>
+    </message>
+    <message>
+        <source>there is no verb and no file %1; the verbs are %2.</source>
+        <translation>es gibt kein Verb und keine Datei %1; die Verben sind %2.</translation>
+    </message>
+    <message>
+        <source>there is no verb %1; the verbs are %2.</source>
+        <translation>es gibt kein Verb %1; die Verben sind %2.</translation>
+    </message>
+    <message>
+        <source>Prints this help.</source>
+        <translation>Gibt diese Hilfe aus.</translation>
+    </message>
+    <message>
+        <source>%1; %2 --help tells what there is.</source>
+        <translation>%1; %2 --help sagt, was es gibt.</translation>
+    </message>
+    <message>
+        <source>no name</source>
+        <translation>kein Name</translation>
+    </message>
+    <message>
+        <source>%1 takes %2; %3 --help tells more.</source>
+        <translation>%1 braucht %2; %3 --help sagt mehr.</translation>
+    </message>
+    <message>
+        <source>%1 is neither a file nor a step; name a step as LESSON/STEP, as &quot;springstep lessons&quot; lists them.</source>
+        <translation>%1 ist weder eine Datei noch ein Schritt; nenne einen Schritt als LESSON/STEP, wie &quot;springstep lessons&quot; sie auflistet.</translation>
+    </message>
+    <message>
+        <source>there is no display for the window; set DISPLAY, or use a verb that needs none: %1.</source>
+        <translation>es gibt keinen Bildschirm für das Fenster; setze DISPLAY oder verwende ein Verb, das keinen braucht: %1.</translation>
+    </message>
+    <message>
+        <source>--size is %1; it can be WIDTHxHEIGHT in pixels, each from 100 to 9999, such as 1280x800.</source>
+        <translation>--size ist %1; möglich ist BREITExHÖHE in Pixeln, beides von 100 bis 9999, zum Beispiel 1280x800.</translation>
+    </message>
+    <message>
+        <source>--theme is %1; it can be &quot;light&quot; or &quot;dark&quot;.</source>
+        <translation>--theme ist %1; möglich ist &quot;light&quot; oder &quot;dark&quot;.</translation>
+    </message>
+    <message>
+        <source>--mode is %1; it can be &quot;learn&quot; or &quot;measure&quot;.</source>
+        <translation>--mode ist %1; möglich ist &quot;learn&quot; oder &quot;measure&quot;.</translation>
+    </message>
+    <message>
+        <source>--stability is %1; it can be &quot;gauge&quot;, &quot;reasons&quot;, or a map: &quot;step&quot; or &quot;damping&quot;.</source>
+        <translation>--stability ist %1; möglich ist &quot;gauge&quot;, &quot;reasons&quot; oder eine Karte: &quot;step&quot; oder &quot;damping&quot;.</translation>
+    </message>
+    <message>
+        <source>%1 is not a step; name it as LESSON/STEP, as &quot;springstep lessons&quot; lists them.</source>
+        <translation>%1 ist kein Schritt; nenne ihn als LESSON/STEP, wie &quot;springstep lessons&quot; sie auflistet.</translation>
+    </message>
+    <message>
+        <source>Draws the window as a learner sees it.</source>
+        <translation>Zeichnet das Fenster so, wie Lernende es sehen.</translation>
+    </message>
+    <message>
+        <source>The step to open.</source>
+        <translation>Der Schritt, der geöffnet wird.</translation>
+    </message>
+    <message>
+        <source>The picture to write.</source>
+        <translation>Die Bilddatei, die geschrieben wird.</translation>
+    </message>
+    <message>
+        <source>Go to frame N (default 0).</source>
+        <translation>Geht zu Bild N (Vorgabe 0).</translation>
+    </message>
+    <message>
+        <source>Stop after P phases inside the next frame (default 0).</source>
+        <translation>Hält nach P Phasen im nächsten Bild an (Vorgabe 0).</translation>
+    </message>
+    <message>
+        <source>Width and height in pixels (default 1280x800).</source>
+        <translation>Breite und Höhe in Pixeln (Vorgabe 1280x800).</translation>
+    </message>
+    <message>
+        <source>light or dark (default light).</source>
+        <translation>light oder dark (Vorgabe light).</translation>
+    </message>
+    <message>
+        <source>learn or measure (default learn).</source>
+        <translation>learn oder measure (Vorgabe learn).</translation>
+    </message>
+    <message>
+        <source>Show where energy went, below the picture.</source>
+        <translation>Zeigt unter der Szene, wohin die Energie ging.</translation>
+    </message>
+    <message>
+        <source>Show what each effect costs.</source>
+        <translation>Zeigt, was jeder Effekt kostet.</translation>
+    </message>
+    <message>
+        <source>gauge, reasons, or a map: step or damping (default gauge).</source>
+        <translation>gauge, reasons oder eine Karte: step oder damping (Vorgabe gauge).</translation>
+    </message>
+</context>
+<context>
+    <name>Cost</name>
+    <message>
+        <source>The run does not reach frame %1. %2 Ask for the frames after an earlier one.</source>
+        <translation>Der Lauf kommt nicht bis Bild %1. %2 Frag nach den Bildern ab einem früheren.</translation>
+    </message>
+    <message>
+        <source>changes nothing</source>
+        <translation>ändert nichts</translation>
+    </message>
+    <message>
+        <source>switched off</source>
+        <translation>ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>Stopped before everything was measured.</source>
+        <translation>Angehalten, bevor alles gemessen war.</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1, %2, %3</source>
+        <translation>%1, %2, %3</translation>
+    </message>
+    <message>
+        <source>effect</source>
+        <translation>Effekt</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>times/frame</source>
+        <translation>mal/Bild</translation>
+    </message>
+    <message>
+        <source>ns/frame</source>
+        <translation>ns/Bild</translation>
+    </message>
+    <message>
+        <source>+-</source>
+        <translation>+-</translation>
+    </message>
+    <message>
+        <source>ns/point</source>
+        <translation>ns/Punkt</translation>
+    </message>
+    <message>
+        <source>share</source>
+        <translation>Anteil</translation>
+    </message>
+    <message>
+        <source>the method itself</source>
+        <translation>das Verfahren selbst</translation>
+    </message>
+    <message>
+        <source>whole frame</source>
+        <translation>ganzes Bild</translation>
+    </message>
+    <message>
+        <source>Each line is measured by itself; effects and method come to %1 of the whole frame.</source>
+        <translation>Jede Zeile wird für sich gemessen; Effekte und Verfahren ergeben zusammen %1 des ganzen Bildes.</translation>
+    </message>
+</context>
+<context>
+    <name>EdgeMarkers</name>
+    <message>
+        <source>%1&#x2009;px</source>
+        <translation>%1&#x2009;px</translation>
+    </message>
+    <message>
+        <source>%1 bodies</source>
+        <translation>%1 Körper</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>EffectLines</name>
+    <message>
+        <source>Without “%1” a frame would cost %2 ns in place of %3.</source>
+        <translation>Ohne „%1“ würde ein Bild %2 ns statt %3 kosten.</translation>
+    </message>
+    <message>
+        <source>%1 ns a frame, half of the rounds within %2.</source>
+        <translation>%1 ns pro Bild, die Hälfte der Durchgänge innerhalb von %2.</translation>
+    </message>
+    <message>
+        <source>Points that it works on: %1.</source>
+        <translation>Punkte, an denen er arbeitet: %1.</translation>
+    </message>
+    <message>
+        <source>The method works it out together with the move.</source>
+        <translation>Das Verfahren rechnet ihn zusammen mit der Bewegung aus.</translation>
+    </message>
+    <message>
+        <source>A frame computes it %1.</source>
+        <translation>Ein Bild berechnet ihn %1.</translation>
+    </message>
+    <message>
+        <source>As it is set it can change nothing, so no frame computes it: 0 ns.</source>
+        <translation>So, wie er eingestellt ist, kann er nichts ändern, also berechnet ihn kein Bild: 0 ns.</translation>
+    </message>
+    <message>
+        <source>Switched off: it costs nothing.</source>
+        <translation>Ausgeschaltet: Er kostet nichts.</translation>
+    </message>
+    <message>
+        <source>Space or a click on the switch takes it out of the scene.</source>
+        <translation>Leertaste oder ein Klick auf den Schalter nimmt ihn aus der Szene.</translation>
+    </message>
+    <message>
+        <source>Space or a click on the switch puts it back.</source>
+        <translation>Leertaste oder ein Klick auf den Schalter bringt ihn zurück.</translation>
+    </message>
+    <message>
+        <source>switched off</source>
+        <translation>ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>changes nothing here</source>
+        <translation>ändert hier nichts</translation>
+    </message>
+    <message>
+        <source>Rest of the frame</source>
+        <translation>Rest des Bildes</translation>
+    </message>
+    <message>
+        <source>What no effect takes: moving the points, and the method&apos;s own sums. It cannot be switched off.</source>
+        <translation>Was kein Effekt braucht: die Punkte zu bewegen und die eigenen Rechnungen des Verfahrens. Das lässt sich nicht ausschalten.</translation>
+    </message>
+    <message>
+        <source>%1 (%2). %3</source>
+        <translation>%1 (%2). %3</translation>
+    </message>
+    <message>
+        <source>not in this scene</source>
+        <translation>nicht in dieser Szene</translation>
+    </message>
+    <message>
+        <source>Not in this scene, so it costs nothing and there is nothing to switch. Other lessons have:</source>
+        <translation>Nicht in dieser Szene, also kostet es nichts und es gibt nichts zu schalten. In anderen Lektionen gibt es:</translation>
+    </message>
+    <message>
+        <source>%1, %2 ns, %3</source>
+        <translation>%1, %2 ns, %3</translation>
+    </message>
+    <message>
+        <source>%1, not measured yet</source>
+        <translation>%1, noch nicht gemessen</translation>
+    </message>
+    <message>
+        <source>%1, %2 ns a frame</source>
+        <translation>%1, %2 ns pro Bild</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>an</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>%1, %2, %3</source>
+        <translation>%1, %2, %3</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1%2ns a frame, ±%3</source>
+        <translation>%1%2ns pro Bild, ±%3</translation>
+    </message>
+</context>
+<context>
+    <name>EnergyLines</name>
+    <message>
+        <source>Done by the hand</source>
+        <translation>Von der Hand geleistet</translation>
+    </message>
+    <message>
+        <source>What you put in by grabbing and dragging</source>
+        <translation>Was du durch Greifen und Ziehen hineinsteckst</translation>
+    </message>
+    <message>
+        <source>Changed with a number</source>
+        <translation>Mit einer Zahl geändert</translation>
+    </message>
+    <message>
+        <source>A stiffness or a length that changes also changes what springs hold</source>
+        <translation>Eine Steifigkeit oder Länge, die sich ändert, ändert auch, was Federn halten</translation>
+    </message>
+    <message>
+        <source>Done by what drives</source>
+        <translation>Von Antrieben geleistet</translation>
+    </message>
+    <message>
+        <source>What clocks and steering put in</source>
+        <translation>Was Uhren und Steuerung hineinstecken</translation>
+    </message>
+    <message>
+        <source>Done by wind</source>
+        <translation>Vom Wind geleistet</translation>
+    </message>
+    <message>
+        <source>What the wind puts in, or takes</source>
+        <translation>Was der Wind hineinsteckt oder nimmt</translation>
+    </message>
+    <message>
+        <source>Done by one-way pulls</source>
+        <translation>Von einseitigen Zügen geleistet</translation>
+    </message>
+    <message>
+        <source>A pull that pulls nothing back holds nothing: what it does, it makes or takes</source>
+        <translation>Ein Zug, den nichts zurückzieht, hält nichts: Was er leistet, macht oder nimmt er</translation>
+    </message>
+    <message>
+        <source>Given by gravity</source>
+        <translation>Von der Schwerkraft gegeben</translation>
+    </message>
+    <message>
+        <source>It pulls everything down, and nothing pulls back</source>
+        <translation>Sie zieht alles nach unten, und nichts zieht zurück</translation>
+    </message>
+    <message>
+        <source>Given by what stands fast</source>
+        <translation>Von Feststehendem gegeben</translation>
+    </message>
+    <message>
+        <source>Springs to a place that cannot move pull on it, and it pulls back</source>
+        <translation>Federn an einem Ort, der sich nicht bewegen kann, ziehen an ihm, und er zieht zurück</translation>
+    </message>
+    <message>
+        <source>Lost by damping</source>
+        <translation>Durch Dämpfung verloren</translation>
+    </message>
+    <message>
+        <source>What damping takes from everything that moves</source>
+        <translation>Was die Dämpfung allem nimmt, das sich bewegt</translation>
+    </message>
+    <message>
+        <source>At impacts</source>
+        <translation>Bei Stößen</translation>
+    </message>
+    <message>
+        <source>What walls and ground take, and what they lift bodies by</source>
+        <translation>Was Wände und Boden nehmen und worum sie Körper anheben</translation>
+    </message>
+    <message>
+        <source>Changed by sticks</source>
+        <translation>Durch Stäbe geändert</translation>
+    </message>
+    <message>
+        <source>What sticks and joints change when they put things right</source>
+        <translation>Was Stäbe und Gelenke ändern, wenn sie etwas richtigstellen</translation>
+    </message>
+    <message>
+        <source>Drift of the method</source>
+        <translation>Drift des Verfahrens</translation>
+    </message>
+    <message>
+        <source>Made or lost by the method&apos;s error: nothing in the scene explains it. A smaller step or another method makes it smaller.</source>
+        <translation>Durch den Fehler des Verfahrens entstanden oder verloren: Nichts in der Szene erklärt es. Ein kleinerer Zeitschritt oder ein anderes Verfahren macht ihn kleiner.</translation>
+    </message>
+    <message>
+        <source>In what moves</source>
+        <translation>In der Bewegung</translation>
+    </message>
+    <message>
+        <source>Half of mass × speed², added up over all points</source>
+        <translation>Die Hälfte von Masse × Tempo², über alle Punkte addiert</translation>
+    </message>
+    <message>
+        <source>Held by height</source>
+        <translation>Durch Höhe gespeichert</translation>
+    </message>
+    <message>
+        <source>Mass × gravity × height, counted from the lowest of this run</source>
+        <translation>Masse × Schwerkraft × Höhe, gezählt vom tiefsten Punkt dieses Laufs</translation>
+    </message>
+    <message>
+        <source>What springs hold</source>
+        <translation>In den Federn</translation>
+    </message>
+    <message>
+        <source>Half of stiffness × stretch², added up over all springs</source>
+        <translation>Die Hälfte von Steifigkeit × Dehnung², über alle Federn addiert</translation>
+    </message>
+    <message>
+        <source>Mass × velocity, added up over all points: to the right, and down</source>
+        <translation>Masse × Geschwindigkeit, über alle Punkte addiert: nach rechts und nach unten</translation>
+    </message>
+    <message>
+        <source>Something here has no velocity of its own: a rule puts it where it goes, and nothing keeps it moving. So there is no energy to count. Scenes in which everything has inertia have this ledger.</source>
+        <translation>Etwas hat hier keine eigene Geschwindigkeit: Eine Regel setzt es dorthin, wo es hingehört, und nichts hält es in Bewegung. Also gibt es keine Energie zu zählen. Szenen, in denen alles träge ist, haben diese Bilanz.</translation>
+    </message>
+    <message>
+        <source>Nothing here moves by itself: where it is, something else decides. So there is no energy to count. Scenes with a body that a spring pulls have this ledger.</source>
+        <translation>Hier bewegt sich nichts von selbst: Wo es ist, entscheidet etwas anderes. Also gibt es keine Energie zu zählen. Szenen mit einem Körper, an dem eine Feder zieht, haben diese Bilanz.</translation>
+    </message>
+    <message>
+        <source>There are more than %1 points here. To count the energy of all of them, phase by phase, would take longer than the run itself.</source>
+        <translation>Hier gibt es mehr als %1 Punkte. Die Energie von allen Phase für Phase zu zählen, würde länger dauern als der Lauf selbst.</translation>
+    </message>
+    <message>
+        <source>Nothing here tells how heavy what turns is. So there is no energy to count.</source>
+        <translation>Nichts sagt hier, wie schwer das ist, was sich dreht. Also gibt es keine Energie zu zählen.</translation>
+    </message>
+    <message>
+        <source>inertia × degrees²/frame²</source>
+        <translation>Trägheit × Grad²/Bild²</translation>
+    </message>
+    <message>
+        <source>mass × px²/frame²</source>
+        <translation>Masse × px²/Bild²</translation>
+    </message>
+    <message>
+        <source>mass × px/frame</source>
+        <translation>Masse × px/Bild</translation>
+    </message>
+</context>
+<context>
+    <name>Experiment</name>
+    <message>
+        <source>%1: the file is larger than %2 MiB, which is the most for an experiment.</source>
+        <translation>%1: Die Datei ist größer als %2 MiB, und mehr darf ein Experiment nicht haben.</translation>
+    </message>
+    <message>
+        <source>%1: this is a folder; give the file of an experiment.</source>
+        <translation>%1: Das ist ein Ordner; gib die Datei eines Experiments an.</translation>
+    </message>
+    <message>
+        <source>%1: there is no such file; check its name and folder.</source>
+        <translation>%1: Diese Datei gibt es nicht; prüfe Namen und Ordner.</translation>
+    </message>
+    <message>
+        <source>%1: the file cannot be read: %2.</source>
+        <translation>%1: Die Datei lässt sich nicht lesen: %2.</translation>
+    </message>
+    <message>
+        <source>there is no lesson %1, as no lesson is installed; SPRINGSTEP_LESSONS can name the folder that has them.</source>
+        <translation>es gibt keine Lektion %1, denn es ist keine Lektion installiert; SPRINGSTEP_LESSONS kann den Ordner nennen, in dem sie sind.</translation>
+    </message>
+    <message>
+        <source>there is no lesson %1; there is %2.</source>
+        <translation>es gibt keine Lektion %1; es gibt %2.</translation>
+    </message>
+    <message>
+        <source>the lesson %1 has no step %2; it has %3.</source>
+        <translation>die Lektion %1 hat keinen Schritt %2; sie hat %3.</translation>
+    </message>
+    <message>
+        <source>%1: the file cannot be written: %2. Choose another folder or name.</source>
+        <translation>%1: Die Datei lässt sich nicht schreiben: %2. Wähle einen anderen Ordner oder Namen.</translation>
+    </message>
+    <message>
+        <source>there is no method %1; there is %2.</source>
+        <translation>es gibt kein Verfahren %1; es gibt %2.</translation>
+    </message>
+    <message>
+        <source>the method %1 chooses its own steps; give &quot;tolerance&quot; in place of &quot;h&quot;.</source>
+        <translation>das Verfahren %1 wählt seine Zeitschritte selbst; gib &quot;tolerance&quot; statt &quot;h&quot; an.</translation>
+    </message>
+    <message>
+        <source>the method %1 takes steps of one length; give &quot;h&quot; in place of &quot;tolerance&quot;.</source>
+        <translation>das Verfahren %1 macht Zeitschritte von einer Länge; gib &quot;h&quot; statt &quot;tolerance&quot; an.</translation>
+    </message>
+    <message>
+        <source>the file</source>
+        <translation>die Datei</translation>
+    </message>
+    <message>
+        <source>&quot;format&quot; is %1; this program reads %2.</source>
+        <translation>&quot;format&quot; ist %1; dieses Programm liest %2.</translation>
+    </message>
+    <message>
+        <source>&quot;scene&quot; does not go with a lesson&apos;s step, which has its own; remove it, and change that one by &quot;parameters&quot;, &quot;bodies&quot; and &quot;effects&quot;.</source>
+        <translation>&quot;scene&quot; passt nicht zum Schritt einer Lektion, der seine eigene hat; entferne es und ändere jene mit &quot;parameters&quot;, &quot;bodies&quot; und &quot;effects&quot;.</translation>
+    </message>
+    <message>
+        <source>the step %1 has no sticks; remove &quot;links&quot;.</source>
+        <translation>der Schritt %1 hat keine Stäbe; entferne &quot;links&quot;.</translation>
+    </message>
+    <message>
+        <source>nothing is held at frame %1; a %2 comes after a &quot;grab&quot;.</source>
+        <translation>bei Bild %1 wird nichts gehalten; ein %2 kommt nach einem &quot;grab&quot;.</translation>
+    </message>
+    <message>
+        <source>the step %1 has no effect %2; it has %3.</source>
+        <translation>der Schritt %1 hat keinen Effekt %2; er hat %3.</translation>
+    </message>
+    <message>
+        <source>the body %1</source>
+        <translation>der Körper %1</translation>
+    </message>
+    <message>
+        <source>there is no body %1 here; there is %2.</source>
+        <translation>hier gibt es keinen Körper %1; es gibt %2.</translation>
+    </message>
+    <message>
+        <source>Not saved: a number of this experiment is not finite, and files have no such number. Go back to a frame before that.</source>
+        <translation>Nicht gespeichert: Eine Zahl dieses Experiments ist nicht endlich, und Dateien kennen keine solche Zahl. Geh zurück zu einem Bild davor.</translation>
+    </message>
+    <message>
+        <source>Not saved: the step %1 is not installed any more.</source>
+        <translation>Nicht gespeichert: Der Schritt %1 ist nicht mehr installiert.</translation>
+    </message>
+</context>
+<context>
+    <name>ExperimentInput</name>
+    <message>
+        <source>the step %1 has no event %2; it knows %3.</source>
+        <translation>der Schritt %1 hat kein Ereignis %2; er kennt %3.</translation>
+    </message>
+    <message>
+        <source>a body&apos;s name</source>
+        <translation>den Namen eines Körpers</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true oder false</translation>
+    </message>
+</context>
+<context>
+    <name>ExperimentPoints</name>
+    <message>
+        <source>a point&apos;s name</source>
+        <translation>den Namen eines Punktes</translation>
+    </message>
+    <message>
+        <source>there is no point %1 here; there is &quot;p0&quot; to %2.</source>
+        <translation>hier gibt es keinen Punkt %1; es gibt &quot;p0&quot; bis %2.</translation>
+    </message>
+    <message>
+        <source>&quot;share&quot; is %1; it can be 0 to 1.</source>
+        <translation>&quot;share&quot; ist %1; möglich ist 0 bis 1.</translation>
+    </message>
+    <message>
+        <source>&quot;length&quot; is %1; it can be 0 to 1000000 px.</source>
+        <translation>&quot;length&quot; ist %1; möglich ist 0 bis 1000000 px.</translation>
+    </message>
+    <message>
+        <source>&quot;bodies&quot; has %1 points; the most is %2.</source>
+        <translation>&quot;bodies&quot; hat %1 Punkte; höchstens sind es %2.</translation>
+    </message>
+    <message>
+        <source>there is no body %1 here; the points are called &quot;p0&quot;, &quot;p1&quot; and so on.</source>
+        <translation>hier gibt es keinen Körper %1; die Punkte heißen &quot;p0&quot;, &quot;p1&quot; und so weiter.</translation>
+    </message>
+    <message>
+        <source>the points have a gap: %1 of them are &quot;p0&quot; to %2, without %3.</source>
+        <translation>die Punkte haben eine Lücke: %1 von ihnen sind &quot;p0&quot; bis %2, ohne %3.</translation>
+    </message>
+    <message>
+        <source>&quot;links&quot; has %1 sticks; the most is %2.</source>
+        <translation>&quot;links&quot; hat %1 Stäbe; höchstens sind es %2.</translation>
+    </message>
+    <message>
+        <source>a link</source>
+        <translation>ein Stab</translation>
+    </message>
+    <message>
+        <source>a link has %1 at both ends; give it two points.</source>
+        <translation>ein Stab hat %1 an beiden Enden; gib ihm zwei Punkte.</translation>
+    </message>
+</context>
+<context>
+    <name>FrameCaption</name>
+    <message>
+        <source>pulls go straight onto the velocity, %1.</source>
+        <translation>Züge gehen gleich in die Geschwindigkeit ein, %1.</translation>
+    </message>
+    <message>
+        <source>accelerations are gathered, %1.</source>
+        <translation>Beschleunigungen werden gesammelt, %1.</translation>
+    </message>
+    <message>
+        <source>velocities have changed, %1.</source>
+        <translation>Geschwindigkeiten haben sich geändert, %1.</translation>
+    </message>
+    <message>
+        <source>%1 moved already, %2 not yet.</source>
+        <translation>schon bewegt: %1, noch nicht: %2.</translation>
+    </message>
+    <message>
+        <source>everything has moved, %1 to come.</source>
+        <translation>alles hat sich bewegt, „%1“ kommt noch.</translation>
+    </message>
+    <message>
+        <source>everything has moved.</source>
+        <translation>alles hat sich bewegt.</translation>
+    </message>
+    <message>
+        <source>Inside frame %1: %2 of %3 steps are done.</source>
+        <translation>Innerhalb von Bild %1: %2 von %3 Zeitschritten sind getan.</translation>
+    </message>
+    <message>
+        <source>nothing has moved in it yet</source>
+        <translation>in ihm hat sich noch nichts bewegt</translation>
+    </message>
+    <message>
+        <source>nothing has moved yet</source>
+        <translation>noch hat sich nichts bewegt</translation>
+    </message>
+    <message>
+        <source>Inside frame %1, step %2 of %3: %4</source>
+        <translation>Innerhalb von Bild %1, Zeitschritt %2 von %3: %4</translation>
+    </message>
+    <message>
+        <source>Inside frame %1: %2</source>
+        <translation>Innerhalb von Bild %1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>GroundLayer</name>
+    <message>
+        <source>%1&#x202f;px</source>
+        <translation>%1&#x202f;px</translation>
+    </message>
+</context>
+<context>
+    <name>Gui</name>
+    <message>
+        <source>No lesson was found in %1. Build the lessons, or name their folder in SPRINGSTEP_LESSONS.</source>
+        <translation>In %1 wurde keine Lektion gefunden. Baue die Lektionen oder nenne ihren Ordner in SPRINGSTEP_LESSONS.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: name a folder that you may write to, and a file that ends in .png or .jpg.</source>
+        <translation>%1 lässt sich nicht schreiben: Nenne einen Ordner, in den du schreiben darfst, und eine Datei, die auf .png oder .jpg endet.</translation>
+    </message>
+</context>
+<context>
+    <name>HardCases</name>
+    <message>
+        <source>There is no case %1; there is %2.</source>
+        <translation>Es gibt keinen Fall %1; es gibt %2.</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3 %</source>
+        <translation>%1, %2: %3 %</translation>
+    </message>
+    <message>
+        <source>Stopped before every case was run.</source>
+        <translation>Angehalten, bevor jeder Fall gelaufen war.</translation>
+    </message>
+    <message>
+        <source>method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>claims</source>
+        <translation>Zusage</translation>
+    </message>
+    <message>
+        <source>holds</source>
+        <translation>hält</translation>
+    </message>
+    <message>
+        <source>frames</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>ns/frame</source>
+        <translation>ns/Bild</translation>
+    </message>
+    <message>
+        <source>BROKEN</source>
+        <translation>GEBROCHEN</translation>
+    </message>
+    <message>
+        <source>fails</source>
+        <translation>hält nicht</translation>
+    </message>
+    <message>
+        <source>%1 of %2 runs are claimed</source>
+        <translation>%1 von %2 Läufen sind zugesagt</translation>
+    </message>
+    <message>
+        <source>, and all of those hold.</source>
+        <translation>, und sie halten alle.</translation>
+    </message>
+    <message>
+        <source>, and %1 of those fail: %2.</source>
+        <translation>, und %1 davon halten nicht: %2.</translation>
+    </message>
+    <message>
+        <source>It moves one thing after the other, so pulls between them do not cancel out.</source>
+        <translation>Es bewegt eins nach dem anderen, darum heben sich die Züge dazwischen nicht auf.</translation>
+    </message>
+    <message>
+        <source>It looks for the moment in which a body is free of all walls, and here there is none.</source>
+        <translation>Es sucht den Moment, in dem ein Körper frei von allen Wänden ist, und den gibt es hier nicht.</translation>
+    </message>
+    <message>
+        <source>It would need about %1 steps a frame, and gives up at 20000.</source>
+        <translation>Es würde etwa %1 Zeitschritte pro Bild brauchen und gibt bei 20000 auf.</translation>
+    </message>
+    <message>
+        <source>Nothing damps, so what its steps are off adds up: to %1 px in %2 frames at worst.</source>
+        <translation>Nichts dämpft, darum summiert sich die Abweichung seiner Zeitschritte: schlimmstenfalls auf %1 px in %2 Bildern.</translation>
+    </message>
+    <message>
+        <source>Steps that may be %1 px off keep it stirring by up to %2 px a frame.</source>
+        <translation>Zeitschritte, die um %1 px abweichen dürfen, halten es mit bis zu %2 px pro Bild in Unruhe.</translation>
+    </message>
+    <message>
+        <source>At a step of h %1 its stiffest spring (%2) would go from %3 px to %4 px, and farther.</source>
+        <translation>Bei einem Zeitschritt von h %1 ginge seine steifste Feder (%2) von %3 px auf %4 px und weiter.</translation>
+    </message>
+    <message>
+        <source>Its sticks are measured by steps of h %1: at %2 they err more.</source>
+        <translation>Seine Stäbe werden an Zeitschritten von h %1 gemessen: Bei %2 ist ihr Fehler größer.</translation>
+    </message>
+    <message>
+        <source>At a step of h %1 its stiffest spring (%2) would swing on: of %3 px, %4 px would be left after %5 frames.</source>
+        <translation>Bei einem Zeitschritt von h %1 würde seine steifste Feder (%2) weiterschwingen: Von %3 px wären nach %5 Bildern noch %4 px übrig.</translation>
+    </message>
+    <message>
+        <source>After frame %1 %2 is nowhere any more: &quot;%3&quot; gave a number without an end.</source>
+        <translation>Nach Bild %1 ist %2 nirgends mehr: „%3“ ergab eine Zahl ohne Ende.</translation>
+    </message>
+    <message>
+        <source>At frame %1 %2 is more than %3 px away.</source>
+        <translation>Bei Bild %1 ist %2 mehr als %3 px entfernt.</translation>
+    </message>
+    <message>
+        <source>At frame %1 the middle of all has gone %2 px, and nothing pushed it.</source>
+        <translation>Bei Bild %1 ist die Mitte von allem um %2 px gewandert, und nichts hat sie geschoben.</translation>
+    </message>
+    <message>
+        <source>At frame %1 the stick between %2 and %3 is %4 px wrong, and %5 px are possible.</source>
+        <translation>Bei Bild %1 ist der Stab zwischen %2 und %3 um %4 px falsch, und %5 px sind möglich.</translation>
+    </message>
+    <message>
+        <source>In the end %1 still goes %2 px a frame.</source>
+        <translation>Am Ende bewegt sich %1 immer noch um %2 px pro Bild.</translation>
+    </message>
+    <message>
+        <source>In the end %1 is %2 px from where it should rest.</source>
+        <translation>Am Ende ist %1 um %2 px von dem Ort entfernt, an dem es ruhen sollte.</translation>
+    </message>
+    <message>
+        <source>In the end the distance of %1 and %2 is %3 px wrong.</source>
+        <translation>Am Ende ist der Abstand von %1 und %2 um %3 px falsch.</translation>
+    </message>
+    <message>
+        <source>A second run differs from the first at frame %1.</source>
+        <translation>Ein zweiter Lauf unterscheidet sich vom ersten bei Bild %1.</translation>
+    </message>
+    <message>
+        <source>It should be refused, and is not.</source>
+        <translation>Es sollte abgelehnt werden und wird es nicht.</translation>
+    </message>
+    <message>
+        <source>It should end with a word about what is not finite, and does not.</source>
+        <translation>Es sollte mit einem Wort darüber enden, was nicht endlich ist, und tut es nicht.</translation>
+    </message>
+</context>
+<context>
+    <name>JsonDocument</name>
+    <message>
+        <source>%1 is too large for a number; the largest is %2.</source>
+        <translation>%1 ist zu groß für eine Zahl; die größte ist %2.</translation>
+    </message>
+    <message>
+        <source>%1 is given twice; keep one of them.</source>
+        <translation>%1 ist zweimal angegeben; behalte eines davon.</translation>
+    </message>
+    <message>
+        <source>lists and objects stand more than %1 deep in each other here; an experiment needs 3.</source>
+        <translation>Listen und Objekte stehen hier mehr als %1-fach ineinander; ein Experiment braucht 3.</translation>
+    </message>
+    <message>
+        <source>an experiment has at most %1 values; here begins one more.</source>
+        <translation>ein Experiment hat höchstens %1 Werte; hier beginnt einer mehr.</translation>
+    </message>
+    <message>
+        <source>the experiment ends before this; remove what follows its closing bracket.</source>
+        <translation>das Experiment endet davor; entferne, was nach seiner schließenden Klammer kommt.</translation>
+    </message>
+    <message>
+        <source>a name in double quotes is expected here.</source>
+        <translation>hier wird ein Name in doppelten Anführungszeichen erwartet.</translation>
+    </message>
+    <message>
+        <source>a colon is expected here, between a name and its value.</source>
+        <translation>hier wird ein Doppelpunkt erwartet, zwischen einem Namen und seinem Wert.</translation>
+    </message>
+    <message>
+        <source>a comma or a closing } is expected here.</source>
+        <translation>hier wird ein Komma oder ein schließendes } erwartet.</translation>
+    </message>
+    <message>
+        <source>a comma or a closing ] is expected here.</source>
+        <translation>hier wird ein Komma oder ein schließendes ] erwartet.</translation>
+    </message>
+    <message>
+        <source>a text in double quotes is not well formed; it ends on its own line, and after a \ comes one of &quot; \ / b f n r t u.</source>
+        <translation>ein Text in doppelten Anführungszeichen ist nicht richtig gebildet; er endet in seiner eigenen Zeile, und nach einem \ kommt eines von &quot; \ / b f n r t u.</translation>
+    </message>
+    <message>
+        <source>a text has bytes that are not UTF-8; save the file as UTF-8.</source>
+        <translation>ein Text enthält Bytes, die nicht UTF-8 sind; speichere die Datei als UTF-8.</translation>
+    </message>
+    <message>
+        <source>a number is too large; the largest is %1.</source>
+        <translation>eine Zahl ist zu groß; die größte ist %1.</translation>
+    </message>
+    <message>
+        <source>a number is not complete; write it as 0.5 or 5e-1.</source>
+        <translation>eine Zahl ist nicht vollständig; schreibe sie als 0.5 oder 5e-1.</translation>
+    </message>
+    <message>
+        <source>this is not JSON; a value is a number, a &quot;text&quot;, true, false, null, a [list] or an {object}.</source>
+        <translation>das ist kein JSON; ein Wert ist eine Zahl, ein &quot;text&quot;, true, false, null, eine [Liste] oder ein {Objekt}.</translation>
+    </message>
+    <message>
+        <source>%1: line %2: there is a zero byte; an experiment is JSON text in UTF-8.</source>
+        <translation>%1: Zeile %2: Hier steht ein Null-Byte; ein Experiment ist JSON-Text in UTF-8.</translation>
+    </message>
+    <message>
+        <source>%1: line 1: the file is empty; an experiment begins with {.</source>
+        <translation>%1: Zeile 1: Die Datei ist leer; ein Experiment beginnt mit {.</translation>
+    </message>
+    <message>
+        <source>the file ends here, in the middle; its end is missing.</source>
+        <translation>die Datei endet hier mittendrin; ihr Ende fehlt.</translation>
+    </message>
+    <message>
+        <source>%1: line %2: %3</source>
+        <translation>%1: Zeile %2: %3</translation>
+    </message>
+</context>
+<context>
+    <name>JsonFields</name>
+    <message>
+        <source>%1 is %2; it takes %3.</source>
+        <translation>%1 ist %2; verlangt ist %3.</translation>
+    </message>
+    <message>
+        <source>%1: line %2: %3</source>
+        <translation>%1: Zeile %2: %3</translation>
+    </message>
+    <message>
+        <source>the text %1</source>
+        <translation>der Text %1</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>eine Liste</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>ein Objekt</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true oder false</translation>
+    </message>
+    <message>
+        <source>a text in double quotes</source>
+        <translation>ein Text in doppelten Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>a list in [ ]</source>
+        <translation>eine Liste in [ ]</translation>
+    </message>
+    <message>
+        <source>%1 is %2; it takes an object in { }.</source>
+        <translation>%1 ist %2; verlangt ist ein Objekt in { }.</translation>
+    </message>
+    <message>
+        <source>%1 has no %2; it takes %3.</source>
+        <translation>%1 hat kein %2; verlangt ist %3.</translation>
+    </message>
+    <message>
+        <source>%1 has no field %2; there is %3.</source>
+        <translation>%1 hat kein Feld %2; es gibt %3.</translation>
+    </message>
+</context>
+<context>
+    <name>LessonPlugin</name>
+    <message>
+        <source>It is not a lesson that can be used: %1.</source>
+        <translation>Das ist keine brauchbare Lektion: %1.</translation>
+    </message>
+    <message>
+        <source>It is not a plugin, or it is damaged; install it again, or move it to another folder.</source>
+        <translation>Das ist kein Plugin, oder es ist beschädigt; installiere es neu oder verschiebe es in einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>It is a lesson for another version of the program (%1, not %2); build it again for this one.</source>
+        <translation>Das ist eine Lektion für eine andere Version des Programms (%1, nicht %2); baue sie für diese neu.</translation>
+    </message>
+    <message>
+        <source>It is a plugin of another program (%1); move it to another folder.</source>
+        <translation>Das ist ein Plugin eines anderen Programms (%1); verschiebe es in einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>its description has no text %1</source>
+        <translation>ihre Beschreibung hat keinen Text %1</translation>
+    </message>
+    <message>
+        <source>the id %1 is not made of a to z, 0 to 9 and _</source>
+        <translation>die Kennung %1 besteht nicht aus a bis z, 0 bis 9 und _</translation>
+    </message>
+    <message>
+        <source>its description lists no &quot;steps&quot;</source>
+        <translation>ihre Beschreibung zählt keine &quot;steps&quot; auf</translation>
+    </message>
+    <message>
+        <source>its description lists a step twice</source>
+        <translation>ihre Beschreibung zählt einen Schritt doppelt auf</translation>
+    </message>
+    <message>
+        <source>its description has no whole number &quot;order&quot;</source>
+        <translation>ihre Beschreibung hat keine ganze Zahl &quot;order&quot;</translation>
+    </message>
+    <message>
+        <source>the step %1 has no scene or no look</source>
+        <translation>der Schritt %1 hat keine Szene oder kein Aussehen</translation>
+    </message>
+    <message>
+        <source>the step %1 wants the method %2, which is not there</source>
+        <translation>der Schritt %1 will das Verfahren %2, das es nicht gibt</translation>
+    </message>
+    <message>
+        <source>the step %1 cannot start (%2)</source>
+        <translation>der Schritt %1 kann nicht beginnen (%2)</translation>
+    </message>
+    <message>
+        <source>its code has no lesson</source>
+        <translation>ihr Code enthält keine Lektion</translation>
+    </message>
+    <message>
+        <source>its steps cannot be made (%1)</source>
+        <translation>ihre Schritte lassen sich nicht erstellen (%1)</translation>
+    </message>
+    <message>
+        <source>It cannot be loaded; build or install it again. The system says: %1.</source>
+        <translation>Sie lässt sich nicht laden; baue oder installiere sie neu. Das System sagt: %1.</translation>
+    </message>
+    <message>
+        <source>its description lists the steps %1, its code has %2</source>
+        <translation>ihre Beschreibung zählt die Schritte %1 auf, ihr Code hat %2</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+</context>
+<context>
+    <name>LessonsList</name>
+    <message>
+        <source>%1; one of %2</source>
+        <translation>%1; eines von %2</translation>
+    </message>
+    <message>
+        <source>%1; %2 to %3</source>
+        <translation>%1; %2 bis %3</translation>
+    </message>
+    <message>
+        <source>Methods</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>order %1</source>
+        <translation>Ordnung %1</translation>
+    </message>
+    <message>
+        <source>; needs %1</source>
+        <translation>; braucht %1</translation>
+    </message>
+    <message>
+        <source>No lesson was found in %1; SPRINGSTEP_LESSONS can name a folder that has them.</source>
+        <translation>In %1 wurde keine Lektion gefunden; SPRINGSTEP_LESSONS kann einen Ordner nennen, in dem welche sind.</translation>
+    </message>
+</context>
+<context>
+    <name>ParameterValue</name>
+    <message>
+        <source>%1 is %2; it can be one of %3.</source>
+        <translation>%1 ist %2; möglich ist eines von %3.</translation>
+    </message>
+    <message>
+        <source>%1 is %2; it can be a whole number from %3 to %4.</source>
+        <translation>%1 ist %2; möglich ist eine ganze Zahl von %3 bis %4.</translation>
+    </message>
+    <message>
+        <source>%1 is %2; it can be %3 to %4.</source>
+        <translation>%1 ist %2; möglich ist %3 bis %4.</translation>
+    </message>
+</context>
+<context>
+    <name>Position</name>
+    <message>
+        <source>step %1 of %2</source>
+        <translation>Zeitschritt %1 von %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 phases done</source>
+        <translation>%1 von %2 Phasen getan</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Frame %1</source>
+        <translation>Bild %1</translation>
+    </message>
+    <message>
+        <source>Frame %1, after %2, %3</source>
+        <translation>Bild %1, nach „%2“, %3</translation>
+    </message>
+</context>
+<context>
+    <name>PullCard</name>
+    <message>
+        <source>sum so far</source>
+        <translation>Summe bisher</translation>
+    </message>
+    <message>
+        <source>px/frame²</source>
+        <translation>px/Bild²</translation>
+    </message>
+</context>
+<context>
+    <name>ReferenceMarks</name>
+    <message>
+        <source>%1 off the reference here</source>
+        <translation>%1 neben der Referenz hier</translation>
+    </message>
+</context>
+<context>
+    <name>SceneOverlay</name>
+    <message>
+        <source>%1&#x2009;px</source>
+        <translation>%1&#x2009;px</translation>
+    </message>
+    <message>
+        <source>your method</source>
+        <translation>dein Verfahren</translation>
+    </message>
+    <message>
+        <source>reference, ±%1</source>
+        <translation>Referenz, ±%1</translation>
+    </message>
+    <message>
+        <source>every %1 frames</source>
+        <translation>alle %1 Bilder</translation>
+    </message>
+    <message>
+        <source>%1&#x2009;px/frame</source>
+        <translation>%1&#x2009;px/Bild</translation>
+    </message>
+    <message>
+        <source>%1&#x2009;px/frame²</source>
+        <translation>%1&#x2009;px/Bild²</translation>
+    </message>
+    <message>
+        <source>sum so far</source>
+        <translation>Summe bisher</translation>
+    </message>
+</context>
+<context>
+    <name>Sentences</name>
+    <message>
+        <source>The step %1 does not fit: it can be 1 divided by a whole number, or a whole number, from 0.000001 to 100 frames.</source>
+        <translation>Der Zeitschritt %1 passt nicht: Möglich ist 1 geteilt durch eine ganze Zahl oder eine ganze Zahl, von 0.000001 bis 100 Bildern.</translation>
+    </message>
+    <message>
+        <source>The tolerance %1 does not fit: it can be from 1e-13 to 100 px.</source>
+        <translation>Die Toleranz %1 passt nicht: Möglich ist 1e-13 bis 100 px.</translation>
+    </message>
+    <message>
+        <source>The method %1 chooses its steps itself: give it a tolerance in px in place of a step.</source>
+        <translation>Das Verfahren „%1“ wählt seine Zeitschritte selbst: Gib ihm eine Toleranz in px statt eines Zeitschritts.</translation>
+    </message>
+    <message>
+        <source>The method %1 takes steps of one length: give it a step in frames in place of a tolerance.</source>
+        <translation>Das Verfahren „%1“ macht Zeitschritte von einer Länge: Gib ihm einen Zeitschritt in Bildern statt einer Toleranz.</translation>
+    </message>
+    <message>
+        <source>%1 acts once a step, so that smaller steps make another motion from the first frame on.</source>
+        <translation>„%1“ wirkt einmal pro Zeitschritt, sodass kleinere Zeitschritte vom ersten Bild an eine andere Bewegung ergeben.</translation>
+    </message>
+    <message>
+        <source>There is nothing to compare with after frame %1.</source>
+        <translation>Nach Bild %1 gibt es nichts, womit man vergleichen könnte.</translation>
+    </message>
+    <message>
+        <source>The method %1 cannot compute %2: choose another method, or switch that effect off.</source>
+        <translation>Das Verfahren „%1“ kann „%2“ nicht berechnen: Wähle ein anderes Verfahren oder schalte diesen Effekt aus.</translation>
+    </message>
+    <message>
+        <source>The method %1 cannot compute this scene: parts of it go only where they are put, and have no velocity. Choose another method.</source>
+        <translation>Das Verfahren „%1“ kann diese Szene nicht berechnen: Teile von ihr gehen nur dorthin, wo man sie hinsetzt, und haben keine Geschwindigkeit. Wähle ein anderes Verfahren.</translation>
+    </message>
+    <message>
+        <source>Nothing in this scene can move: leave at least one body free.</source>
+        <translation>In dieser Szene kann sich nichts bewegen: Lass mindestens einen Körper frei.</translation>
+    </message>
+    <message>
+        <source>This scene has %1 points. Up to %2 are computed with every method: what a few of them tell about methods holds for more of the same.</source>
+        <translation>Diese Szene hat %1 Punkte. Bis zu %2 werden mit jedem Verfahren berechnet: Was wenige von ihnen über Verfahren sagen, gilt auch für mehr davon.</translation>
+    </message>
+    <message>
+        <source>This tree would have more than %1 branches: make its slope smaller than %2, or its smallest branch larger than %3.</source>
+        <translation>Dieser Baum hätte mehr als %1 Zweige: Mach seine Verjüngung kleiner als %2 oder seinen kleinsten Zweig größer als %3.</translation>
+    </message>
+    <message>
+        <source>Stick %1 ends at p%2, and there is no such point: there are %3, and the first is p0.</source>
+        <translation>Stab %1 endet bei p%2, und diesen Punkt gibt es nicht: Es sind %3, und der erste ist p0.</translation>
+    </message>
+    <message>
+        <source>The event %1 before frame %2 has a number that is infinite or none at all: give it a finite one.</source>
+        <translation>Das Ereignis %1 vor Bild %2 hat eine Zahl, die unendlich oder gar keine ist: Gib ihm eine endliche.</translation>
+    </message>
+    <message>
+        <source>The start of %1 has a number that is infinite or none at all: give it a finite one.</source>
+        <translation>Der Start von %1 hat eine Zahl, die unendlich oder gar keine ist: Gib ihm eine endliche.</translation>
+    </message>
+    <message>
+        <source>This does not fit together: %1.</source>
+        <translation>Das passt nicht zusammen: %1.</translation>
+    </message>
+    <message>
+        <source>The spring of %1</source>
+        <translation>Die Feder von %1</translation>
+    </message>
+    <message>
+        <source>What pulls %1 (%2)</source>
+        <translation>Was an %1 zieht (%2)</translation>
+    </message>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>The spring %1</source>
+        <translation>Die Feder %1</translation>
+    </message>
+    <message>
+        <source>Stopped at frame %1: the method needs too many steps for the next one.</source>
+        <translation>Angehalten bei Bild %1: Für das nächste braucht das Verfahren zu viele Zeitschritte.</translation>
+    </message>
+    <message>
+        <source>%1 pulls hardest.</source>
+        <translation>%1 zieht am stärksten.</translation>
+    </message>
+    <message>
+        <source>What is pulled hardest is %1.</source>
+        <translation>Am stärksten gezogen wird %1.</translation>
+    </message>
+    <message>
+        <source>Try a larger tolerance, or a method whose steps all have one length.</source>
+        <translation>Versuch es mit einer größeren Toleranz oder mit einem Verfahren, dessen Zeitschritte alle gleich lang sind.</translation>
+    </message>
+    <message>
+        <source>Stopped at frame %1: in the next one a number is not finite.</source>
+        <translation>Angehalten bei Bild %1: Im nächsten ist eine Zahl nicht endlich.</translation>
+    </message>
+    <message>
+        <source>Stopped at frame %1: in the next one “%2” is too far or too fast for any number (not finite).</source>
+        <translation>Angehalten bei Bild %1: Im nächsten ist „%2“ zu weit weg oder zu schnell für jede Zahl (nicht endlich).</translation>
+    </message>
+    <message>
+        <source>It began in “%1”.</source>
+        <translation>Begonnen hat es in „%1“.</translation>
+    </message>
+</context>
+<context>
+    <name>StabilityWords</name>
+    <message>
+        <source>%1 × the limit</source>
+        <translation>%1 × die Grenze</translation>
+    </message>
+    <message>
+        <source>%1&#x2009;% of the limit</source>
+        <translation>%1&#x2009;% der Grenze</translation>
+    </message>
+    <message>
+        <source>%1&#x2009;frames</source>
+        <translation>%1&#x2009;Bilder</translation>
+    </message>
+    <message>
+        <source>%1 decides it.</source>
+        <translation>%1 entscheidet das.</translation>
+    </message>
+    <message>
+        <source>Past the limit it swings to the other side at each step, farther each time.</source>
+        <translation>Jenseits der Grenze schwingt es bei jedem Zeitschritt auf die andere Seite, jedes Mal weiter.</translation>
+    </message>
+    <message>
+        <source>Past the limit it swings wider and wider.</source>
+        <translation>Jenseits der Grenze schwingt es weiter und weiter.</translation>
+    </message>
+    <message>
+        <source>Past the limit all of it drifts off, faster and faster: one end moves before the other does, so their pulls do not cancel.</source>
+        <translation>Jenseits der Grenze treibt alles davon, schneller und schneller: Ein Ende bewegt sich vor dem anderen, darum heben sich ihre Züge nicht auf.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Damping holds every step.&lt;/b&gt; However long, nothing swings up here.</source>
+        <translation>&lt;b&gt;Die Dämpfung hält jeden Zeitschritt.&lt;/b&gt; Wie lang er auch ist, hier schaukelt sich nichts auf.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;No step holds.&lt;/b&gt; This one is so short that growth is too slow to tell.</source>
+        <translation>&lt;b&gt;Kein Zeitschritt hält.&lt;/b&gt; Dieser ist so kurz, dass das Wachsen zu langsam ist, um es zu sehen.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;No shorter step holds.&lt;/b&gt; Damping holds one as long as this.</source>
+        <translation>&lt;b&gt;Kein kürzerer Zeitschritt hält.&lt;/b&gt; Einen so langen wie diesen hält die Dämpfung.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;No step holds.&lt;/b&gt; With this method and so little damping, small disturbances %1, and at any shorter step they still grow.</source>
+        <translation>&lt;b&gt;Kein Zeitschritt hält.&lt;/b&gt; Kleine Störungen %1 mit diesem Verfahren und so wenig Dämpfung, und auch bei jedem kürzeren Zeitschritt wachsen sie.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1, and held all the same.&lt;/b&gt; From %2 on steps are too long, but damping holds one as long as this.</source>
+        <translation>&lt;b&gt;%1, und trotzdem gehalten.&lt;/b&gt; Ab %2 sind Zeitschritte zu lang, aber einen so langen wie diesen hält die Dämpfung.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1.&lt;/b&gt; Small disturbances %2. Steps up to %3 hold.</source>
+        <translation>&lt;b&gt;%1.&lt;/b&gt; Kleine Störungen %2. Zeitschritte bis %3 halten.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1.&lt;/b&gt; Steps up to %2 hold here.</source>
+        <translation>&lt;b&gt;%1.&lt;/b&gt; Zeitschritte bis %2 halten hier.</translation>
+    </message>
+    <message>
+        <source>grow more than a million times a frame</source>
+        <translation>wachsen auf mehr als das Millionenfache pro Bild</translation>
+    </message>
+    <message>
+        <source>grow by %1&#x2009;% a frame</source>
+        <translation>wachsen um %1&#x2009;% pro Bild</translation>
+    </message>
+    <message>
+        <source>grow %1 times a frame</source>
+        <translation>wachsen auf das %1-Fache pro Bild</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>keine Grenze</translation>
+    </message>
+    <message>
+        <source>by its tolerance</source>
+        <translation>durch seine Toleranz</translation>
+    </message>
+    <message>
+        <source>nothing swings</source>
+        <translation>nichts schwingt</translation>
+    </message>
+    <message>
+        <source>not known here</source>
+        <translation>hier nicht bekannt</translation>
+    </message>
+    <message>
+        <source>too many points</source>
+        <translation>zu viele Punkte</translation>
+    </message>
+    <message>
+        <source>held by damping</source>
+        <translation>durch Dämpfung gehalten</translation>
+    </message>
+    <message>
+        <source>just held</source>
+        <translation>gerade noch gehalten</translation>
+    </message>
+    <message>
+        <source>no step holds</source>
+        <translation>kein Zeitschritt hält</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1 has no such limit.&lt;/b&gt; A long step stays bounded however stiff the springs; it is only less exact. How exact it should be bounds the step.</source>
+        <translation>&lt;b&gt;„%1“ hat keine solche Grenze.&lt;/b&gt; Ein langer Zeitschritt bleibt beschränkt, wie steif die Federn auch sind; er ist nur weniger genau. Wie genau es sein soll, begrenzt den Zeitschritt.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1 keeps its own steps short enough.&lt;/b&gt; Its tolerance, %2, bounds them.</source>
+        <translation>&lt;b&gt;„%1“ hält seine Zeitschritte selbst kurz genug.&lt;/b&gt; Seine Toleranz, %2, begrenzt sie.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Nothing swings here.&lt;/b&gt; What acts has no stiffness, so no step is too long for it.</source>
+        <translation>&lt;b&gt;Hier schwingt nichts.&lt;/b&gt; Was wirkt, hat keine Steifigkeit, also ist kein Zeitschritt dafür zu lang.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Not known here.&lt;/b&gt; The pulls in this state are no finite numbers.</source>
+        <translation>&lt;b&gt;Hier nicht bekannt.&lt;/b&gt; Die Züge in diesem Zustand sind keine endlichen Zahlen.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Too many points.&lt;/b&gt; With more than %1 of them it would take too long to find the stiffest swing. Where nobody feels anybody, a few of them tell it for all.</source>
+        <translation>&lt;b&gt;Zu viele Punkte.&lt;/b&gt; Bei mehr als %1 davon würde es zu lange dauern, die steifste Schwingung zu finden. Wo niemand jemanden spürt, sagen wenige es für alle.</translation>
+    </message>
+    <message>
+        <source>Not part of this: %1. They act by jumps, once a step, and have no stiffness.</source>
+        <translation>Nicht Teil davon: %1. Sie wirken in Sprüngen, einmal pro Zeitschritt, und haben keine Steifigkeit.</translation>
+    </message>
+    <message>
+        <source>%1 Sticks that bear weight err less by smaller steps than by more passes.</source>
+        <translation>%1 Stäbe, die Gewicht tragen, werden durch kleinere Zeitschritte genauer als durch mehr Durchgänge.</translation>
+    </message>
+    <message>
+        <source>Use a &amp;step of %1</source>
+        <translation>Zeit&amp;schritt %1 nehmen</translation>
+    </message>
+    <message>
+        <source>Use a &amp;tolerance of %1</source>
+        <translation>&amp;Toleranz %1 nehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Damp more: %1 %2</source>
+        <translation>Mehr &amp;dämpfen: %1 %2</translation>
+    </message>
+    <message>
+        <source>&amp;Use %1</source>
+        <translation>„%1“ &amp;nehmen</translation>
+    </message>
+    <message>
+        <source>then at %1</source>
+        <translation>dann bei %1</translation>
+    </message>
+    <message>
+        <source>keeps its own steps</source>
+        <translation>hält seine Zeitschritte selbst kurz</translation>
+    </message>
+    <message>
+        <source>has no such limit</source>
+        <translation>hat keine solche Grenze</translation>
+    </message>
+</context>
+<context>
+    <name>StepWords</name>
+    <message>
+        <source>1/%1 frame</source>
+        <translation>1/%1 Bild</translation>
+    </message>
+    <message>
+        <source>1 frame</source>
+        <translation>1 Bild</translation>
+    </message>
+    <message>
+        <source>%1 frames</source>
+        <translation>%1 Bilder</translation>
+    </message>
+    <message>
+        <source>%1&#x2009;px</source>
+        <translation>%1&#x2009;px</translation>
+    </message>
+</context>
+<context>
+    <name>Terminal</name>
+    <message>
+        <source>Frame %1 of %2</source>
+        <translation>Bild %1 von %2</translation>
+    </message>
+</context>
+<context>
+    <name>Text</name>
+    <message>
+        <source>Measured %1 %</source>
+        <translation>%1 % gemessen</translation>
+    </message>
+    <message>
+        <source>Measured %1 times</source>
+        <translation>%1-mal gemessen</translation>
+    </message>
+    <message>
+        <source>--%1 is %2; it can be a whole number from 0 to %3.</source>
+        <translation>--%1 ist %2; möglich ist eine ganze Zahl von 0 bis %3.</translation>
+    </message>
+    <message>
+        <source>&quot;h&quot; is %1; it can be 0.000001 to 100 frames, a whole number or 1 divided by one: 2, 1, 0.5, 0.25...</source>
+        <translation>&quot;h&quot; ist %1; möglich ist 0.000001 bis 100 Bilder, eine ganze Zahl oder 1 geteilt durch eine: 2, 1, 0.5, 0.25 ...</translation>
+    </message>
+    <message>
+        <source>&quot;tolerance&quot; is %1; it can be 1e-13 to 100 px.</source>
+        <translation>&quot;tolerance&quot; ist %1; möglich ist 1e-13 bis 100 px.</translation>
+    </message>
+    <message>
+        <source>%1 is %2; it can be a whole number from %3 to %4.</source>
+        <translation>%1 ist %2; möglich ist eine ganze Zahl von %3 bis %4.</translation>
+    </message>
+    <message>
+        <source>beyond 2^53</source>
+        <translation>mehr als 2^53</translation>
+    </message>
+    <message>
+        <source>the step %1 has no parameter %2; it has %3.</source>
+        <translation>der Schritt %1 hat keinen Parameter %2; er hat %3.</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+</context>
+<context>
+    <name>Trace</name>
+    <message>
+        <source>The rows cannot be written: %1. Make room, or write to another place.</source>
+        <translation>Die Zeilen lassen sich nicht schreiben: %1. Schaffe Platz oder schreibe an einen anderen Ort.</translation>
+    </message>
+    <message>
+        <source>Stopped at frame %1 of %2.</source>
+        <translation>Angehalten bei Bild %1 von %2.</translation>
+    </message>
+</context>
+<context>
+    <name>app::AccuracyPanel</name>
+    <message>
+        <source>Accuracy</source>
+        <translation>Genauigkeit</translation>
+    </message>
+    <message>
+        <source>Error against time</source>
+        <translation>Fehler und Zeit</translation>
+    </message>
+    <message>
+        <source>How far off each method is, and what it costs</source>
+        <translation>Wie weit jedes Verfahren abweicht und was es kostet</translation>
+    </message>
+    <message>
+        <source>Over the run</source>
+        <translation>Im Lauf</translation>
+    </message>
+    <message>
+        <source>How the error grows, at about the cost of your method</source>
+        <translation>Wie der Fehler wächst, zu etwa den Kosten deines Verfahrens</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Ordnung</translation>
+    </message>
+    <message>
+        <source>How fast the error shrinks when the step does</source>
+        <translation>Wie schnell der Fehler mit dem Zeitschritt schrumpft</translation>
+    </message>
+    <message>
+        <source>How far the measurement is</source>
+        <translation>Wie weit die Messung ist</translation>
+    </message>
+    <message>
+        <source>Use it</source>
+        <translation>Verwenden</translation>
+    </message>
+    <message>
+        <source>first %1 frames of %2</source>
+        <translation>die ersten %1 Bilder von %2</translation>
+    </message>
+    <message>
+        <source>%1 frames, %2 methods</source>
+        <translation>%1 Bilder, %2 Verfahren</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Measure again</source>
+        <translation>Neu messen</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Messen</translation>
+    </message>
+    <message>
+        <source>Stop; what was measured until now stays</source>
+        <translation>Anhalten; was bis jetzt gemessen ist, bleibt</translation>
+    </message>
+    <message>
+        <source>Compute the scene with every method, and time it</source>
+        <translation>Die Szene mit jedem Verfahren berechnen und die Zeit messen</translation>
+    </message>
+    <message>
+        <source>Measuring…</source>
+        <translation>Messung läuft …</translation>
+    </message>
+    <message>
+        <source>Times are medians of repeated, interleaved runs; whiskers show their spread.</source>
+        <translation>Zeiten sind Mediane wiederholter, verschränkter Läufe; die Striche zeigen ihre Streuung.</translation>
+    </message>
+    <message>
+        <source>Cancelled. What was measured until then is shown.</source>
+        <translation>Abgebrochen. Gezeigt wird, was bis dahin gemessen war.</translation>
+    </message>
+    <message>
+        <source>The scene has changed. It is measured as soon as it stays the same.</source>
+        <translation>Die Szene hat sich geändert. Gemessen wird, sobald sie gleich bleibt.</translation>
+    </message>
+    <message>
+        <source>Not measured yet.</source>
+        <translation>Noch nicht gemessen.</translation>
+    </message>
+    <message>
+        <source>How far off is each way of computing this scene, and what does it cost? Every method runs it at many steps, against a reference that is far more exact.</source>
+        <translation>Wie weit weicht jede Art, diese Szene zu berechnen, ab, und was kostet sie? Jedes Verfahren rechnet sie mit vielen Zeitschritten, gegen eine Referenz, die weit genauer ist.</translation>
+    </message>
+    <message>
+        <source>Use %1</source>
+        <translation>%1 verwenden</translation>
+    </message>
+</context>
+<context>
+    <name>app::CodePanel</name>
+    <message>
+        <source>Lines that the step before does not have. Click to go through them.</source>
+        <translation>Zeilen, die der vorige Schritt nicht hat. Klicke, um sie durchzugehen.</translation>
+    </message>
+    <message>
+        <source>Copy the shown code, with its files&apos; names</source>
+        <translation>Den gezeigten Code mit den Namen seiner Dateien kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the code</source>
+        <translation>Den Code kopieren</translation>
+    </message>
+    <message>
+        <source>Copied the code.</source>
+        <translation>Code kopiert.</translation>
+    </message>
+    <message>
+        <source>values of %1</source>
+        <translation>Werte von: %1</translation>
+    </message>
+    <message>
+        <source>values of the %1</source>
+        <translation>Werte von: %1</translation>
+    </message>
+    <message>
+        <source>1 line new</source>
+        <translation>1 Zeile neu</translation>
+    </message>
+    <message>
+        <source>%1 lines new</source>
+        <translation>%1 Zeilen neu</translation>
+    </message>
+</context>
+<context>
+    <name>app::CodeView</name>
+    <message>
+        <source>Code that runs</source>
+        <translation>Code, der läuft</translation>
+    </message>
+    <message>
+        <source>Up and Down go from heading to heading, Enter folds, Ctrl+C copies.</source>
+        <translation>Pfeil hoch und Pfeil runter gehen von Überschrift zu Überschrift, Eingabe klappt ein und aus, Strg+C kopiert.</translation>
+    </message>
+    <message>
+        <source>%1
+Click to fold or unfold (Enter)</source>
+        <translation>%1
+Klick klappt ein oder aus (Eingabe)</translation>
+    </message>
+    <message>
+        <source>New in this step</source>
+        <translation>Neu in diesem Schritt</translation>
+    </message>
+</context>
+<context>
+    <name>app::EffectHeads</name>
+    <message>
+        <source>Effect</source>
+        <translation>Effekt</translation>
+    </message>
+    <message>
+        <source>What acts in this scene, in the order in which it runs.</source>
+        <translation>Was in dieser Szene wirkt, in der Reihenfolge, in der es läuft.</translation>
+    </message>
+    <message>
+        <source>ns a frame</source>
+        <translation>ns/Bild</translation>
+    </message>
+    <message>
+        <source>Nanoseconds, billionths of a second, that each frame of the run spends on it. ± is how far half of the rounds are apart.</source>
+        <translation>Nanosekunden, milliardstel Sekunden, die jedes Bild des Laufs dafür braucht. ± sagt, wie weit die Hälfte der Durchgänge auseinanderliegt.</translation>
+    </message>
+    <message>
+        <source>ns a point</source>
+        <translation>ns/Punkt</translation>
+    </message>
+    <message>
+        <source>The same for each point that it works on.</source>
+        <translation>Dasselbe für jeden Punkt, an dem er arbeitet.</translation>
+    </message>
+    <message>
+        <source>runs</source>
+        <translation>Läufe</translation>
+    </message>
+    <message>
+        <source>How often a frame computes it: some methods look several times.</source>
+        <translation>Wie oft ein Bild ihn berechnet: Manche Verfahren schauen mehrmals hin.</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>How many points it works on.</source>
+        <translation>An wie vielen Punkten er arbeitet.</translation>
+    </message>
+</context>
+<context>
+    <name>app::EffectLedger</name>
+    <message>
+        <source>measuring…</source>
+        <translation>Messung läuft …</translation>
+    </message>
+    <message>
+        <source>%1, measuring…</source>
+        <translation>%1, Messung läuft …</translation>
+    </message>
+    <message>
+        <source>%1, measured now</source>
+        <translation>%1, jetzt gemessen</translation>
+    </message>
+    <message>
+        <source>%1, measured at frame %2</source>
+        <translation>%1, gemessen bei Bild %2</translation>
+    </message>
+</context>
+<context>
+    <name>app::EffectList</name>
+    <message>
+        <source>The effects of the scene, and what each costs</source>
+        <translation>Die Effekte der Szene und was jeder kostet</translation>
+    </message>
+</context>
+<context>
+    <name>app::EffectsPanel</name>
+    <message>
+        <source>Effects</source>
+        <translation>Effekte</translation>
+    </message>
+    <message>
+        <source>&amp;Measure the effects again</source>
+        <translation>Effekte neu &amp;messen</translation>
+    </message>
+    <message>
+        <source>Measure what a frame costs where the run is now (%1)</source>
+        <translation>Messen, was ein Bild kostet, wo der Lauf gerade ist (%1)</translation>
+    </message>
+    <message>
+        <source>Measure again</source>
+        <translation>Neu messen</translation>
+    </message>
+</context>
+<context>
+    <name>app::EnergyList</name>
+    <message>
+        <source>Where energy and momentum went</source>
+        <translation>Wohin Energie und Impuls gingen</translation>
+    </message>
+</context>
+<context>
+    <name>app::EnergyPanel</name>
+    <message>
+        <source>Where it went</source>
+        <translation>Wohin sie ging</translation>
+    </message>
+    <message>
+        <source>Energy</source>
+        <translation>Energie</translation>
+    </message>
+    <message>
+        <source>Where energy is, and where it went</source>
+        <translation>Wo die Energie ist und wohin sie ging</translation>
+    </message>
+    <message>
+        <source>Momentum</source>
+        <translation>Impuls</translation>
+    </message>
+    <message>
+        <source>Mass × velocity of everything together, and what changed it</source>
+        <translation>Masse × Geschwindigkeit von allem zusammen, und was das geändert hat</translation>
+    </message>
+    <message>
+        <source>Everything here turns in place, held by the ground: only what goes somewhere has momentum to count.</source>
+        <translation>Alles dreht sich hier am Ort, vom Boden gehalten: Nur was irgendwohin geht, hat einen Impuls, den man zählen kann.</translation>
+    </message>
+    <message>
+        <source>frame %1 to %2</source>
+        <translation>Bild %1 bis %2</translation>
+    </message>
+    <message>
+        <source>counting…</source>
+        <translation>wird gezählt …</translation>
+    </message>
+</context>
+<context>
+    <name>app::EnergyPlot</name>
+    <message>
+        <source>Energy over the last frames</source>
+        <translation>Energie über die letzten Bilder</translation>
+    </message>
+    <message>
+        <source>Press or drag to go to a frame</source>
+        <translation>Drücken oder Ziehen führt zu einem Bild</translation>
+    </message>
+    <message>
+        <source>Momentum over the last frames</source>
+        <translation>Impuls über die letzten Bilder</translation>
+    </message>
+    <message>
+        <source>to the right</source>
+        <translation>nach rechts</translation>
+    </message>
+    <message>
+        <source>down</source>
+        <translation>nach unten</translation>
+    </message>
+</context>
+<context>
+    <name>app::FootfallStrip</name>
+    <message>
+        <source>Feet on the ground</source>
+        <translation>Füße am Boden</translation>
+    </message>
+    <message>
+        <source>%1 stands, slipped %2&#x202f;px.</source>
+        <translation>%1 steht, ist %2&#x202f;px gerutscht.</translation>
+    </message>
+    <message>
+        <source>%1 is in the air.</source>
+        <translation>%1 ist in der Luft.</translation>
+    </message>
+    <message>
+        <source>Feet on the ground, and how many px each slips</source>
+        <translation>Füße am Boden, und um wie viele px jeder rutscht</translation>
+    </message>
+    <message>
+        <source>Which foot stands when. Click to go to that frame</source>
+        <translation>Welcher Fuß wann steht. Ein Klick führt zu diesem Bild</translation>
+    </message>
+    <message>
+        <source>%1 is in the air at frame %2</source>
+        <translation>%1 ist bei Bild %2 in der Luft</translation>
+    </message>
+    <message>
+        <source>%1 stands from frame %2 to %3 and slips %4&#x202f;px</source>
+        <translation>%1 steht von Bild %2 bis %3 und rutscht %4&#x202f;px</translation>
+    </message>
+</context>
+<context>
+    <name>app::FrameCounter</name>
+    <message>
+        <source>Go to a frame (Ctrl+G)</source>
+        <translation>Zu einem Bild gehen (Strg+G)</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Go to frame</source>
+        <translation>Zu Bild gehen</translation>
+    </message>
+    <message>
+        <source>Enter goes there, Escape leaves</source>
+        <translation>Eingabe geht hin, Escape verlässt das Feld</translation>
+    </message>
+    <message>
+        <source>A frame is a whole number from 0 to %1.</source>
+        <translation>Ein Bild ist eine ganze Zahl von 0 bis %1.</translation>
+    </message>
+</context>
+<context>
+    <name>app::GrowthPlot</name>
+    <message>
+        <source>Map of growth</source>
+        <translation>Karte des Wachstums</translation>
+    </message>
+    <message>
+        <source>a step of %1&#x2009;frames</source>
+        <translation>ein Zeitschritt von %1&#x2009;Bildern</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1: disturbances %2</source>
+        <translation>%1: Störungen %2</translation>
+    </message>
+    <message>
+        <source>%1: it holds</source>
+        <translation>%1: Es hält</translation>
+    </message>
+    <message>
+        <source>a step of %1</source>
+        <translation>ein Zeitschritt von %1</translation>
+    </message>
+    <message>
+        <source>%1
+A click or Enter uses k %2 and %3</source>
+        <translation>%1
+Ein Klick oder Eingabe setzt k %2 und %3</translation>
+    </message>
+    <message>
+        <source>The map is being computed.</source>
+        <translation>Die Karte wird berechnet.</translation>
+    </message>
+    <message>
+        <source>You are at %1. Arrow keys walk over the map, Enter uses a place.</source>
+        <translation>Du bist bei %1. Pfeiltasten gehen über die Karte, Eingabe übernimmt einen Ort.</translation>
+    </message>
+    <message>
+        <source>grows</source>
+        <translation>wächst</translation>
+    </message>
+    <message>
+        <source>holds</source>
+        <translation>hält</translation>
+    </message>
+    <message>
+        <source>you are here</source>
+        <translation>du bist hier</translation>
+    </message>
+    <message>
+        <source>step, frames</source>
+        <translation>Zeitschritt, Bilder</translation>
+    </message>
+    <message>
+        <source>damp, kept a frame</source>
+        <translation>damp, pro Bild behalten</translation>
+    </message>
+    <message>
+        <source>stiffness k, 1/frame²</source>
+        <translation>Steifigkeit k, 1/Bild²</translation>
+    </message>
+    <message>
+        <source>×10 a frame</source>
+        <translation>×10 pro Bild</translation>
+    </message>
+</context>
+<context>
+    <name>app::HelpPage</name>
+    <message>
+        <source>Keys and mouse</source>
+        <translation>Tasten und Maus</translation>
+    </message>
+    <message>
+        <source>Everything works without the mouse, too. Esc closes this page.</source>
+        <translation>Alles geht auch ohne Maus. Esc schließt diese Seite.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>app::KeyCaps</name>
+    <message>
+        <source>Page Up</source>
+        <translation>Bild auf</translation>
+    </message>
+    <message>
+        <source>Page Down</source>
+        <translation>Bild ab</translation>
+    </message>
+    <message>
+        <source>Ctrl</source>
+        <translation>Strg</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Umschalt</translation>
+    </message>
+    <message>
+        <source>or</source>
+        <translation>oder</translation>
+    </message>
+</context>
+<context>
+    <name>app::LearnPanel</name>
+    <message>
+        <source>Lessons</source>
+        <translation>Lektionen</translation>
+    </message>
+    <message>
+        <source>%1 of %2 steps</source>
+        <translation>%1 von %2 Schritten</translation>
+    </message>
+</context>
+<context>
+    <name>app::LessonList</name>
+    <message>
+        <source>Lessons</source>
+        <translation>Lektionen</translation>
+    </message>
+</context>
+<context>
+    <name>app::LessonModel</name>
+    <message>
+        <source>open</source>
+        <translation>offen</translation>
+    </message>
+    <message>
+        <source>%1, %2 of %3 steps done</source>
+        <translation>%1, %2 von %3 Schritten geschafft</translation>
+    </message>
+    <message>
+        <source>%1, done</source>
+        <translation>%1, geschafft</translation>
+    </message>
+    <message>
+        <source>%1, not yet done</source>
+        <translation>%1, noch nicht geschafft</translation>
+    </message>
+    <message>
+        <source>1 file is not a lesson</source>
+        <translation>1 Datei ist keine Lektion</translation>
+    </message>
+    <message>
+        <source>%1 files are not lessons</source>
+        <translation>%1 Dateien sind keine Lektionen</translation>
+    </message>
+</context>
+<context>
+    <name>app::MainWindow</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;Run</source>
+        <translation>&amp;Lauf</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>&amp;Keys and mouse</source>
+        <translation>&amp;Tasten und Maus</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>Experiments</source>
+        <translation>Experimente</translation>
+    </message>
+    <message>
+        <source>&amp;Open an experiment…</source>
+        <translation>Experiment ö&amp;ffnen …</translation>
+    </message>
+    <message>
+        <source>&amp;Save the experiment</source>
+        <translation>Experiment &amp;speichern</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Speichern &amp;unter …</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>&amp;Play or pause</source>
+        <translation>&amp;Abspielen oder anhalten</translation>
+    </message>
+    <message>
+        <source>Next &amp;frame</source>
+        <translation>Nächstes &amp;Bild</translation>
+    </message>
+    <message>
+        <source>Frame &amp;back</source>
+        <translation>Bild &amp;zurück</translation>
+    </message>
+    <message>
+        <source>&amp;Next phase</source>
+        <translation>&amp;Nächste Phase</translation>
+    </message>
+    <message>
+        <source>P&amp;hase back</source>
+        <translation>&amp;Phase zurück</translation>
+    </message>
+    <message>
+        <source>To the &amp;start</source>
+        <translation>Zum An&amp;fang</translation>
+    </message>
+    <message>
+        <source>To the &amp;end of what was computed</source>
+        <translation>Zum &amp;Ende des Berechneten</translation>
+    </message>
+    <message>
+        <source>S&amp;lower</source>
+        <translation>&amp;Langsamer</translation>
+    </message>
+    <message>
+        <source>Faste&amp;r</source>
+        <translation>S&amp;chneller</translation>
+    </message>
+    <message>
+        <source>Start the step &amp;afresh</source>
+        <translation>Schritt neu be&amp;ginnen</translation>
+    </message>
+    <message>
+        <source>Forget the &amp;old run</source>
+        <translation>Alten Lauf &amp;vergessen</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt step</source>
+        <translation>Nächster Sch&amp;ritt</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious step</source>
+        <translation>Vor&amp;iger Schritt</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Szene</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;in</source>
+        <translation>Ver&amp;größern</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;out</source>
+        <translation>Ver&amp;kleinern</translation>
+    </message>
+    <message>
+        <source>&amp;Fit the scene</source>
+        <translation>Szene ein&amp;passen</translation>
+    </message>
+    <message>
+        <source>&amp;Lessons</source>
+        <translation>&amp;Lektionen</translation>
+    </message>
+    <message>
+        <source>&amp;Code and parameters</source>
+        <translation>&amp;Code und Parameter</translation>
+    </message>
+    <message>
+        <source>Where energy and momentum went, below the picture (Ctrl+3)</source>
+        <translation>Wohin Energie und Impuls gingen, unter der Szene (Strg+3)</translation>
+    </message>
+    <message>
+        <source>What each effect of the scene costs, with a switch for each (Ctrl+4)</source>
+        <translation>Was jeder Effekt der Szene kostet, mit einem Schalter für jeden (Strg+4)</translation>
+    </message>
+    <message>
+        <source>&amp;Stability of the step</source>
+        <translation>&amp;Stabilität des Zeitschritts</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>&amp;Dunkel</translation>
+    </message>
+    <message>
+        <source>F&amp;ull screen</source>
+        <translation>V&amp;ollbild</translation>
+    </message>
+    <message>
+        <source>Drag a body</source>
+        <translation>Einen Körper ziehen</translation>
+    </message>
+    <message>
+        <source>grab it; let go while moving to throw it</source>
+        <translation>greifen; in Bewegung loslassen, um ihn zu werfen</translation>
+    </message>
+    <message>
+        <source>Drag the background</source>
+        <translation>Den Hintergrund ziehen</translation>
+    </message>
+    <message>
+        <source>move the picture</source>
+        <translation>die Szene verschieben</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Mausrad</translation>
+    </message>
+    <message>
+        <source>zoom where the pointer is</source>
+        <translation>vergrößern, wo der Zeiger ist</translation>
+    </message>
+    <message>
+        <source>[ and ]</source>
+        <translation>[ und ]</translation>
+    </message>
+    <message>
+        <source>choose the body before or after</source>
+        <translation>den Körper davor oder danach wählen</translation>
+    </message>
+    <message>
+        <source>Alt and an arrow key</source>
+        <translation>Alt und eine Pfeiltaste</translation>
+    </message>
+    <message>
+        <source>carry the chosen body 10 px</source>
+        <translation>den gewählten Körper 10 px tragen</translation>
+    </message>
+    <message>
+        <source>Press the background</source>
+        <translation>Auf den Hintergrund drücken</translation>
+    </message>
+    <message>
+        <source>blow, steer or aim, where a step has that</source>
+        <translation>blasen, lenken oder zielen, wo ein Schritt das hat</translation>
+    </message>
+    <message>
+        <source>Drag with the middle button</source>
+        <translation>Mit der mittleren Taste ziehen</translation>
+    </message>
+    <message>
+        <source>Arrow keys</source>
+        <translation>Pfeiltasten</translation>
+    </message>
+    <message>
+        <source>steer, where a step has that</source>
+        <translation>lenken, wo ein Schritt das hat</translation>
+    </message>
+    <message>
+        <source>Alt, Shift and an arrow key</source>
+        <translation>Alt, Umschalt und eine Pfeiltaste</translation>
+    </message>
+    <message>
+        <source>move the pointer or the target 20 px</source>
+        <translation>Zeiger oder Ziel um 20 px bewegen</translation>
+    </message>
+    <message>
+        <source>Alt and Enter</source>
+        <translation>Alt und Eingabe</translation>
+    </message>
+    <message>
+        <source>pointer button down or up</source>
+        <translation>Zeigertaste drücken oder loslassen</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>let go</source>
+        <translation>loslassen</translation>
+    </message>
+    <message>
+        <source>Drag the timeline</source>
+        <translation>Die Zeitleiste ziehen</translation>
+    </message>
+    <message>
+        <source>go anywhere in time</source>
+        <translation>irgendwohin in der Zeit gehen</translation>
+    </message>
+    <message>
+        <source>Click a phase</source>
+        <translation>Auf eine Phase klicken</translation>
+    </message>
+    <message>
+        <source>run to it</source>
+        <translation>bis zu ihr laufen</translation>
+    </message>
+    <message>
+        <source>Alt and the underlined letter</source>
+        <translation>Alt und der unterstrichene Buchstabe</translation>
+    </message>
+    <message>
+        <source>where a run has stopped by itself: use what mends it</source>
+        <translation>wo ein Lauf von selbst angehalten hat: nehmen, was ihn heilt</translation>
+    </message>
+    <message>
+        <source>Accuracy</source>
+        <translation>Genauigkeit</translation>
+    </message>
+    <message>
+        <source>walk through the points of a plot</source>
+        <translation>durch die Punkte einer Kurve gehen</translation>
+    </message>
+    <message>
+        <source>Enter or a click</source>
+        <translation>Eingabe oder ein Klick</translation>
+    </message>
+    <message>
+        <source>use the method and step of a point</source>
+        <translation>Verfahren und Zeitschritt eines Punktes verwenden</translation>
+    </message>
+    <message>
+        <source>+ and −, or drag the line</source>
+        <translation>+ und −, oder die Linie ziehen</translation>
+    </message>
+    <message>
+        <source>how far off is near enough</source>
+        <translation>wie viel Abweichung nah genug ist</translation>
+    </message>
+    <message>
+        <source>Energy</source>
+        <translation>Energie</translation>
+    </message>
+    <message>
+        <source>Effects</source>
+        <translation>Effekte</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Code</translation>
+    </message>
+    <message>
+        <source>%1 – Springstep</source>
+        <translation>%1 – Springstep</translation>
+    </message>
+    <message>
+        <source>Experiment not opened: %1 Your scene is unchanged.</source>
+        <translation>Experiment nicht geöffnet: %1 Deine Szene ist unverändert.</translation>
+    </message>
+    <message>
+        <source>Experiment not saved: %1</source>
+        <translation>Experiment nicht gespeichert: %1</translation>
+    </message>
+    <message>
+        <source>Saved as %1.</source>
+        <translation>Gespeichert als %1.</translation>
+    </message>
+    <message>
+        <source>Open an experiment</source>
+        <translation>Experiment öffnen</translation>
+    </message>
+    <message>
+        <source>Experiments (*.json)</source>
+        <translation>Experimente (*.json)</translation>
+    </message>
+    <message>
+        <source>Save the experiment</source>
+        <translation>Experiment speichern</translation>
+    </message>
+    <message>
+        <source>Changes</source>
+        <translation>Änderungen</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>&amp;Undo: %1</source>
+        <translation>&amp;Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo: %1</source>
+        <translation>&amp;Wiederholen: %1</translation>
+    </message>
+    <message>
+        <source>Nothing was changed in this step that could be undone (Ctrl+Z)</source>
+        <translation>In diesem Schritt wurde nichts geändert, was sich rückgängig machen ließe (Strg+Z)</translation>
+    </message>
+    <message>
+        <source>Undo: %1 (Ctrl+Z)</source>
+        <translation>Rückgängig: %1 (Strg+Z)</translation>
+    </message>
+    <message>
+        <source>Nothing was undone (Ctrl+Shift+Z)</source>
+        <translation>Nichts wurde rückgängig gemacht (Strg+Umschalt+Z)</translation>
+    </message>
+    <message>
+        <source>Redo: %1 (Ctrl+Shift+Z)</source>
+        <translation>Wiederholen: %1 (Strg+Umschalt+Z)</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>Spr&amp;ache</translation>
+    </message>
+    <message>
+        <source>As the &amp;system has it</source>
+        <translation>Wie das &amp;System</translation>
+    </message>
+    <message>
+        <source>Springstep speaks %1 from its next start on.</source>
+        <translation>Ab dem nächsten Start spricht Springstep %1.</translation>
+    </message>
+    <message>
+        <source>Everything rests. Touch something, or press &lt;b&gt;Space&lt;/b&gt; to stop.</source>
+        <translation>Alles ruht. Fass etwas an, oder drücke &lt;b&gt;Leertaste&lt;/b&gt;, um anzuhalten.</translation>
+    </message>
+    <message>
+        <source>Playing. Press &lt;b&gt;Space&lt;/b&gt; to stop anywhere.</source>
+        <translation>Läuft. Drücke &lt;b&gt;Leertaste&lt;/b&gt;, um irgendwo anzuhalten.</translation>
+    </message>
+    <message>
+        <source>Inside frame %1, after %2. &lt;b&gt;Shift+→&lt;/b&gt; next phase, &lt;b&gt;→&lt;/b&gt; next frame.</source>
+        <translation>Innerhalb von Bild %1, nach „%2“. &lt;b&gt;Umschalt+→&lt;/b&gt; nächste Phase, &lt;b&gt;→&lt;/b&gt; nächstes Bild.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Space&lt;/b&gt; plays, &lt;b&gt;→&lt;/b&gt; next frame, &lt;b&gt;Shift+→&lt;/b&gt; into the frame. Drag anything.</source>
+        <translation>&lt;b&gt;Leertaste&lt;/b&gt; spielt ab, &lt;b&gt;→&lt;/b&gt; nächstes Bild, &lt;b&gt;Umschalt+→&lt;/b&gt; ins Bild. Zieh an etwas.</translation>
+    </message>
+    <message>
+        <source>L&amp;earn</source>
+        <translation>Le&amp;rnen</translation>
+    </message>
+    <message>
+        <source>Lessons, scene and code</source>
+        <translation>Lektionen, Szene und Code</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>&amp;Messen</translation>
+    </message>
+    <message>
+        <source>What accuracy costs in time, on this scene</source>
+        <translation>Was Genauigkeit an Zeit kostet, in dieser Szene</translation>
+    </message>
+    <message>
+        <source>E&amp;nergy</source>
+        <translation>&amp;Energie</translation>
+    </message>
+    <message>
+        <source>Effec&amp;ts</source>
+        <translation>E&amp;ffekte</translation>
+    </message>
+</context>
+<context>
+    <name>app::MeasurePanel</name>
+    <message>
+        <source>Measured</source>
+        <translation>Gemessen</translation>
+    </message>
+    <message>
+        <source>at the cursor</source>
+        <translation>am Zeitzeiger</translation>
+    </message>
+</context>
+<context>
+    <name>app::Narration</name>
+    <message>
+        <source>Try this</source>
+        <translation>Probier es aus</translation>
+    </message>
+    <message>
+        <source>Previous step</source>
+        <translation>Voriger Schritt</translation>
+    </message>
+    <message>
+        <source>Back: %1 (Page Up)</source>
+        <translation>Zurück: %1 (Bild auf)</translation>
+    </message>
+    <message>
+        <source>This is the first step.</source>
+        <translation>Das ist der erste Schritt.</translation>
+    </message>
+    <message>
+        <source>Next: %1</source>
+        <translation>Weiter: %1</translation>
+    </message>
+    <message>
+        <source>The last step</source>
+        <translation>Der letzte Schritt</translation>
+    </message>
+    <message>
+        <source>Next: %1 (Page Down)</source>
+        <translation>Weiter: %1 (Bild ab)</translation>
+    </message>
+    <message>
+        <source>No step comes after this one.</source>
+        <translation>Danach kommt kein Schritt mehr.</translation>
+    </message>
+</context>
+<context>
+    <name>app::Notice</name>
+    <message>
+        <source>Notice</source>
+        <translation>Hinweis</translation>
+    </message>
+    <message>
+        <source>Close this notice (Esc)</source>
+        <translation>Diesen Hinweis schließen (Esc)</translation>
+    </message>
+    <message>
+        <source>Close this notice</source>
+        <translation>Diesen Hinweis schließen</translation>
+    </message>
+</context>
+<context>
+    <name>app::OrderPlot</name>
+    <message>
+        <source>Error against step: the measured order</source>
+        <translation>Fehler über dem Zeitschritt: die gemessene Ordnung</translation>
+    </message>
+    <message>
+        <source>%1: %2, as stated</source>
+        <translation>%1: %2, wie angegeben</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3</source>
+        <translation>%1: %2 von %3</translation>
+    </message>
+    <message>
+        <source>step, frames (finer →)</source>
+        <translation>Zeitschritt, Bilder (feiner →)</translation>
+    </message>
+    <message>
+        <source>error, px</source>
+        <translation>Fehler, px</translation>
+    </message>
+    <message>
+        <source>← better</source>
+        <translation>← besser</translation>
+    </message>
+    <message>
+        <source>A step %1 times as short makes the error %2 times as small: order %3 here, %4 stated</source>
+        <translation>Ein Zeitschritt, %1-mal so kurz, macht den Fehler %2-mal so klein: Ordnung %3 hier, %4 angegeben</translation>
+    </message>
+</context>
+<context>
+    <name>app::ParameterPanel</name>
+    <message>
+        <source>Parameters</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Reset all</source>
+        <translation>Alle zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Beispiele</translation>
+    </message>
+    <message>
+        <source>Pictures of what other values make of this step</source>
+        <translation>Bilder davon, was andere Werte aus diesem Schritt machen</translation>
+    </message>
+    <message>
+        <source>Set every parameter back to what this step begins with</source>
+        <translation>Jeden Parameter auf das setzen, womit dieser Schritt beginnt</translation>
+    </message>
+    <message>
+        <source>Nothing to reset: every parameter is as this step begins with.</source>
+        <translation>Nichts zurückzusetzen: Jeder Parameter ist so, wie dieser Schritt beginnt.</translation>
+    </message>
+    <message>
+        <source>Show fewer parameters</source>
+        <translation>Weniger Parameter zeigen</translation>
+    </message>
+    <message>
+        <source>Show all parameters</source>
+        <translation>Alle Parameter zeigen</translation>
+    </message>
+    <message>
+        <source>%1, shown</source>
+        <translation>%1, aufgeklappt</translation>
+    </message>
+    <message>
+        <source>%1, folded</source>
+        <translation>%1, zugeklappt</translation>
+    </message>
+</context>
+<context>
+    <name>app::ParameterRow</name>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>%1, slider</source>
+        <translation>%1, Schieber</translation>
+    </message>
+    <message>
+        <source>Back to %1</source>
+        <translation>Zurück auf %1</translation>
+    </message>
+    <message>
+        <source>%1 back to %2</source>
+        <translation>%1 zurück auf %2</translation>
+    </message>
+    <message>
+        <source>It can be %1 to %2%3.</source>
+        <translation>Möglich ist %1 bis %2%3.</translation>
+    </message>
+    <message>
+        <source>%1 can be %2 to %3.</source>
+        <translation>%1 kann %2 bis %3 sein.</translation>
+    </message>
+</context>
+<context>
+    <name>app::PresetGallery</name>
+    <message>
+        <source>Presets</source>
+        <translation>Beispiele</translation>
+    </message>
+    <message>
+        <source>%1 Starts this step anew.</source>
+        <translation>%1 Beginnt diesen Schritt neu.</translation>
+    </message>
+</context>
+<context>
+    <name>app::RemedySearch</name>
+    <message>
+        <source>Computes the run again with that, up to this frame. What you did is kept, and the old run stays as a ghost.</source>
+        <translation>Berechnet den Lauf damit noch einmal, bis zu diesem Bild. Was du getan hast, bleibt, und der alte Lauf bleibt als Geist.</translation>
+    </message>
+    <message>
+        <source>Not tried out: that would take long.</source>
+        <translation>Nicht ausprobiert: Das würde lange dauern.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Tried out: it holds for %n frames.</source>
+        <translation>
+            <numerusform>Ausprobiert: Es hält %n Bild lang.</numerusform>
+            <numerusform>Ausprobiert: Es hält %n Bilder lang.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>app::RunPlot</name>
+    <message>
+        <source>Error over the run</source>
+        <translation>Fehler über den Lauf</translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>error, px</source>
+        <translation>Fehler, px</translation>
+    </message>
+    <message>
+        <source>← better</source>
+        <translation>← besser</translation>
+    </message>
+    <message>
+        <source>Frame %1: %2 off</source>
+        <translation>Bild %1: %2 Abweichung</translation>
+    </message>
+</context>
+<context>
+    <name>app::SceneBar</name>
+    <message>
+        <source>How the run is computed from one step to the next</source>
+        <translation>Wie der Lauf von einem Zeitschritt zum nächsten berechnet wird</translation>
+    </message>
+    <message>
+        <source>How much time one step of the method covers</source>
+        <translation>Wie viel Zeit ein Zeitschritt des Verfahrens umfasst</translation>
+    </message>
+    <message>
+        <source>What the picture shows besides the creature</source>
+        <translation>Was die Szene außer der Figur zeigt</translation>
+    </message>
+    <message>
+        <source>Zoom to 100&#x2009;%</source>
+        <translation>Auf 100&#x2009;% zoomen</translation>
+    </message>
+    <message>
+        <source>Show the whole stage (Ctrl+0)</source>
+        <translation>Die ganze Bühne zeigen (Strg+0)</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Einpassen</translation>
+    </message>
+    <message>
+        <source>Other:</source>
+        <translation>Andere:</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source>frames</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>From 1e-13 to 100 px; Enter takes it</source>
+        <translation>Von 1e-13 bis 100 px; Eingabe übernimmt</translation>
+    </message>
+    <message>
+        <source>1 divided by a whole number, or a whole number, in frames; Enter takes it</source>
+        <translation>1 geteilt durch eine ganze Zahl oder eine ganze Zahl, in Bildern; Eingabe übernimmt</translation>
+    </message>
+    <message>
+        <source>Other tolerance, in px</source>
+        <translation>Andere Toleranz, in px</translation>
+    </message>
+    <message>
+        <source>Other step, in frames</source>
+        <translation>Anderer Zeitschritt, in Bildern</translation>
+    </message>
+    <message>
+        <source>The error that each of the method&apos;s own steps may make</source>
+        <translation>Der Fehler, den jeder eigene Zeitschritt des Verfahrens machen darf</translation>
+    </message>
+    <message>
+        <source>Trails</source>
+        <translation>Spuren</translation>
+    </message>
+    <message>
+        <source>Velocity arrows</source>
+        <translation>Geschwindigkeitspfeile</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Gitter</translation>
+    </message>
+    <message>
+        <source>Explaining lines</source>
+        <translation>Erklärende Linien</translation>
+    </message>
+    <message>
+        <source>Eyes</source>
+        <translation>Augen</translation>
+    </message>
+    <message>
+        <source>Ghost</source>
+        <translation>Geist</translation>
+    </message>
+    <message>
+        <source>Onion skins</source>
+        <translation>Zwiebelschalen</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Referenz</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Zeitschritt</translation>
+    </message>
+    <message>
+        <source>%1&#x2009;%</source>
+        <translation>%1&#x2009;%</translation>
+    </message>
+    <message>
+        <source>Zoom %1</source>
+        <translation>Zoom %1</translation>
+    </message>
+</context>
+<context>
+    <name>app::SceneView</name>
+    <message>
+        <source>Outside of the picture: click to bring it back into view</source>
+        <translation>Außerhalb der Szene: Ein Klick holt es wieder ins Blickfeld</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>Szene</translation>
+    </message>
+    <message>
+        <source>Beside it: %1</source>
+        <translation>Daneben: %1</translation>
+    </message>
+</context>
+<context>
+    <name>app::Session</name>
+    <message>
+        <source>Your hand</source>
+        <translation>Deine Hand</translation>
+    </message>
+    <message>
+        <source>your hand</source>
+        <translation>deine Hand</translation>
+    </message>
+    <message>
+        <source>before: %1</source>
+        <translation>vorher: %1</translation>
+    </message>
+    <message>
+        <source>Reset all</source>
+        <translation>Alle zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Zeitschritt</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>What mends</source>
+        <translation>Heilung</translation>
+    </message>
+    <message>
+        <source>Pointer</source>
+        <translation>Zeiger</translation>
+    </message>
+    <message>
+        <source>the pointer</source>
+        <translation>der Zeiger</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>the target</source>
+        <translation>das Ziel</translation>
+    </message>
+    <message>
+        <source>Arrow keys</source>
+        <translation>Pfeiltasten</translation>
+    </message>
+    <message>
+        <source>the keys</source>
+        <translation>die Tasten</translation>
+    </message>
+    <message>
+        <source>%1 off</source>
+        <translation>%1 aus</translation>
+    </message>
+    <message>
+        <source>%1 on</source>
+        <translation>%1 an</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Too much to compute for 30 frames a second: it plays slower than that. The run stays the same.</source>
+        <translation>Zu viel zu berechnen für 30 Bilder pro Sekunde: Es läuft langsamer ab. Der Lauf bleibt derselbe.</translation>
+    </message>
+    <message>
+        <source>Start afresh</source>
+        <translation>Neu beginnen</translation>
+    </message>
+    <message>
+        <source>undone: %1</source>
+        <translation>rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>Undone: %1.</source>
+        <translation>Rückgängig: %1.</translation>
+    </message>
+    <message>
+        <source>Done again: %1.</source>
+        <translation>Wiederholt: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>app::SpeedButton</name>
+    <message>
+        <source>Playing speed (− and +). It never changes the step</source>
+        <translation>Abspieltempo (− und +). Den Zeitschritt ändert es nie</translation>
+    </message>
+    <message>
+        <source>%1×</source>
+        <translation>%1×</translation>
+    </message>
+    <message>
+        <source>Playing speed %1, %2</source>
+        <translation>Abspieltempo %1, %2</translation>
+    </message>
+    <message>
+        <source>%1 frames/s</source>
+        <translation>%1 Bilder/s</translation>
+    </message>
+</context>
+<context>
+    <name>app::SpotPlot</name>
+    <message>
+        <source>Points: %1. Arrow keys walk through them, Enter uses one.</source>
+        <translation>Punkte: %1. Pfeiltasten gehen durch sie hindurch, Eingabe verwendet einen.</translation>
+    </message>
+</context>
+<context>
+    <name>app::StabilityGauge</name>
+    <message>
+        <source>Stability</source>
+        <translation>Stabilität</translation>
+    </message>
+    <message>
+        <source>Click for the reasons, and for what would mend it (Ctrl+L).</source>
+        <translation>Ein Klick zeigt die Gründe und was helfen würde (Strg+L).</translation>
+    </message>
+    <message>
+        <source>%1&#x2009;% of the limit</source>
+        <translation>%1&#x2009;% der Grenze</translation>
+    </message>
+</context>
+<context>
+    <name>app::StabilityPanel</name>
+    <message>
+        <source>Stability</source>
+        <translation>Stabilität</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Close, and show what was here before (Ctrl+L)</source>
+        <translation>Schließen und zeigen, was vorher hier war (Strg+L)</translation>
+    </message>
+    <message>
+        <source>What would help</source>
+        <translation>Was helfen würde</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Karte</translation>
+    </message>
+    <message>
+        <source>Stiffness and step</source>
+        <translation>Steifigkeit und Zeitschritt</translation>
+    </message>
+    <message>
+        <source>Which stiffness and which step hold, all else as it is; again to close</source>
+        <translation>Welche Steifigkeit und welcher Zeitschritt halten, alles andere wie jetzt; noch einmal, um zu schließen</translation>
+    </message>
+    <message>
+        <source>Stiffness and damping</source>
+        <translation>Steifigkeit und Dämpfung</translation>
+    </message>
+    <message>
+        <source>Which stiffness and which damping hold, all else as it is; again to close</source>
+        <translation>Welche Steifigkeit und welche Dämpfung halten, alles andere wie jetzt; noch einmal, um zu schließen</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>There is no map for this step: it has no stiffness k to change.</source>
+        <translation>Für diesen Schritt gibt es keine Karte: Er hat keine Steifigkeit k, die man ändern könnte.</translation>
+    </message>
+    <message>
+        <source>There is no map here: nothing swings, so any stiffness and any step hold.</source>
+        <translation>Hier gibt es keine Karte: Nichts schwingt, also hält jede Steifigkeit und jeder Zeitschritt.</translation>
+    </message>
+    <message>
+        <source>There is no map for this method: no stiffness is too much for its step.</source>
+        <translation>Für dieses Verfahren gibt es keine Karte: Keine Steifigkeit ist zu viel für seinen Zeitschritt.</translation>
+    </message>
+</context>
+<context>
+    <name>app::StatusFigures</name>
+    <message>
+        <source>How many points the scene has: each body, foot or joint is one</source>
+        <translation>Wie viele Punkte die Szene hat: Jeder Körper, jeder Fuß und jedes Gelenk ist einer</translation>
+    </message>
+    <message>
+        <source>How often a frame computes all forces: that is its work</source>
+        <translation>Wie oft ein Bild alle Kräfte berechnet: Das ist seine Arbeit</translation>
+    </message>
+    <message>
+        <source>What computing a frame of this scene takes on this machine, in the middle of many runs</source>
+        <translation>Was es auf diesem Rechner kostet, ein Bild dieser Szene zu berechnen, im Mittel vieler Läufe</translation>
+    </message>
+    <message>
+        <source>How far the body that is worst off ever is from the exact motion, over these frames</source>
+        <translation>Wie weit der Körper, um den es am schlechtesten steht, über diese Bilder je von der exakten Bewegung abweicht</translation>
+    </message>
+    <message>
+        <source>1 point</source>
+        <translation>1 Punkt</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 Punkte</translation>
+    </message>
+    <message>
+        <source>%1 a frame</source>
+        <translation>%1 pro Bild</translation>
+    </message>
+    <message>
+        <source>%1 off over %2 frames</source>
+        <translation>%1 daneben in %2 Bildern</translation>
+    </message>
+    <message>
+        <source>forces once a frame</source>
+        <translation>Kräfte einmal/Bild</translation>
+    </message>
+    <message>
+        <source>forces %1 times a frame</source>
+        <translation>Kräfte %1-mal/Bild</translation>
+    </message>
+    <message>
+        <source>forces %1 times a frame until now</source>
+        <translation>Kräfte bisher %1-mal/Bild</translation>
+    </message>
+</context>
+<context>
+    <name>app::StopNotice</name>
+    <message>
+        <source>Trying out what would mend it…</source>
+        <translation>Was würde es heilen? Wird ausprobiert …</translation>
+    </message>
+    <message>
+        <source>No smaller step and no other method was found to hold. Go back, and change what made it so.</source>
+        <translation>Kein kleinerer Zeitschritt und kein anderes Verfahren hielt stand. Geh zurück und ändere, was dazu geführt hat.</translation>
+    </message>
+</context>
+<context>
+    <name>app::TimelineStrip</name>
+    <message>
+        <source>Forget the old run</source>
+        <translation>Den alten Lauf vergessen</translation>
+    </message>
+    <message>
+        <source>%1: phase %2 of %3. Click to run to it.</source>
+        <translation>%1: Phase %2 von %3. Ein Klick läuft bis dorthin.</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>The old run, %1. Right-click to forget it.</source>
+        <translation>Der alte Lauf, %1. Rechtsklick, um ihn zu vergessen.</translation>
+    </message>
+    <message>
+        <source>frame %1</source>
+        <translation>Bild %1</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>Zeitleiste</translation>
+    </message>
+    <message>
+        <source>Left and Right: one frame. With Shift: one phase. Home: frame 0. End: the last computed frame.</source>
+        <translation>Links und Rechts: ein Bild. Mit Umschalt: eine Phase. Pos1: Bild 0. Ende: das letzte berechnete Bild.</translation>
+    </message>
+</context>
+<context>
+    <name>app::TransportBar</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Go to frame…</source>
+        <translation>Zu Bild gehen …</translation>
+    </message>
+    <message>
+        <source>going to %1… Esc stops</source>
+        <translation>geht zu %1 … Esc hält an</translation>
+    </message>
+    <message>
+        <source>going to %1…</source>
+        <translation>geht zu %1 …</translation>
+    </message>
+    <message>
+        <source>· %1</source>
+        <translation>· %1</translation>
+    </message>
+    <message>
+        <source>This is frame 0: nothing comes before it.</source>
+        <translation>Das ist Bild 0: Davor kommt nichts.</translation>
+    </message>
+    <message>
+        <source>Back to frame 0</source>
+        <translation>Zurück zu Bild 0</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Pos1</translation>
+    </message>
+    <message>
+        <source>One phase back</source>
+        <translation>Eine Phase zurück</translation>
+    </message>
+    <message>
+        <source>Shift+←</source>
+        <translation>Umschalt+←</translation>
+    </message>
+    <message>
+        <source>Back to the start of this frame</source>
+        <translation>Zurück zum Anfang dieses Bildes</translation>
+    </message>
+    <message>
+        <source>One frame back</source>
+        <translation>Ein Bild zurück</translation>
+    </message>
+    <message>
+        <source>←</source>
+        <translation>←</translation>
+    </message>
+    <message>
+        <source>On to the end of this frame</source>
+        <translation>Weiter zum Ende dieses Bildes</translation>
+    </message>
+    <message>
+        <source>One frame forward</source>
+        <translation>Ein Bild weiter</translation>
+    </message>
+    <message>
+        <source>→</source>
+        <translation>→</translation>
+    </message>
+    <message>
+        <source>One phase forward</source>
+        <translation>Eine Phase weiter</translation>
+    </message>
+    <message>
+        <source>Shift+→</source>
+        <translation>Umschalt+→</translation>
+    </message>
+    <message>
+        <source>Stop here</source>
+        <translation>Hier anhalten</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Leertaste</translation>
+    </message>
+</context>
+<context>
+    <name>app::TryRow</name>
+    <message>
+        <source>Springstep ticks this when it sees you do it.</source>
+        <translation>Springstep hakt das ab, wenn es sieht, dass du es tust.</translation>
+    </message>
+    <message>
+        <source>%1 done</source>
+        <translation>%1 geschafft</translation>
+    </message>
+    <message>
+        <source>%1 not yet</source>
+        <translation>%1 noch nicht</translation>
+    </message>
+</context>
+<context>
+    <name>app::WorkPrecisionPlot</name>
+    <message>
+        <source>you are here</source>
+        <translation>du bist hier</translation>
+    </message>
+    <message>
+        <source>The front: nothing is
+as exact for less.</source>
+        <translation>Die Bestlinie: Nichts ist
+für weniger so genau.</translation>
+    </message>
+    <message>
+        <source>Error against time</source>
+        <translation>Fehler und Zeit</translation>
+    </message>
+    <message>
+        <source>time, µs a frame</source>
+        <translation>Zeit, µs pro Bild</translation>
+    </message>
+    <message>
+        <source>forces computed a frame (times come next)</source>
+        <translation>berechnete Kräfte pro Bild (Zeiten folgen)</translation>
+    </message>
+    <message>
+        <source>error, px</source>
+        <translation>Fehler, px</translation>
+    </message>
+    <message>
+        <source>cheaper ←</source>
+        <translation>billiger ←</translation>
+    </message>
+    <message>
+        <source>← better</source>
+        <translation>← besser</translation>
+    </message>
+</context>
+<context>
+    <name>sim</name>
+    <message>
+        <source>an event</source>
+        <translation>ein Ereignis</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>eine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>a parameter&apos;s id</source>
+        <translation>die Kennung eines Parameters</translation>
+    </message>
+    <message>
+        <source>a value of that parameter</source>
+        <translation>einen Wert dieses Parameters</translation>
+    </message>
+    <message>
+        <source>joint limits</source>
+        <translation>Gelenkgrenzen</translation>
+    </message>
+    <message>
+        <source>area</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>spring</source>
+        <translation>Feder</translation>
+    </message>
+    <message>
+        <source>damping</source>
+        <translation>Dämpfung</translation>
+    </message>
+    <message>
+        <source>gait clock</source>
+        <translation>Ganguhr</translation>
+    </message>
+    <message>
+        <source>gravity</source>
+        <translation>Schwerkraft</translation>
+    </message>
+    <message>
+        <source>ground</source>
+        <translation>Boden</translation>
+    </message>
+    <message>
+        <source>gust runs on</source>
+        <translation>Bö läuft weiter</translation>
+    </message>
+    <message>
+        <source>joints</source>
+        <translation>Gelenke</translation>
+    </message>
+    <message>
+        <source>legs</source>
+        <translation>Beine</translation>
+    </message>
+    <message>
+        <source>motor</source>
+        <translation>Motor</translation>
+    </message>
+    <message>
+        <source>anticipation</source>
+        <translation>Ausholen</translation>
+    </message>
+    <message>
+        <source>pointer</source>
+        <translation>Zeiger</translation>
+    </message>
+    <message>
+        <source>push</source>
+        <translation>Abstoßen</translation>
+    </message>
+    <message>
+        <source>springs</source>
+        <translation>Federn</translation>
+    </message>
+    <message>
+        <source>return to rest</source>
+        <translation>Rückkehr zur Ruhe</translation>
+    </message>
+    <message>
+        <source>room</source>
+        <translation>Raum</translation>
+    </message>
+    <message>
+        <source>soft sticks</source>
+        <translation>weiche Stäbe</translation>
+    </message>
+    <message>
+        <source>drag along, across</source>
+        <translation>Bremsen längs, quer</translation>
+    </message>
+    <message>
+        <source>steering</source>
+        <translation>Lenkung</translation>
+    </message>
+    <message>
+        <source>sticks</source>
+        <translation>Stäbe</translation>
+    </message>
+    <message>
+        <source>wind</source>
+        <translation>Wind</translation>
+    </message>
+    <message>
+        <source>turn round</source>
+        <translation>Umkehren</translation>
+    </message>
+    <message>
+        <source>turn to the pointer</source>
+        <translation>Drehen zum Zeiger</translation>
+    </message>
+    <message>
+        <source>walls</source>
+        <translation>Wände</translation>
+    </message>
+    <message>
+        <source>Done by the hand</source>
+        <translation>Von der Hand geleistet</translation>
+    </message>
+    <message>
+        <source>Changed with a number</source>
+        <translation>Mit einer Zahl geändert</translation>
+    </message>
+    <message>
+        <source>Done by what drives</source>
+        <translation>Von Antrieben geleistet</translation>
+    </message>
+    <message>
+        <source>Done by wind</source>
+        <translation>Vom Wind geleistet</translation>
+    </message>
+    <message>
+        <source>Done by one-way pulls</source>
+        <translation>Von einseitigen Zügen geleistet</translation>
+    </message>
+    <message>
+        <source>Given by gravity</source>
+        <translation>Von der Schwerkraft gegeben</translation>
+    </message>
+    <message>
+        <source>Given by what stands fast</source>
+        <translation>Von Feststehendem gegeben</translation>
+    </message>
+    <message>
+        <source>Lost by damping</source>
+        <translation>Durch Dämpfung verloren</translation>
+    </message>
+    <message>
+        <source>At impacts</source>
+        <translation>Bei Stößen</translation>
+    </message>
+    <message>
+        <source>Changed by sticks</source>
+        <translation>Durch Stäbe geändert</translation>
+    </message>
+    <message>
+        <source>Drift of the method</source>
+        <translation>Drift des Verfahrens</translation>
+    </message>
+    <message>
+        <source>pressed into one px</source>
+        <translation>in einen Pixel gepresst</translation>
+    </message>
+    <message>
+        <source>Twelve feet stand within 1 px of their body, on springs of stiffness a million that are 50 px long: pressed together they turn over at a touch.</source>
+        <translation>Zwölf Füße stehen innerhalb von 1 px um ihren Körper, an Federn der Steifigkeit eine Million, die 50 px lang sind: So zusammengepresst, überschlagen sie sich bei jeder Berührung.</translation>
+    </message>
+    <message>
+        <source>the pair that runs away</source>
+        <translation>das Paar, das davonläuft</translation>
+    </message>
+    <message>
+        <source>A foot and a body pull each other, but one after the other: so the pair drives itself on, though nothing pushes it.</source>
+        <translation>Ein Fuß und ein Körper ziehen einander, aber nacheinander: So treibt sich das Paar selbst an, obwohl nichts es schiebt.</translation>
+    </message>
+    <message>
+        <source>sixty feet</source>
+        <translation>sechzig Füße</translation>
+    </message>
+    <message>
+        <source>Each foot alone is soft, but sixty together pull the body too hard for a step.</source>
+        <translation>Jeder Fuß für sich ist weich, aber sechzig zusammen ziehen zu stark am Körper für einen Zeitschritt.</translation>
+    </message>
+    <message>
+        <source>a hundred feet</source>
+        <translation>hundert Füße</translation>
+    </message>
+    <message>
+        <source>A hundred soft springs on one body make a stiff one.</source>
+        <translation>Hundert weiche Federn an einem Körper ergeben eine steife.</translation>
+    </message>
+    <message>
+        <source>a thousand feet</source>
+        <translation>tausend Füße</translation>
+    </message>
+    <message>
+        <source>A thousand feet pull one body as hard as a spring of stiffness 200.</source>
+        <translation>Tausend Füße ziehen einen Körper so stark wie eine Feder der Steifigkeit 200.</translation>
+    </message>
+    <message>
+        <source>ten thousand feet</source>
+        <translation>zehntausend Füße</translation>
+    </message>
+    <message>
+        <source>Ten thousand feet pull one body as hard as a spring of stiffness 2000.</source>
+        <translation>Zehntausend Füße ziehen einen Körper so stark wie eine Feder der Steifigkeit 2000.</translation>
+    </message>
+    <message>
+        <source>all in one place</source>
+        <translation>alles an einem Ort</translation>
+    </message>
+    <message>
+        <source>Body and feet begin in one place, where no spring has a direction.</source>
+        <translation>Körper und Füße beginnen an einem Ort, wo keine Feder eine Richtung hat.</translation>
+    </message>
+    <message>
+        <source>all on one line</source>
+        <translation>alles auf einer Linie</translation>
+    </message>
+    <message>
+        <source>Body and feet stand in line, so nothing pulls them off it.</source>
+        <translation>Körper und Füße stehen in einer Linie, also zieht nichts sie davon weg.</translation>
+    </message>
+    <message>
+        <source>springs without a length</source>
+        <translation>Federn ohne Länge</translation>
+    </message>
+    <message>
+        <source>Springs of length 0 pull all points into one place, where their directions are lost.</source>
+        <translation>Federn der Länge 0 ziehen alle Punkte an einen Ort, wo ihre Richtungen verloren gehen.</translation>
+    </message>
+    <message>
+        <source>thrown into a corner</source>
+        <translation>in eine Ecke geworfen</translation>
+    </message>
+    <message>
+        <source>A body comes into a corner at a million px a frame: in one step it would be two thousand rooms away.</source>
+        <translation>Ein Körper kommt mit einer Million px pro Bild in eine Ecke: In einem Zeitschritt wäre er zweitausend Räume weit weg.</translation>
+    </message>
+    <message>
+        <source>walls closer than the body</source>
+        <translation>Wände enger als der Körper</translation>
+    </message>
+    <message>
+        <source>The body is 30 px wide and the room 15: wherever it is, it is in a wall.</source>
+        <translation>Der Körper ist 30 px breit und der Raum 15: Wo er auch ist, er steckt in einer Wand.</translation>
+    </message>
+    <message>
+        <source>a million times the gravity</source>
+        <translation>das Millionenfache der Schwerkraft</translation>
+    </message>
+    <message>
+        <source>All falls at a million px a frame, each frame, onto a floor that gives nothing back.</source>
+        <translation>Alles fällt mit einer Million px pro Bild, in jedem Bild, auf einen Boden, der nichts zurückgibt.</translation>
+    </message>
+    <message>
+        <source>grabbed and let go</source>
+        <translation>gegriffen und losgelassen</translation>
+    </message>
+    <message>
+        <source>A hand takes the body for one frame and lets it go.</source>
+        <translation>Eine Hand nimmt den Körper für ein Bild und lässt ihn los.</translation>
+    </message>
+    <message>
+        <source>torn away</source>
+        <translation>weggerissen</translation>
+    </message>
+    <message>
+        <source>A hand takes the body a billion px away in one frame, and lets it go.</source>
+        <translation>Eine Hand nimmt den Körper in einem Bild eine Milliarde px weit weg und lässt ihn los.</translation>
+    </message>
+    <message>
+        <source>torn away on stiff springs</source>
+        <translation>an steifen Federn weggerissen</translation>
+    </message>
+    <message>
+        <source>The same on springs of stiffness a million.</source>
+        <translation>Dasselbe an Federn der Steifigkeit eine Million.</translation>
+    </message>
+    <message>
+        <source>legs that flip</source>
+        <translation>Beine, die umschlagen</translation>
+    </message>
+    <message>
+        <source>The gait turns by half a circle each frame: a step sees two places of it only.</source>
+        <translation>Der Gang dreht sich in jedem Bild um einen halben Kreis: Ein Zeitschritt sieht nur zwei Orte davon.</translation>
+    </message>
+    <message>
+        <source>legs that whirl</source>
+        <translation>Beine, die wirbeln</translation>
+    </message>
+    <message>
+        <source>The gait turns 159,155 times in a frame.</source>
+        <translation>Der Gang dreht sich 159.155-mal in einem Bild.</translation>
+    </message>
+    <message>
+        <source>a hand that is nowhere</source>
+        <translation>eine Hand, die nirgends ist</translation>
+    </message>
+    <message>
+        <source>The hand moves to a place that is not a number.</source>
+        <translation>Die Hand geht an einen Ort, der keine Zahl ist.</translation>
+    </message>
+    <message>
+        <source>a pointer at the end of the world</source>
+        <translation>ein Zeiger am Ende der Welt</translation>
+    </message>
+    <message>
+        <source>The pointer goes to a place that is infinitely far away.</source>
+        <translation>Der Zeiger geht an einen Ort, der unendlich weit weg ist.</translation>
+    </message>
+    <message>
+        <source>an endless stiffness</source>
+        <translation>eine endlose Steifigkeit</translation>
+    </message>
+    <message>
+        <source>The stiffness is set to infinity.</source>
+        <translation>Die Steifigkeit wird auf unendlich gesetzt.</translation>
+    </message>
+    <message>
+        <source>feet</source>
+        <translation>Füße</translation>
+    </message>
+    <message>
+        <source>body</source>
+        <translation>Körper</translation>
+    </message>
+    <message>
+        <source>foot</source>
+        <translation>Fuß</translation>
+    </message>
+    <message>
+        <source>light</source>
+        <translation>leicht</translation>
+    </message>
+    <message>
+        <source>heavy</source>
+        <translation>schwer</translation>
+    </message>
+    <message>
+        <source>lead</source>
+        <translation>Spitze</translation>
+    </message>
+    <message>
+        <source>tail</source>
+        <translation>Schwanz</translation>
+    </message>
+    <message>
+        <source>suddenly stiff</source>
+        <translation>plötzlich steif</translation>
+    </message>
+    <message>
+        <source>In the middle of a run the stiffness goes from 0.2 to a million.</source>
+        <translation>Mitten in einem Lauf geht die Steifigkeit von 0,2 auf eine Million.</translation>
+    </message>
+    <message>
+        <source>just below the limit</source>
+        <translation>knapp unter der Grenze</translation>
+    </message>
+    <message>
+        <source>A spring that one step a frame can just follow: stiffness 3.99, where the limit is 4.</source>
+        <translation>Eine Feder, der ein Zeitschritt pro Bild gerade noch folgen kann: Steifigkeit 3,99, wo die Grenze 4 ist.</translation>
+    </message>
+    <message>
+        <source>at the limit</source>
+        <translation>an der Grenze</translation>
+    </message>
+    <message>
+        <source>At stiffness 4 the foot comes to the other side in one step, with all its speed: it goes farther each time.</source>
+        <translation>Bei Steifigkeit 4 kommt der Fuß in einem Zeitschritt auf die andere Seite, mit all seinem Tempo: Jedes Mal geht er weiter.</translation>
+    </message>
+    <message>
+        <source>just above the limit</source>
+        <translation>knapp über der Grenze</translation>
+    </message>
+    <message>
+        <source>At stiffness 4.01 each swing is a tenth larger than the one before.</source>
+        <translation>Bei Steifigkeit 4,01 ist jede Schwingung ein Zehntel größer als die vorige.</translation>
+    </message>
+    <message>
+        <source>a thousand times as stiff</source>
+        <translation>tausendmal so steif</translation>
+    </message>
+    <message>
+        <source>A spring of stiffness 1000 swings five times in a frame.</source>
+        <translation>Eine Feder der Steifigkeit 1000 schwingt fünfmal in einem Bild.</translation>
+    </message>
+    <message>
+        <source>a million times as stiff</source>
+        <translation>eine Million Mal so steif</translation>
+    </message>
+    <message>
+        <source>A spring of stiffness a million swings 159 times in a frame.</source>
+        <translation>Eine Feder der Steifigkeit eine Million schwingt 159-mal in einem Bild.</translation>
+    </message>
+    <message>
+        <source>nearly rigid</source>
+        <translation>fast starr</translation>
+    </message>
+    <message>
+        <source>A spring of stiffness 1e9 is as good as a stick.</source>
+        <translation>Eine Feder der Steifigkeit 1e9 ist so gut wie ein Stab.</translation>
+    </message>
+    <message>
+        <source>nearly rigid, and nothing slows it</source>
+        <translation>fast starr, und nichts bremst sie</translation>
+    </message>
+    <message>
+        <source>The same without damping: it may swing for ever, but no farther than it began.</source>
+        <translation>Dasselbe ohne Dämpfung: Sie darf ewig schwingen, aber nicht weiter, als sie begann.</translation>
+    </message>
+    <message>
+        <source>damping that stops all</source>
+        <translation>Dämpfung, die alles anhält</translation>
+    </message>
+    <message>
+        <source>With damping 0 no velocity is left: nothing may move.</source>
+        <translation>Mit Dämpfung 0 bleibt keine Geschwindigkeit übrig: Nichts darf sich bewegen.</translation>
+    </message>
+    <message>
+        <source>no damping</source>
+        <translation>keine Dämpfung</translation>
+    </message>
+    <message>
+        <source>With damping 1 nothing is lost: the foot swings for ever, and no farther.</source>
+        <translation>Mit Dämpfung 1 geht nichts verloren: Der Fuß schwingt ewig, und nicht weiter.</translation>
+    </message>
+    <message>
+        <source>next to nothing is left</source>
+        <translation>fast nichts bleibt übrig</translation>
+    </message>
+    <message>
+        <source>Damping of 1e-300 leaves numbers that are nearly too small to write.</source>
+        <translation>Eine Dämpfung von 1e-300 lässt Zahlen übrig, die fast zu klein zum Schreiben sind.</translation>
+    </message>
+    <message>
+        <source>a fly and a mountain</source>
+        <translation>eine Fliege und ein Berg</translation>
+    </message>
+    <message>
+        <source>One body is a billion times as heavy as the one on its spring.</source>
+        <translation>Ein Körper ist eine Milliarde Mal so schwer wie der an seiner Feder.</translation>
+    </message>
+    <message>
+        <source>the mountain swings, too</source>
+        <translation>auch der Berg schwingt</translation>
+    </message>
+    <message>
+        <source>The spring is stiff enough to move the heavy body, and so a hundred million times too stiff for the light one.</source>
+        <translation>Die Feder ist steif genug, den schweren Körper zu bewegen, und darum für den leichten hundert Millionen Mal zu steif.</translation>
+    </message>
+    <message>
+        <source>sticks that contradict each other</source>
+        <translation>Stäbe, die sich widersprechen</translation>
+    </message>
+    <message>
+        <source>Three sticks of lengths 1, 1 and 10 make no triangle: whatever moves, one is wrong.</source>
+        <translation>Drei Stäbe der Längen 1, 1 und 10 ergeben kein Dreieck: Was sich auch bewegt, einer ist falsch.</translation>
+    </message>
+    <message>
+        <source>a chain that is too short</source>
+        <translation>eine zu kurze Kette</translation>
+    </message>
+    <message>
+        <source>A chain of a thousand links between two nails is a tenth too short: no link can be right.</source>
+        <translation>Eine Kette aus tausend Gliedern zwischen zwei Nägeln ist um ein Zehntel zu kurz: Kein Glied kann richtig sein.</translation>
+    </message>
+    <message>
+        <source>a chain too heavy for its sticks</source>
+        <translation>eine Kette, zu schwer für ihre Stäbe</translation>
+    </message>
+    <message>
+        <source>A chain of a thousand links hangs between two nails: 20 passes a frame leave its links much too long.</source>
+        <translation>Eine Kette aus tausend Gliedern hängt zwischen zwei Nägeln: 20 Durchgänge pro Bild lassen ihre Glieder viel zu lang.</translation>
+    </message>
+    <message>
+        <source>a heavy chain in small steps</source>
+        <translation>eine schwere Kette in kleinen Zeitschritten</translation>
+    </message>
+    <message>
+        <source>The same chain and the same work: in place of 20 passes a frame 20 steps of one pass each. Its links err a ninth as much.</source>
+        <translation>Dieselbe Kette und dieselbe Arbeit: statt 20 Durchgängen pro Bild 20 Zeitschritte mit je einem Durchgang. Der Fehler ihrer Glieder ist ein Neuntel so groß.</translation>
+    </message>
+    <message>
+        <source>a stick without a length</source>
+        <translation>ein Stab ohne Länge</translation>
+    </message>
+    <message>
+        <source>Two points on a stick of length 0 have no direction between them, and a body hangs on them.</source>
+        <translation>Zwei Punkte an einem Stab der Länge 0 haben keine Richtung zueinander, und an ihnen hängt ein Körper.</translation>
+    </message>
+    <message>
+        <source>a stick between two nails</source>
+        <translation>ein Stab zwischen zwei Nägeln</translation>
+    </message>
+    <message>
+        <source>A stick that is too short between two points that stand fast: neither gives way.</source>
+        <translation>Ein zu kurzer Stab zwischen zwei Punkten, die feststehen: Keiner gibt nach.</translation>
+    </message>
+    <message>
+        <source>the tail goes through the lead</source>
+        <translation>der Schwanz geht durch die Spitze</translation>
+    </message>
+    <message>
+        <source>The lead turns round and swims straight through its own tail.</source>
+        <translation>Die Spitze kehrt um und schwimmt mitten durch ihren eigenen Schwanz.</translation>
+    </message>
+    <message>
+        <source>the tail is in the lead</source>
+        <translation>der Schwanz ist in der Spitze</translation>
+    </message>
+    <message>
+        <source>Lead and tail begin in one place, on a soft stick that has no direction there.</source>
+        <translation>Spitze und Schwanz beginnen an einem Ort, an einem weichen Stab, der dort keine Richtung hat.</translation>
+    </message>
+    <message>
+        <source>a target beyond the horizon</source>
+        <translation>ein Ziel hinter dem Horizont</translation>
+    </message>
+    <message>
+        <source>The target is a billion px away, and the motor pulls the harder the farther it is.</source>
+        <translation>Das Ziel ist eine Milliarde px weit weg, und je weiter, desto stärker zieht der Motor.</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>ten million frames</source>
+        <translation>zehn Millionen Bilder</translation>
+    </message>
+    <message>
+        <source>A foot swings for nearly four days of playing, and nothing slows it: no error may add up.</source>
+        <translation>Ein Fuß schwingt fast vier Tage Spielzeit lang, und nichts bremst ihn: Kein Fehler darf sich summieren.</translation>
+    </message>
+    <message>
+        <source>a million frames at rest</source>
+        <translation>eine Million Bilder in Ruhe</translation>
+    </message>
+    <message>
+        <source>What has come to rest keeps velocities that are nearly too small to write, and must keep still.</source>
+        <translation>Was zur Ruhe gekommen ist, behält Geschwindigkeiten, die fast zu klein zum Schreiben sind, und muss still bleiben.</translation>
+    </message>
+    <message>
+        <source>a million steps a frame</source>
+        <translation>eine Million Zeitschritte pro Bild</translation>
+    </message>
+    <message>
+        <source>Steps of a millionth of a frame: what each adds is nearly lost in rounding.</source>
+        <translation>Zeitschritte von einem millionstel Bild: Was jeder hinzufügt, geht fast im Runden verloren.</translation>
+    </message>
+    <message>
+        <source>a third of a frame</source>
+        <translation>ein Drittel Bild</translation>
+    </message>
+    <message>
+        <source>Three steps a frame, of a length that no binary number is equal to.</source>
+        <translation>Drei Zeitschritte pro Bild, von einer Länge, der keine Binärzahl gleich ist.</translation>
+    </message>
+    <message>
+        <source>a hundred frames in a step</source>
+        <translation>hundert Bilder in einem Zeitschritt</translation>
+    </message>
+    <message>
+        <source>One step leaps over seven swings of the spring.</source>
+        <translation>Ein Zeitschritt überspringt sieben Schwingungen der Feder.</translation>
+    </message>
+    <message>
+        <source>no distance to divide by</source>
+        <translation>kein Abstand, durch den man teilen könnte</translation>
+    </message>
+    <message>
+        <source>In the printed formula the pointer can be at distance 0: it divides by that, and the run must end with a word about it.</source>
+        <translation>In der gedruckten Formel kann der Zeiger den Abstand 0 haben: Sie teilt durch ihn, und der Lauf muss mit einem Wort darüber enden.</translation>
+    </message>
+    <message>
+        <source>the pointer on the root</source>
+        <translation>der Zeiger auf der Wurzel</translation>
+    </message>
+    <message>
+        <source>The trunk turns to a pointer that is exactly where it begins.</source>
+        <translation>Der Stamm dreht sich zu einem Zeiger, der genau dort ist, wo er beginnt.</translation>
+    </message>
+    <message>
+        <source>sixteen forks</source>
+        <translation>sechzehn Gabelungen</translation>
+    </message>
+    <message>
+        <source>Each branch forks into two as large as itself, sixteen times: 131,071 branches in the wind.</source>
+        <translation>Jeder Zweig gabelt sich in zwei so große wie er selbst, sechzehnmal: 131.071 Zweige im Wind.</translation>
+    </message>
+    <message>
+        <source>a tree without an end</source>
+        <translation>ein Baum ohne Ende</translation>
+    </message>
+    <message>
+        <source>Branches that are as large as their parents never get small enough to stop forking.</source>
+        <translation>Zweige, die so groß sind wie ihre Eltern, werden nie klein genug, um sich nicht mehr zu gabeln.</translation>
+    </message>
+    <message>
+        <source>a tree of glass</source>
+        <translation>ein Baum aus Glas</translation>
+    </message>
+    <message>
+        <source>Joints a million times as stiff as wood, bent by ten degrees and let go.</source>
+        <translation>Gelenke, eine Million Mal so steif wie Holz, um zehn Grad gebogen und losgelassen.</translation>
+    </message>
+    <message>
+        <source>wind from the branch itself</source>
+        <translation>Wind aus dem Zweig selbst</translation>
+    </message>
+    <message>
+        <source>The pointer is exactly where the trunk ends: the wind has no direction there.</source>
+        <translation>Der Zeiger ist genau dort, wo der Stamm endet: Der Wind hat dort keine Richtung.</translation>
+    </message>
+    <message>
+        <source>wind without a distance</source>
+        <translation>Wind ohne Abstand</translation>
+    </message>
+    <message>
+        <source>What resists the wind is the distance to the pointer, and it is 0.</source>
+        <translation>Was dem Wind widersteht, ist der Abstand zum Zeiger, und der ist 0.</translation>
+    </message>
+    <message>
+        <source>branches</source>
+        <translation>Zweige</translation>
+    </message>
+    <message>
+        <source>steps of its own</source>
+        <translation>eigene Zeitschritte</translation>
+    </message>
+    <message>
+        <source>Backward Euler</source>
+        <translation>Implizites Euler-Verfahren</translation>
+    </message>
+    <message>
+        <source>Dormand–Prince 8(5,3)</source>
+        <translation>Dormand–Prince 8(5,3)</translation>
+    </message>
+    <message>
+        <source>Dormand–Prince 5(4)</source>
+        <translation>Dormand–Prince 5(4)</translation>
+    </message>
+    <message>
+        <source>Explicit Euler</source>
+        <translation>Explizites Euler-Verfahren</translation>
+    </message>
+    <message>
+        <source>solve for the new place</source>
+        <translation>nach dem neuen Ort auflösen</translation>
+    </message>
+    <message>
+        <source>Implicit midpoint</source>
+        <translation>Implizite Mittelpunktsregel</translation>
+    </message>
+    <message>
+        <source>Runge–Kutta–Nyström 8(6)</source>
+        <translation>Runge–Kutta–Nyström 8(6)</translation>
+    </message>
+    <message>
+        <source>kick</source>
+        <translation>Schub</translation>
+    </message>
+    <message>
+        <source>half kick</source>
+        <translation>halber Schub</translation>
+    </message>
+    <message>
+        <source>move</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>half move</source>
+        <translation>halbe Bewegung</translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>half turn</source>
+        <translation>halbe Drehung</translation>
+    </message>
+    <message>
+        <source>new velocity</source>
+        <translation>neue Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Position Verlet</source>
+        <translation>Positions-Verlet</translation>
+    </message>
+    <message>
+        <source>Published</source>
+        <translation>Veröffentlicht</translation>
+    </message>
+    <message>
+        <source>try a place</source>
+        <translation>einen Ort probieren</translation>
+    </message>
+    <message>
+        <source>Midpoint</source>
+        <translation>Mittelpunktsregel</translation>
+    </message>
+    <message>
+        <source>Runge–Kutta 4</source>
+        <translation>Runge–Kutta 4</translation>
+    </message>
+    <message>
+        <source>Semi-implicit Euler</source>
+        <translation>Semi-implizites Euler-Verfahren</translation>
+    </message>
+    <message>
+        <source>TR-BDF2</source>
+        <translation>TR-BDF2</translation>
+    </message>
+    <message>
+        <source>Velocity Verlet</source>
+        <translation>Velocity-Verlet</translation>
+    </message>
+    <message>
+        <source>Keep joints from bending too far: a knee does not bend forwards.</source>
+        <translation>Hält Gelenke davon ab, sich zu weit zu beugen: Ein Knie beugt sich nicht nach vorn.</translation>
+    </message>
+    <message>
+        <source>Shifts the swimmer back before it goes to a new target, as a cat draws back before it leaps.</source>
+        <translation>Schiebt den Schwimmer zurück, bevor er zu einem neuen Ziel startet, so wie eine Katze vor dem Sprung zurückweicht.</translation>
+    </message>
+    <message>
+        <source>Keeps the area of the body: what gets longer gets thinner.</source>
+        <translation>Erhält die Fläche des Körpers: Was länger wird, wird schmaler.</translation>
+    </message>
+    <message>
+        <source>Pulls a foot to the body, wherever that is.</source>
+        <translation>Zieht einen Fuß zum Körper, wo der auch ist.</translation>
+    </message>
+    <message>
+        <source>Takes a share of every velocity each frame, so that things come to rest.</source>
+        <translation>Nimmt jeder Geschwindigkeit in jedem Bild einen Anteil, damit die Dinge zur Ruhe kommen.</translation>
+    </message>
+    <message>
+        <source>Turns the angle that swings the legs on, a little each frame: the beat of the walk.</source>
+        <translation>Dreht den Winkel, der die Beine schwingt, in jedem Bild ein wenig weiter: der Takt des Gehens.</translation>
+    </message>
+    <message>
+        <source>Pulls everything down, and everything alike.</source>
+        <translation>Zieht alles nach unten, und alles gleich.</translation>
+    </message>
+    <message>
+        <source>Keeps the feet from sinking in, and from slipping where it holds them.</source>
+        <translation>Hält die Füße davon ab, einzusinken und dort zu rutschen, wo er sie hält.</translation>
+    </message>
+    <message>
+        <source>Lets a gust run outwards from the pointer, so that near branches feel it first.</source>
+        <translation>Lässt eine Bö vom Zeiger nach außen laufen, sodass nahe Zweige sie zuerst spüren.</translation>
+    </message>
+    <message>
+        <source>Set each branch on the end of the branch that carries it.</source>
+        <translation>Setzt jeden Zweig auf das Ende des Zweigs, der ihn trägt.</translation>
+    </message>
+    <message>
+        <source>Pull each foot to a place of its own, as seen from the body.</source>
+        <translation>Zieht jeden Fuß an einen eigenen Ort, vom Körper aus gesehen.</translation>
+    </message>
+    <message>
+        <source>Pulls the swimmer to its target, as a spring does.</source>
+        <translation>Zieht den Schwimmer zu seinem Ziel, so wie eine Feder es tut.</translation>
+    </message>
+    <message>
+        <source>Pulls a foot to a place beside the body.</source>
+        <translation>Zieht einen Fuß an einen Ort neben dem Körper.</translation>
+    </message>
+    <message>
+        <source>Pulls a foot to a fixed place.</source>
+        <translation>Zieht einen Fuß an einen festen Ort.</translation>
+    </message>
+    <message>
+        <source>Carries a point to where the pointer is.</source>
+        <translation>Trägt einen Punkt dorthin, wo der Zeiger ist.</translation>
+    </message>
+    <message>
+        <source>Pushes apart what comes too close, so that creatures do not walk through each other.</source>
+        <translation>Schiebt auseinander, was sich zu nahe kommt, damit Figuren nicht durcheinander hindurchgehen.</translation>
+    </message>
+    <message>
+        <source>Keep two points a length apart: they pull when it is more, and push when it is less.</source>
+        <translation>Hält zwei Punkte eine Länge auseinander: Zieht, wenn es mehr ist, und schiebt, wenn es weniger ist.</translation>
+    </message>
+    <message>
+        <source>Turns each branch a part of the way back to where it grew.</source>
+        <translation>Dreht jeden Zweig ein Stück des Wegs dorthin zurück, wo er wuchs.</translation>
+    </message>
+    <message>
+        <source>Keeps everything between two walls and above a floor.</source>
+        <translation>Hält alles zwischen zwei Wänden und über einem Boden.</translation>
+    </message>
+    <message>
+        <source>Keep a point near its distance, but let it lag behind for a while.</source>
+        <translation>Hält einen Punkt nahe an seinem Abstand, lässt ihn aber eine Weile nachhängen.</translation>
+    </message>
+    <message>
+        <source>Slows the tail, and more so across the body than along it, as water does.</source>
+        <translation>Bremst den Schwanz, und zwar quer zum Körper mehr als längs, so wie Wasser es tut.</translation>
+    </message>
+    <message>
+        <source>Lets the arrow keys and the pointer set how fast the legs swing.</source>
+        <translation>Lässt Pfeiltasten und Zeiger bestimmen, wie schnell die Beine schwingen.</translation>
+    </message>
+    <message>
+        <source>Give each pair of points its length back, by moving them: a stick does not stretch.</source>
+        <translation>Gibt jedem Paar von Punkten seine Länge zurück, indem er sie bewegt: Ein Stab dehnt sich nicht.</translation>
+    </message>
+    <message>
+        <source>Bend each joint back: the harder, the farther a branch has turned from where it grew.</source>
+        <translation>Biegt jedes Gelenk zurück: je stärker, desto weiter sich ein Zweig von dort gedreht hat, wo er wuchs.</translation>
+    </message>
+    <message>
+        <source>Makes a creature that meets a wall walk the other way.</source>
+        <translation>Lässt eine Figur, die auf eine Wand trifft, in die andere Richtung gehen.</translation>
+    </message>
+    <message>
+        <source>Turns every branch to the pointer while its button is down.</source>
+        <translation>Dreht jeden Zweig zum Zeiger, solange dessen Taste gedrückt ist.</translation>
+    </message>
+    <message>
+        <source>Put back what has gone past a wall or the floor, and turn its velocity round.</source>
+        <translation>Setzt zurück, was über eine Wand oder den Boden hinaus ist, und kehrt seine Geschwindigkeit um.</translation>
+    </message>
+    <message>
+        <source>Turns the branches away from the pointer while its button is down.</source>
+        <translation>Dreht die Zweige vom Zeiger weg, solange dessen Taste gedrückt ist.</translation>
+    </message>
+</context>
+<context>
+    <name>sim::Keys</name>
+    <message>
+        <source>there is no key %1; there is %2.</source>
+        <translation>es gibt keine Taste %1; es gibt %2.</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,14 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="en" sourcelanguage="en">
+<context>
+    <name>app::RemedySearch</name>
+    <message numerus="yes">
+        <source>Tried out: it holds for %n frames.</source>
+        <translation>
+            <numerusform>Tried out: it holds for %n frame.</numerusform>
+            <numerusform>Tried out: it holds for %n frames.</numerusform>
+        </translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,40 @@
+// The choice of the window's language.
+
+#include "app/model/language.h"
+#include "app/ui/window/main_window.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QMenu>
+#include <QSettings>
+
+namespace app {
+
+void MainWindow::makeLanguageMenu()
+{
+    QMenu *menu = m_view->addMenu(tr("Lan&guage"));
+    menu->setObjectName("language");
+    auto *group = new QActionGroup(menu);
+    const QString chosen = QSettings().value("window/language").toString();
+    const auto add = [&](const QString &text, const QString &code) {
+        QAction *made = menu->addAction(text);
+        made->setCheckable(true);
+        made->setChecked(code == chosen);
+        made->setData(code);
+        group->addAction(made);
+        connect(made, &QAction::triggered, this, [this, code] { chooseLanguage(code); });
+    };
+    add(tr("As the &system has it"), {});
+    menu->addSeparator();
+    for (const QString &code : Language::known())
+        add(Language::nameOf(code), code);
+}
+
+void MainWindow::chooseLanguage(const QString &code)
+{
+    QSettings().setValue("window/language", code);
+    m_said = tr("Springstep speaks %1 from its next start on.").arg(Language::nameOf(Language::chosen(code)));
+    showStatus();
+}
+
+}

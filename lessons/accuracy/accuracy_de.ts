@@ -1,0 +1,305 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+<context>
+    <name>Accuracy</name>
+    <message>
+        <source>Off by</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source>How far the point that is worst off is from its exact place.</source>
+        <translation>Wie weit der Punkt, um den es am schlechtesten steht, von seinem exakten Ort entfernt ist.</translation>
+    </message>
+    <message>
+        <source>Energy drift</source>
+        <translation>Energiedrift</translation>
+    </message>
+    <message>
+        <source>%</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source>How much more energy there is than in the exact motion at this moment.</source>
+        <translation>Wie viel mehr Energie es in diesem Moment gibt als in der exakten Bewegung.</translation>
+    </message>
+    <message>
+        <source>Its step</source>
+        <translation>Sein Zeitschritt</translation>
+    </message>
+    <message>
+        <source>frames</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>How much time the method took at once, the last time.</source>
+        <translation>Wie viel Zeit das Verfahren beim letzten Mal auf einmal genommen hat.</translation>
+    </message>
+    <message>
+        <source>Computations</source>
+        <translation>Berechnungen</translation>
+    </message>
+    <message>
+        <source>a frame</source>
+        <translation>pro Bild</translation>
+    </message>
+    <message>
+        <source>How often all forces were computed for this frame: that is the work.</source>
+        <translation>Wie oft für dieses Bild alle Kräfte berechnet wurden: Das ist die Arbeit.</translation>
+    </message>
+    <message>
+        <source>%1&#x2009;px off</source>
+        <translation>%1&#x2009;px daneben</translation>
+    </message>
+    <message>
+        <source>Creatures</source>
+        <translation>Figuren</translation>
+    </message>
+    <message>
+        <source>How many creatures there are.</source>
+        <translation>Wie viele Figuren es gibt.</translation>
+    </message>
+    <message>
+        <source>Big step, small step</source>
+        <translation>Große, kleine Schritte</translation>
+    </message>
+    <message>
+        <source>A real spring pulls **all the time**. A computed one asks for its pull once a **step**, and goes straight on until the next. Here a step is one frame.
+
+Without damping the exact motion is known: a cosine that swings once in 14.05&#x2009;frames. The dashed ring is there. The foot is not: each step turns a bend into a straight line, so it swings a little too fast, and after 100&#x2009;frames it is 66&#x2009;px off.
+
+More, smaller steps follow the bend more closely, and each one is **work**: the pull has to be computed anew. You choose the step above the scene.</source>
+        <translation>Eine echte Feder zieht **die ganze Zeit**. Eine berechnete fragt einmal pro **Zeitschritt** nach ihrem Zug und geht bis zum nächsten geradeaus. Hier ist ein Zeitschritt ein Bild.
+
+Ohne Dämpfung ist die exakte Bewegung bekannt: ein Kosinus, der in 14,05&#x2009;Bildern einmal schwingt. Dort ist der gestrichelte Ring. Der Fuß ist es nicht: Jeder Zeitschritt macht aus einer Biegung eine Gerade, darum schwingt er ein wenig zu schnell und ist nach 100&#x2009;Bildern 66&#x2009;px daneben.
+
+Mehr und kleinere Zeitschritte folgen der Biegung genauer, und jeder ist **Arbeit**: Der Zug muss neu berechnet werden. Den Zeitschritt wählst du über der Szene.</translation>
+    </message>
+    <message>
+        <source>Energy that grows</source>
+        <translation>Wachsende Energie</translation>
+    </message>
+    <message>
+        <source>Motion has energy, and so has a stretched spring. Without damping **their sum never changes**. **Drift** is what the method adds to it.
+
+**Explicit Euler** moves by the old velocity, and pulls by the old place. Each step multiplies the energy by exactly 1 + k h², whatever the motion: at k = 0.02 and h = 1 by 1.02. That doubles it every 35&#x2009;frames. A smaller step only takes longer.
+
+**Semi-implicit Euler** moves by the new velocity. One line in another place, the same work: now the energy swings 7&#x2009;% round the true one, for ever, and never runs away. **Verlet** methods swing only half a percent.</source>
+        <translation>Bewegung hat Energie, und eine gespannte Feder auch. Ohne Dämpfung **ändert sich ihre Summe nie**. **Drift** ist, was das Verfahren hinzufügt.
+
+Das **explizite Euler-Verfahren** bewegt mit der alten Geschwindigkeit und zieht vom alten Ort aus. Jeder Zeitschritt vervielfacht die Energie um genau 1 + k h², wie die Bewegung auch aussieht: bei k = 0,02 und h = 1 um 1,02. Das verdoppelt sie alle 35&#x2009;Bilder. Ein kleinerer Zeitschritt braucht dafür nur länger.
+
+Das **semi-implizite Euler-Verfahren** bewegt mit der neuen Geschwindigkeit. Eine Zeile an anderer Stelle, dieselbe Arbeit: Jetzt schwankt die Energie um 7&#x2009;% um die wahre, für immer, und läuft nie davon. **Verlet**-Verfahren schwanken nur um ein halbes Prozent.</translation>
+    </message>
+    <message>
+        <source>Halve the step</source>
+        <translation>Halber Zeitschritt</translation>
+    </message>
+    <message>
+        <source>Half the step is twice the work. What do you get for it?
+
+A method of **order 1** gets half the error. **Order 2**: a quarter. **Order 4**: a sixteenth. The order says nothing about one step alone; it says what halving is worth.
+
+Runge–Kutta 4 asks for the forces four times a step, Semi-implicit Euler once. Yet with 8 computations a frame the one is 0.13&#x2009;px off at frame 60, and the other 0.44&#x2009;px. With 64, it is 0.00003&#x2009;px against 0.05.
+
+Steps must be small enough first: at 2&#x2009;frames both are far off.
+
+The **Accuracy** plot (Measure, at the top) shows each method as a ladder. Steeper is a higher order.</source>
+        <translation>Der halbe Zeitschritt ist die doppelte Arbeit. Was bekommst du dafür?
+
+Ein Verfahren der **Ordnung 1** bekommt den halben Fehler. **Ordnung 2**: ein Viertel. **Ordnung 4**: ein Sechzehntel. Die Ordnung sagt nichts über einen einzelnen Zeitschritt; sie sagt, was das Halbieren wert ist.
+
+Runge–Kutta 4 fragt viermal pro Zeitschritt nach den Kräften, das semi-implizite Euler-Verfahren einmal. Trotzdem ist bei 8 Berechnungen pro Bild das eine bei Bild 60 um 0,13&#x2009;px daneben und das andere um 0,44&#x2009;px. Bei 64 sind es 0,00003&#x2009;px gegen 0,05.
+
+Dafür müssen die Zeitschritte erst einmal klein genug sein: Bei 2&#x2009;Bildern sind beide weit daneben.
+
+Die Kurve **Genauigkeit** (Messen, ganz oben) zeigt jedes Verfahren als Leiter. Steiler heißt höhere Ordnung.</translation>
+    </message>
+    <message>
+        <source>Steps that adapt</source>
+        <translation>Zeitschritte nach Maß</translation>
+    </message>
+    <message>
+        <source>This foot falls past the middle, closely. Far out little happens, and a step could be long. At the middle its spring turns round in less than a frame: only there are small steps needed.
+
+**Dormand–Prince** chooses. It computes each step twice at once, with order 5 and order 4. If the two differ by more than the **tolerance**, the step was too long, and it tries a shorter one.
+
+Watch **its step**: almost 4&#x2009;frames far out, less than half a frame in the middle. The tolerance is for one step; errors add up on the way, so after 150&#x2009;frames more than 0.001&#x2009;px is missing.</source>
+        <translation>Dieser Fuß fällt an der Mitte vorbei, und zwar knapp. Weit draußen geschieht wenig, und ein Zeitschritt könnte lang sein. In der Mitte kehrt sich seine Feder in weniger als einem Bild um: Nur dort braucht es kleine Zeitschritte.
+
+**Dormand–Prince** wählt selbst. Es berechnet jeden Zeitschritt zweimal zugleich, mit Ordnung 5 und Ordnung 4. Unterscheiden sich die zwei um mehr als die **Toleranz**, war der Zeitschritt zu lang, und es versucht einen kürzeren.
+
+Sieh dir **seinen Zeitschritt** an: fast 4&#x2009;Bilder weit draußen, weniger als ein halbes Bild in der Mitte. Die Toleranz gilt für einen Zeitschritt; unterwegs summieren sich die Fehler, darum fehlt nach 150&#x2009;Bildern mehr als 0,001&#x2009;px.</translation>
+    </message>
+    <message>
+        <source>A bounce</source>
+        <translation>Ein Aufprall</translation>
+    </message>
+    <message>
+        <source>Between two bounces a ball flies a parabola, and Runge–Kutta 4 computes that **without any error**. But it is first at the floor after 30.66&#x2009;frames, in the middle of a step. The step ends in the floor, and only then the ball is put back. That mistake is as big as a step is long: **at a bounce every order is 1**.
+
+Dormand–Prince looks back along its step, finds the moment of the touch, ends the step there, turns the velocity round, and goes on. This is called **event finding**.
+
+With a bounce of 0.5 each flight takes half as long as the one before. Infinitely many fit into 92&#x2009;frames. So a ball that hardly leaves the floor is put to rest.</source>
+        <translation>Zwischen zwei Aufprallen fliegt ein Ball eine Parabel, und Runge–Kutta 4 berechnet sie **ganz ohne Fehler**. Aber den Boden erreicht er zuerst nach 30,66&#x2009;Bildern, mitten in einem Zeitschritt. Der endet im Boden, und erst dann wird der Ball zurückgesetzt. Dieser Fehler ist so groß, wie ein Zeitschritt lang ist: **Bei einem Aufprall ist jede Ordnung 1**.
+
+Dormand–Prince schaut seinen Zeitschritt entlang zurück, findet den Moment der Berührung, beendet den Zeitschritt dort, kehrt die Geschwindigkeit um und macht weiter. Das heißt **Ereignissuche**.
+
+Bei einem Abprall von 0,5 dauert jeder Flug halb so lang wie der vorige. Unendlich viele passen in 92&#x2009;Bilder. Darum wird ein Ball, der sich kaum noch vom Boden löst, zur Ruhe gelegt.</translation>
+    </message>
+    <message>
+        <source>The budget</source>
+        <translation>Das Budget</translation>
+    </message>
+    <message>
+        <source>No method is best. The question is: **how far off may it be, and what may it cost?** A game that moves 10&#x202f;000 creatures 60 times a second has 1.7&#x2009;µs for each, and more to do.
+
+Here you may be 1&#x2009;px off, and spend **half a microsecond** a frame. The way you start with is cheap, and 15&#x2009;px off. Small steps of it are exact, and dear. Which method, with which step?
+
+When you come to frame 200 the program compares your run with the exact one, and times it on this machine, several times over. Nothing else may be changed. On a busy machine it may need another try, so let it play on.
+
+**Measure** (at the top) shows all methods at once; click a point to use it.</source>
+        <translation>Kein Verfahren ist das beste. Die Frage ist: **Wie weit darf es daneben sein, und was darf es kosten?** Ein Spiel, das 10 000 Figuren 60-mal pro Sekunde bewegt, hat 1,7&#x202f;µs für jede, und noch mehr zu tun.
+
+Hier darfst du 1&#x202f;px daneben sein und **eine halbe Mikrosekunde** pro Bild ausgeben. Der Anfang ist billig und 15&#x202f;px daneben. Kleine Zeitschritte davon sind genau, und teuer. Welches Verfahren, mit welchem Zeitschritt?
+
+Bei Bild 200 vergleicht das Programm deinen Lauf mit dem exakten und misst mehrmals seine Zeit auf diesem Rechner. Sonst darf nichts geändert sein. Auf einem beschäftigten Rechner braucht es vielleicht noch einen Versuch, also lass es weiterlaufen.
+
+**Messen** (ganz oben) zeigt alle Verfahren auf einmal; klicke auf einen Punkt, um ihn zu verwenden.</translation>
+    </message>
+    <message>
+        <source>A crowd</source>
+        <translation>Eine Menge</translation>
+    </message>
+    <message>
+        <source>**Twice as many creatures are twice the work.** They do not feel each other, so each is the same again: 6&#x2009;points, and 10&#x2009;pulls in every step. Such a cost is called **linear**. It is the best that one can hope for: were everybody to feel everybody, twice as many would be four times the work.
+
+At 30&#x2009;frames a second there are 33&#x2009;ms for each frame. Where that is not enough, the run plays slower, and stays the same run.
+
+Each **effect** in the list has its price, and one that is not in it costs nothing. Neither does one that can change nothing, as a gravity of 0: it is left out.
+
+**Equal things lie side by side** in memory: all bodies, all first feet, all second feet. So the processor works on several creatures at once.</source>
+        <translation>**Doppelt so viele Figuren sind doppelt so viel Arbeit.** Sie spüren einander nicht, also ist jede noch einmal dasselbe: 6 Punkte und 10 Züge in jedem Zeitschritt. Solche Kosten heißen **linear**. Besser kann man es nicht erhoffen: Würde jede jede spüren, wären doppelt so viele die vierfache Arbeit.
+
+Bei 30&#x2009;Bildern pro Sekunde gibt es 33&#x2009;ms für jedes Bild. Wo das nicht reicht, läuft es langsamer ab und bleibt derselbe Lauf.
+
+Jeder **Effekt** in der Liste hat seinen Preis, und einer, der nicht darin steht, kostet nichts. Ebenso einer, der nichts ändern kann, wie eine Schwerkraft von 0: Er wird weggelassen.
+
+**Gleiches liegt nebeneinander** im Speicher: alle Körper, alle ersten Füße, alle zweiten Füße. So arbeitet der Prozessor an mehreren Figuren zugleich.</translation>
+    </message>
+    <message>
+        <source>Choose **1/8&#x2009;frame** as step, and play to frame 100. How far is it off now?</source>
+        <translation>Wähle **1/8 Bild** als Zeitschritt und spiele bis Bild 100. Wie weit ist er jetzt daneben?</translation>
+    </message>
+    <message>
+        <source>Choose **2&#x2009;frames**. Wait until the foot is more than 100&#x2009;px off.</source>
+        <translation>Wähle **2&#x2009;Bilder**. Warte, bis der Fuß mehr als 100&#x2009;px daneben ist.</translation>
+    </message>
+    <message>
+        <source>With steps of 1&#x2009;frame, go to frame 0, set **k** to 0.02 and play to frame 100. A slow swing forgives a big step.</source>
+        <translation>Geh mit Zeitschritten von 1 Bild zu Bild 0, setze **k** auf 0,02 und spiele bis Bild 100. Eine langsame Schwingung verzeiht einen großen Zeitschritt.</translation>
+    </message>
+    <message>
+        <source>Type **5&#x2009;frames** as step. Now k h² is 5, more than 4: each swing throws it farther out.</source>
+        <translation>Gib **5&#x2009;Bilder** als Zeitschritt ein. Jetzt ist k h² gleich 5, mehr als 4: Jede Schwingung wirft ihn weiter hinaus.</translation>
+    </message>
+    <message>
+        <source>Choose **Explicit Euler** as method, and play until there is twice the energy: a drift of 100&#x2009;%.</source>
+        <translation>Wähle **Explizites Euler-Verfahren** und spiele, bis es doppelt so viel Energie gibt: eine Drift von 100&#x2009;%.</translation>
+    </message>
+    <message>
+        <source>Give it steps of **1/8&#x2009;frame**. Does a small step save it? Wait for a drift of 10&#x2009;%.</source>
+        <translation>Gib ihm Zeitschritte von **1/8 Bild**. Rettet es ein kleiner Zeitschritt? Warte auf eine Drift von 10&#x2009;%.</translation>
+    </message>
+    <message>
+        <source>Choose **Velocity Verlet** with steps of 1&#x2009;frame. Play 200&#x2009;frames: the drift stays within half a percent.</source>
+        <translation>Wähle **Velocity-Verlet** mit Zeitschritten von 1 Bild. Spiele 200&#x2009;Bilder: Die Drift bleibt innerhalb eines halben Prozents.</translation>
+    </message>
+    <message>
+        <source>**Semi-implicit Euler**: play to frame 60 with steps of 1/8&#x2009;frame, then with 1/16. Half as far off?</source>
+        <translation>**Semi-implizites Euler-Verfahren**: Spiele mit Zeitschritten von 1/8 Bild bis Bild 60, dann mit 1/16. Halb so weit daneben?</translation>
+    </message>
+    <message>
+        <source>**Midpoint**, the same two steps: a quarter?</source>
+        <translation>**Mittelpunktsregel**, dieselben zwei Zeitschritte: ein Viertel?</translation>
+    </message>
+    <message>
+        <source>**Runge–Kutta 4**, the same two steps: a sixteenth?</source>
+        <translation>**Runge–Kutta 4**, dieselben zwei Zeitschritte: ein Sechzehntel?</translation>
+    </message>
+    <message>
+        <source>Be less than 0.01&#x2009;px off at frame 60, with at most 16 computations a frame. (Any method; change nothing else.)</source>
+        <translation>Sei bei Bild 60 weniger als 0,01&#x2009;px daneben, mit höchstens 16 Berechnungen pro Bild. (Jedes Verfahren; ändere sonst nichts.)</translation>
+    </message>
+    <message>
+        <source>Choose a **tolerance** of 0.1&#x2009;px or more, and play to frame 150. Less work; how far off?</source>
+        <translation>Wähle eine **Toleranz** von 0,1&#x2009;px oder mehr und spiele bis Bild 150. Weniger Arbeit; wie weit daneben?</translation>
+    </message>
+    <message>
+        <source>Throw the foot past the middle, within 10&#x2009;px of it. Watch its steps get shorter than 1&#x2009;frame.</source>
+        <translation>Wirf den Fuß an der Mitte vorbei, innerhalb von 10&#x2009;px. Sieh zu, wie seine Zeitschritte kürzer als 1 Bild werden.</translation>
+    </message>
+    <message>
+        <source>**Runge–Kutta 4**: find a step with which it is less than 0.2&#x2009;px off at frame 150. What does it pay for a frame?</source>
+        <translation>**Runge–Kutta 4**: Finde einen Zeitschritt, mit dem es bei Bild 150 weniger als 0,2&#x2009;px daneben ist. Was zahlt es pro Bild?</translation>
+    </message>
+    <message>
+        <source>Halve the step of **Runge–Kutta 4** until it is 1/8&#x2009;frame, and play to frame 200. Order 4, or 1?</source>
+        <translation>Halbiere den Zeitschritt von **Runge–Kutta 4** bis auf 1/8 Bild und spiele bis Bild 200. Ordnung 4 oder 1?</translation>
+    </message>
+    <message>
+        <source>Choose **Dormand–Prince 5(4)**, and play to frame 200. How far off now?</source>
+        <translation>Wähle **Dormand–Prince 5(4)** und spiele bis Bild 200. Wie weit jetzt daneben?</translation>
+    </message>
+    <message>
+        <source>Keep it, go to frame 0 and set **bounce** to 0.5. Wait until the ball has stopped bouncing.</source>
+        <translation>Behalte es, geh zu Bild 0 und setze **Abprall** auf 0,5. Warte, bis der Ball nicht mehr springt.</translation>
+    </message>
+    <message>
+        <source>Be less than 1&#x2009;px off all the way to frame 200, at any price.</source>
+        <translation>Sei den ganzen Weg bis Bild 200 weniger als 1&#x2009;px daneben, um jeden Preis.</translation>
+    </message>
+    <message>
+        <source>Less than **1&#x2009;px** off, within **0.5&#x2009;µs** a frame. The machine checks both at frame 200.</source>
+        <translation>Weniger als **1&#x2009;px** daneben, innerhalb von **0,5&#x2009;µs** pro Bild. Die Maschine prüft beides bei Bild 200.</translation>
+    </message>
+    <message>
+        <source>Less than **0.1&#x2009;px** off, within **1&#x2009;µs** a frame.</source>
+        <translation>Weniger als **0,1&#x2009;px** daneben, innerhalb von **1&#x2009;µs** pro Bild.</translation>
+    </message>
+    <message>
+        <source>Set **Creatures** to 10&#x2009;000 and play on for 60&#x2009;frames. Then to 20&#x2009;000: does it take twice as long?</source>
+        <translation>Setze **Figuren** auf 10 000 und spiele 60&#x2009;Bilder weiter. Dann auf 20 000: Dauert es doppelt so lang?</translation>
+    </message>
+    <message>
+        <source>Set **Gravity** to 0 and play on for 60&#x2009;frames. It is left out now; look for its line in the code.</source>
+        <translation>Setze **Schwerkraft** auf 0 und spiele 60&#x2009;Bilder weiter. Jetzt ist sie weggelassen; such ihre Zeile im Code.</translation>
+    </message>
+    <message>
+        <source>Set **Bounce** to 0 and wait until all lie still.</source>
+        <translation>Setze **Abprall** auf 0 und warte, bis alle still liegen.</translation>
+    </message>
+</context>
+<context>
+    <name>lesson.json</name>
+    <message>
+        <source>Accuracy</source>
+        <translation>Genauigkeit</translation>
+    </message>
+    <message>
+        <source>How far off a computed motion is, and what it costs to be nearer.</source>
+        <translation>Wie weit eine berechnete Bewegung daneben ist und was es kostet, näher heranzukommen.</translation>
+    </message>
+</context>
+<context>
+    <name>sim</name>
+    <message>
+        <source>ball</source>
+        <translation>Ball</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,385 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+<context>
+    <name>Codeling</name>
+    <message>
+        <source>motor</source>
+        <translation>Motor</translation>
+    </message>
+    <message>
+        <source>Way to the target</source>
+        <translation>Weg zum Ziel</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source>It grows before a move: that is the anticipation.</source>
+        <translation>Vor einer Bewegung wächst er: Das ist das Ausholen.</translation>
+    </message>
+    <message>
+        <source>Stretch</source>
+        <translation>Streckung</translation>
+    </message>
+    <message>
+        <source>How long the spine is, as a part of its length at rest.</source>
+        <translation>Wie lang das Rückgrat ist, als Anteil seiner Länge in Ruhe.</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>The area of the body, as a part of its area at rest.</source>
+        <translation>Die Fläche des Körpers, als Anteil seiner Fläche in Ruhe.</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Erhalt</translation>
+    </message>
+    <message>
+        <source>per frame</source>
+        <translation>pro Bild</translation>
+    </message>
+    <message>
+        <source>The share of its speed that the lead keeps each frame.</source>
+        <translation>Der Anteil ihres Tempos, den die Spitze in jedem Bild behält.</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Steifigkeit</translation>
+    </message>
+    <message>
+        <source>How hard the motor pulls: this times the way to the target.</source>
+        <translation>Wie stark der Motor zieht: so viel mal der Weg zum Ziel.</translation>
+    </message>
+    <message>
+        <source>Time step</source>
+        <translation>Zeitmaß</translation>
+    </message>
+    <message>
+        <source>How much of its own time passes in a frame: the pull counts dt × dt.</source>
+        <translation>Wie viel seiner eigenen Zeit in einem Bild vergeht: Der Zug zählt dt × dt.</translation>
+    </message>
+    <message>
+        <source>Target x</source>
+        <translation>Ziel x</translation>
+    </message>
+    <message>
+        <source>How far to the right the first target is.</source>
+        <translation>Wie weit rechts das erste Ziel ist.</translation>
+    </message>
+    <message>
+        <source>Target y</source>
+        <translation>Ziel y</translation>
+    </message>
+    <message>
+        <source>How far down the first target is.</source>
+        <translation>Wie weit unten das erste Ziel ist.</translation>
+    </message>
+    <message>
+        <source>Rest length</source>
+        <translation>Ruhelänge</translation>
+    </message>
+    <message>
+        <source>How far the tail is from the lead at rest.</source>
+        <translation>Wie weit der Schwanz in Ruhe von der Spitze entfernt ist.</translation>
+    </message>
+    <message>
+        <source>Anticipation</source>
+        <translation>Ausholen</translation>
+    </message>
+    <message>
+        <source>How far it backs up before a move, as a part of the way to the target.</source>
+        <translation>Wie weit er vor einer Bewegung zurückweicht, als Anteil des Wegs zum Ziel.</translation>
+    </message>
+    <message>
+        <source>Soft</source>
+        <translation>Weich</translation>
+    </message>
+    <message>
+        <source>The part of the spine’s error that goes each frame.</source>
+        <translation>Der Teil des Fehlers des Rückgrats, der in jedem Bild verschwindet.</translation>
+    </message>
+    <message>
+        <source>Hard</source>
+        <translation>Hart</translation>
+    </message>
+    <message>
+        <source>The same, when the spine is shorter than least or longer than most.</source>
+        <translation>Dasselbe, wenn das Rückgrat kürzer als die kleinste oder länger als die größte Länge ist.</translation>
+    </message>
+    <message>
+        <source>Along</source>
+        <translation>Längs</translation>
+    </message>
+    <message>
+        <source>The share of the tail’s speed along the spine that it keeps.</source>
+        <translation>Der Anteil des Schwanztempos längs zum Rückgrat, den er behält.</translation>
+    </message>
+    <message>
+        <source>Across</source>
+        <translation>Quer</translation>
+    </message>
+    <message>
+        <source>The share of the tail’s speed across the spine that it keeps.</source>
+        <translation>Der Anteil des Schwanztempos quer zum Rückgrat, den er behält.</translation>
+    </message>
+    <message>
+        <source>Least length</source>
+        <translation>Kleinste Länge</translation>
+    </message>
+    <message>
+        <source>Shorter than this, the spine pushes hard.</source>
+        <translation>Ist es kürzer, schiebt das Rückgrat hart.</translation>
+    </message>
+    <message>
+        <source>Most length</source>
+        <translation>Größte Länge</translation>
+    </message>
+    <message>
+        <source>Longer than this, the spine pulls hard.</source>
+        <translation>Ist es länger, zieht das Rückgrat hart.</translation>
+    </message>
+    <message>
+        <source>Tentacles</source>
+        <translation>Tentakel</translation>
+    </message>
+    <message>
+        <source>How many tentacles it has.</source>
+        <translation>Wie viele Tentakel er hat.</translation>
+    </message>
+    <message>
+        <source>Links</source>
+        <translation>Glieder</translation>
+    </message>
+    <message>
+        <source>How many links each tentacle has.</source>
+        <translation>Wie viele Glieder jeder Tentakel hat.</translation>
+    </message>
+    <message>
+        <source>Water</source>
+        <translation>Wasser</translation>
+    </message>
+    <message>
+        <source>The share of its speed that a tentacle keeps each frame. Less: thicker water.</source>
+        <translation>Der Anteil seines Tempos, den ein Tentakel in jedem Bild behält. Weniger: dickeres Wasser.</translation>
+    </message>
+    <message>
+        <source>A motor</source>
+        <translation>Ein Motor</translation>
+    </message>
+    <message>
+        <source>Click anywhere: this little creature swims there. Its motor is a **spring** from its head, the **lead**, to the target. The pull is k times the way to go, so it starts fast, slows down by itself, and swims a little too far before it turns back.
+
+**keep** is the share of its velocity that it keeps each frame. With 1 it would swing about the target for ever. With 0.7 it is there after a dozen frames.
+
+A frame is a quarter of this creature’s own unit of time: **dt** is 0.25. A pull changes a place by dt × dt, so k = 0.9 does as much as k = 0.056 in the first lessons.</source>
+        <translation>Klicke irgendwohin: Dieses kleine Wesen schwimmt dorthin. Sein Motor ist eine **Feder** von seinem Kopf, der **Spitze**, zum Ziel. Der Zug ist k mal der Weg, der noch fehlt; darum startet es schnell, wird von selbst langsamer und schwimmt ein wenig zu weit, bevor es umkehrt.
+
+**Erhalt** ist der Anteil seiner Geschwindigkeit, den es in jedem Bild behält. Mit 1 würde es ewig um das Ziel schwingen. Mit 0,7 ist es nach einem Dutzend Bildern da.
+
+Ein Bild ist ein Viertel der eigenen Zeiteinheit dieses Wesens: **dt** ist 0,25. Ein Zug ändert einen Ort um dt × dt, darum bewirkt k = 0,9 so viel wie k = 0,056 in den ersten Lektionen.</translation>
+    </message>
+    <message>
+        <source>Which way it looks</source>
+        <translation>Wohin es schaut</translation>
+    </message>
+    <message>
+        <source>A dot has no front. So give it a second point, the **tail**, tied to the lead by a rigid stick of 40&#x202f;px.
+
+This stick is **one-sided**: the lead takes nothing of the error, the tail takes it all. The motor does not even know that there is a tail. And the tail has no velocity of its own: it is pulled along behind, wherever the lead goes.
+
+That is enough for a direction: from tail to lead is the way that it looks. When it is sent to the side, it turns there in a smooth curve. When it is sent straight back, it pushes its tail ahead of it for a while: the stick knows a length, not a front.
+
+In each frame the lead moves first. The tail follows in the same frame.</source>
+        <translation>Ein Punkt hat kein Vorn. Gib ihm also einen zweiten Punkt, den **Schwanz**, mit einem starren Stab von 40&#x202f;px an die Spitze gebunden.
+
+Dieser Stab ist **einseitig**: Die Spitze übernimmt nichts vom Fehler, der Schwanz alles. Der Motor weiß nicht einmal, dass es einen Schwanz gibt. Und der Schwanz hat keine eigene Geschwindigkeit: Er wird hinterhergezogen, wohin die Spitze auch geht.
+
+Das genügt für eine Richtung: Vom Schwanz zur Spitze, dorthin schaut es. Wird es zur Seite geschickt, dreht es sich in einer sanften Kurve. Wird es geradewegs zurückgeschickt, schiebt es seinen Schwanz eine Weile vor sich her: Der Stab kennt eine Länge, kein Vorn.
+
+In jedem Bild bewegt sich zuerst die Spitze. Der Schwanz folgt im selben Bild.</translation>
+    </message>
+    <message>
+        <source>Before you jump, you crouch. Animators call that **anticipation**: a small move the other way tells the eye that a big one comes.
+
+Here it is one line. When you click, the lead is shifted **away from the target** by a part of the way, 0.2 of it.
+
+Its place before that frame stays what it was. The velocity is the way that it came, so the shift is also a push: it goes on backing up, slower and slower, until the motor has turned it round. A longer way gives a bigger shift, with no number to be set for it.
+
+Two clicks in one frame shift it twice.</source>
+        <translation>Bevor du springst, gehst du in die Hocke. Trickfilmer nennen das **Ausholen**: Eine kleine Bewegung in die Gegenrichtung sagt dem Auge, dass eine große kommt.
+
+Hier ist das eine Zeile. Wenn du klickst, wird die Spitze **vom Ziel weg** verschoben, um einen Teil des Wegs, 0,2 davon.
+
+Ihr Ort vor diesem Bild bleibt, was er war. Die Geschwindigkeit ist der Weg, den sie kam, darum ist die Verschiebung auch ein Schubs: Sie weicht weiter zurück, langsamer und langsamer, bis der Motor sie umgekehrt hat. Ein längerer Weg gibt eine größere Verschiebung, ohne eine Zahl, die man dafür setzen müsste.
+
+Zwei Klicks in einem Bild verschieben sie zweimal.</translation>
+    </message>
+    <message>
+        <source>Squash and stretch</source>
+        <translation>Stauchen und Strecken</translation>
+    </message>
+    <message>
+        <source>Now the tail gets a velocity of its own, and the stick gives way: it is **soft**. The tail drags behind and swings past, and the body is squashed and stretched.
+
+Each frame takes only 0.1 of the error. But a soft stick alone would let the tail pass through the lead. So there are **three cases**: shorter than 20&#x202f;px or longer than 60&#x202f;px, it takes 0.8 of what is past that limit; in between, 0.1 of the way to 40&#x202f;px.
+
+The tail’s velocity is split in two, **along** the spine and **across** it. Along, it keeps 0.7 each frame, across only 0.5: it bobs more than it swings round.</source>
+        <translation>Jetzt bekommt der Schwanz eine eigene Geschwindigkeit, und der Stab gibt nach: Er ist **weich**. Der Schwanz hinkt hinterher und schwingt vorbei, und der Körper wird gestaucht und gestreckt.
+
+Jedes Bild nimmt nur 0,1 des Fehlers. Aber ein weicher Stab allein würde den Schwanz durch die Spitze hindurchlassen. Darum gibt es **drei Fälle**: Kürzer als 20&#x202f;px oder länger als 60&#x202f;px nimmt er 0,8 von dem, was jenseits der Grenze ist; dazwischen 0,1 des Wegs zu 40&#x202f;px.
+
+Die Geschwindigkeit des Schwanzes wird zerlegt, **längs** zum Rückgrat und **quer** dazu. Längs behält er in jedem Bild 0,7, quer nur 0,5: Er federt mehr, als er herumschwingt.</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>A body that gets shorter must get wider, or it seems to lose weight. Two more points make the **sides**, with five more constraints.
+
+Four are soft and one-sided: from lead and tail to each side. They keep the sides in the middle.
+
+The fifth is rigid and goes across, from side to side. **Its length follows from the area**: half of spine times width is the area of this shape, so the width that it needs is 2 × area / spine. Half as long makes twice as wide.
+
+No angle, no formula for bulging. In a sharp turn the sides come late and the shape buckles; calmer moves look better.</source>
+        <translation>Ein Körper, der kürzer wird, muss breiter werden, sonst scheint er Gewicht zu verlieren. Zwei weitere Punkte bilden die **Seiten**, mit fünf weiteren Zwangsbedingungen.
+
+Vier sind weich und einseitig: von Spitze und Schwanz zu jeder Seite. Sie halten die Seiten in der Mitte.
+
+Die fünfte ist starr und geht quer, von Seite zu Seite. **Ihre Länge folgt aus der Fläche**: Die Hälfte von Rückgrat mal Breite ist die Fläche dieser Form, also ist die Breite, die sie braucht, 2 × Fläche / Rückgrat. Halb so lang macht doppelt so breit.
+
+Kein Winkel, keine Formel fürs Ausbeulen. In einer scharfen Kurve kommen die Seiten zu spät, und die Form knickt ein; ruhigere Bewegungen sehen besser aus.</translation>
+    </message>
+    <message>
+        <source>The sides carry **tentacles**: chains of points with sticks between them. Each point goes on as it came (Verlet), and **water** takes a share of its speed. Then the sticks pull it in.
+
+These sticks are one-sided, too. From the side outwards, each link puts its outer end right and leaves the inner one alone. So **one pass is enough**: no later link disturbs an earlier one, and every link has exactly its 7&#x202f;px.
+
+The price: a tentacle feels the body, but the body does not feel the tentacle. For something so light that is a fair lie.
+
+Nothing here was drawn frame by frame: springs and constraints do all of it.</source>
+        <translation>Die Seiten tragen **Tentakel**: Ketten von Punkten mit Stäben dazwischen. Jeder Punkt geht weiter, wie er kam (Verlet), und **Wasser** nimmt einen Anteil seines Tempos. Dann ziehen die Stäbe ihn heran.
+
+Auch diese Stäbe sind einseitig. Von der Seite nach außen stellt jedes Glied sein äußeres Ende richtig und lässt das innere in Ruhe. Darum **genügt ein Durchgang**: Kein späteres Glied stört ein früheres, und jedes Glied hat genau seine 7&#x202f;px.
+
+Der Preis: Ein Tentakel spürt den Körper, aber der Körper spürt den Tentakel nicht. Für etwas so Leichtes ist das eine faire Lüge.
+
+Nichts hier wurde Bild für Bild gezeichnet: Federn und Zwangsbedingungen tun das alles.</translation>
+    </message>
+    <message>
+        <source>Click at least 150&#x202f;px away, and wait until it has arrived.</source>
+        <translation>Klicke mindestens 150&#x202f;px entfernt und warte, bis es angekommen ist.</translation>
+    </message>
+    <message>
+        <source>Set **keep** to 1 and click somewhere else. After 100&#x202f;frames it still swings.</source>
+        <translation>Setze **Erhalt** auf 1 und klicke woandershin. Nach 100&#x202f;Bildern schwingt es immer noch.</translation>
+    </message>
+    <message>
+        <source>Take the lead in your hand and throw it. It comes back.</source>
+        <translation>Nimm die Spitze in die Hand und wirf sie. Sie kommt zurück.</translation>
+    </message>
+    <message>
+        <source>Send it to places so that it turns round: the tail at least 30&#x202f;px to the right of the lead.</source>
+        <translation>Schicke es so umher, dass es sich umdreht: den Schwanz mindestens 30&#x202f;px rechts von der Spitze.</translation>
+    </message>
+    <message>
+        <source>Pull it at least 100&#x202f;px away by its tail, let go, and wait until it is back.</source>
+        <translation>Zieh es am Schwanz mindestens 100&#x202f;px weg, lass los und warte, bis es zurück ist.</translation>
+    </message>
+    <message>
+        <source>Stop inside a frame when the lead has moved, and the tail is 5&#x202f;px too far away.</source>
+        <translation>Halte innerhalb eines Bildes an, wenn die Spitze sich bewegt hat und der Schwanz 5&#x202f;px zu weit weg ist.</translation>
+    </message>
+    <message>
+        <source>Click far away, and stop inside a frame right after the shift.</source>
+        <translation>Klicke weit weg und halte innerhalb eines Bildes gleich nach der Verschiebung an.</translation>
+    </message>
+    <message>
+        <source>Set **anticipation** to 0.6 and click far away. It winds up like a spring.</source>
+        <translation>Setze **Ausholen** auf 0,6 und klicke weit weg. Es spannt sich wie eine Feder.</translation>
+    </message>
+    <message>
+        <source>Go back in time to before a click, change **anticipation**, and compare with the ghost.</source>
+        <translation>Geh in der Zeit vor einen Klick zurück, ändere **Ausholen** und vergleiche mit dem Geist.</translation>
+    </message>
+    <message>
+        <source>Send it so far that its spine gets 55&#x202f;px long.</source>
+        <translation>Schicke es so weit, dass sein Rückgrat 55&#x202f;px lang wird.</translation>
+    </message>
+    <message>
+        <source>Send it where it looks, so that it is squashed to 32&#x202f;px before it starts.</source>
+        <translation>Schicke es dorthin, wohin es schaut, sodass es vor dem Start auf 32&#x202f;px gestaucht wird.</translation>
+    </message>
+    <message>
+        <source>Go back in time, set **soft** to 1, and compare with the ghost.</source>
+        <translation>Geh in der Zeit zurück, setze **Weich** auf 1 und vergleiche mit dem Geist.</translation>
+    </message>
+    <message>
+        <source>Squash it until it is 40&#x202f;px wide.</source>
+        <translation>Stauche es, bis es 40&#x202f;px breit ist.</translation>
+    </message>
+    <message>
+        <source>Stretch it until it is only 22&#x202f;px wide.</source>
+        <translation>Strecke es, bis es nur noch 22&#x202f;px breit ist.</translation>
+    </message>
+    <message>
+        <source>Pull one side at least 40&#x202f;px out. The other side makes up for it: the area stays.</source>
+        <translation>Zieh eine Seite mindestens 40&#x202f;px hinaus. Die andere gleicht es aus: Die Fläche bleibt.</translation>
+    </message>
+    <message>
+        <source>Set **tentacles** to 8, send it somewhere, and wait until it has arrived.</source>
+        <translation>Setze **Tentakel** auf 8, schicke es irgendwohin und warte, bis es angekommen ist.</translation>
+    </message>
+    <message>
+        <source>Set **water** to 0.98 and send it to and fro until a tentacle whips at 40&#x202f;px per frame.</source>
+        <translation>Setze **Wasser** auf 0,98 und schicke es hin und her, bis ein Tentakel mit 40&#x202f;px pro Bild peitscht.</translation>
+    </message>
+    <message>
+        <source>Go back in time, change **water**, and compare with the ghost.</source>
+        <translation>Geh in der Zeit zurück, ändere **Wasser** und vergleiche mit dem Geist.</translation>
+    </message>
+</context>
+<context>
+    <name>lesson.json</name>
+    <message>
+        <source>Codeling</source>
+        <translation>Codeling</translation>
+    </message>
+    <message>
+        <source>A little swimmer whose whole character comes from springs and constraints.</source>
+        <translation>Ein kleiner Schwimmer, dessen ganzer Charakter aus Federn und Zwangsbedingungen kommt.</translation>
+    </message>
+</context>
+<context>
+    <name>sim</name>
+    <message>
+        <source>lead</source>
+        <translation>Spitze</translation>
+    </message>
+    <message>
+        <source>tail</source>
+        <translation>Schwanz</translation>
+    </message>
+    <message>
+        <source>sides</source>
+        <translation>Seiten</translation>
+    </message>
+    <message>
+        <source>tentacles</source>
+        <translation>Tentakel</translation>
+    </message>
+    <message>
+        <source>side</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>tentacle</source>
+        <translation>Tentakel</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,411 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+<context>
+    <name>HardCases</name>
+    <message>
+        <source>its steps are too long for what is so stiff</source>
+        <translation>seine Zeitschritte sind zu lang für etwas so Steifes</translation>
+    </message>
+    <message>
+        <source>its steps are longer than those that the case’s sticks are measured by</source>
+        <translation>seine Zeitschritte sind länger als die, an denen die Stäbe des Falls gemessen werden</translation>
+    </message>
+    <message>
+        <source>it swings on for longer than the run</source>
+        <translation>es schwingt länger weiter, als der Lauf dauert</translation>
+    </message>
+    <message>
+        <source>it moves one body after the other</source>
+        <translation>es bewegt einen Körper nach dem anderen</translation>
+    </message>
+    <message>
+        <source>it would need too many steps</source>
+        <translation>es würde zu viele Zeitschritte brauchen</translation>
+    </message>
+    <message>
+        <source>its errors add up</source>
+        <translation>seine Fehler summieren sich</translation>
+    </message>
+    <message>
+        <source>its errors keep it stirring</source>
+        <translation>seine Fehler halten es in Unruhe</translation>
+    </message>
+    <message>
+        <source>no place there is free</source>
+        <translation>kein Ort dort ist frei</translation>
+    </message>
+    <message>
+        <source>it cannot compute all of it</source>
+        <translation>es kann nicht alles davon berechnen</translation>
+    </message>
+    <message>
+        <source>You have changed it: nobody claims this.</source>
+        <translation>Du hast ihn geändert: Niemand sagt das zu.</translation>
+    </message>
+    <message>
+        <source>%1 claims this case.</source>
+        <translation>„%1“ sagt diesen Fall zu.</translation>
+    </message>
+    <message>
+        <source>%1 does not claim it: %2.</source>
+        <translation>„%1“ sagt ihn nicht zu: %2.</translation>
+    </message>
+    <message>
+        <source>out of its bounds since frame %1</source>
+        <translation>außerhalb seiner Grenzen seit Bild %1</translation>
+    </message>
+    <message>
+        <source>within its bounds up to frame %1, the rest is not looked at yet</source>
+        <translation>innerhalb seiner Grenzen bis Bild %1, der Rest ist noch nicht angesehen</translation>
+    </message>
+    <message>
+        <source>within its bounds so far</source>
+        <translation>bisher innerhalb seiner Grenzen</translation>
+    </message>
+    <message>
+        <source>within its bounds so far, not at rest yet</source>
+        <translation>bisher innerhalb seiner Grenzen, noch nicht in Ruhe</translation>
+    </message>
+    <message>
+        <source>within its bounds so far, and at rest, as it should be</source>
+        <translation>bisher innerhalb seiner Grenzen und in Ruhe, so wie es sein soll</translation>
+    </message>
+    <message>
+        <source>%1
+%2 Frame %3 of %4: %5.</source>
+        <translation>%1
+%2 Bild %3 von %4: %5.</translation>
+    </message>
+    <message>
+        <source>Case</source>
+        <translation>Fall</translation>
+    </message>
+    <message>
+        <source>The experiment that runs. Another one begins at frame 0.</source>
+        <translation>Das Experiment, das läuft. Ein anderes beginnt bei Bild 0.</translation>
+    </message>
+    <message>
+        <source>How hard the springs of the case pull. 0: as hard as the case has it.</source>
+        <translation>Wie stark die Federn des Falls ziehen. 0: so stark, wie der Fall es vorsieht.</translation>
+    </message>
+    <message>
+        <source>the middle moved %1&#x2009;px</source>
+        <translation>die Mitte hat sich um %1&#x2009;px bewegt</translation>
+    </message>
+    <message>
+        <source>Longest</source>
+        <translation>Längster</translation>
+    </message>
+    <message>
+        <source>The length of the third stick. The other two are 20&#x2009;px long.</source>
+        <translation>Die Länge des dritten Stabs. Die anderen zwei sind 20&#x2009;px lang.</translation>
+    </message>
+    <message>
+        <source>The limit of a step</source>
+        <translation>Grenze des Zeitschritts</translation>
+    </message>
+    <message>
+        <source>Implicit midpoint</source>
+        <translation>Implizite Mittelpunktsregel</translation>
+    </message>
+    <message>
+        <source>A step asks for the pull once, and then goes straight on. If the spring is too stiff, it goes past the middle, and farther out than it came from. The next pull is stronger still.
+
+Without damping this begins at exactly **k h² = 4**: with steps of one frame, at a stiffness of 4. There the foot comes out on the other side with all its speed. Here k is 4.01.
+
+A smaller step moves the limit: half of it bears **four times** the stiffness. Damping moves it, too: for steps of a frame to k = 2&#x2009;(1 + damp) / damp.
+
+**Implicit midpoint**, below, asks for the pull half-way, where it does not know the place yet, and solves for it. It has no such limit.
+
+The small **gauge** shows how near you are.</source>
+        <translation>Ein Zeitschritt fragt einmal nach dem Zug und geht dann geradeaus. Ist die Feder zu steif, geht er über die Mitte hinaus, und weiter hinaus, als er herkam. Der nächste Zug ist noch stärker.
+
+Ohne Dämpfung beginnt das bei genau **k h² = 4**: mit Zeitschritten von einem Bild bei einer Steifigkeit von 4. Dort kommt der Fuß mit all seinem Tempo auf der anderen Seite heraus. Hier ist k 4,01.
+
+Ein kleinerer Zeitschritt verschiebt die Grenze: Der halbe verträgt die **vierfache** Steifigkeit. Auch Dämpfung verschiebt sie: bei Zeitschritten von einem Bild auf k = 2 (1 + damp) / damp.
+
+Die **implizite Mittelpunktsregel**, unten, fragt auf halbem Weg nach dem Zug, wo sie den Ort noch nicht kennt, und löst danach auf. Sie hat keine solche Grenze.
+
+Die kleine **Anzeige** zeigt, wie nahe du ihr bist.</translation>
+    </message>
+    <message>
+        <source>The runaway pair</source>
+        <translation>Das Paar läuft davon</translation>
+    </message>
+    <message>
+        <source>Semi-implicit Euler</source>
+        <translation>Semi-implizites Euler-Verfahren</translation>
+    </message>
+    <message>
+        <source>A foot and a body pull each other. Nothing pushes from outside, so **the middle between them has to stay where it is**: at the cross.
+
+The printed rule moves the foot first. Then the body looks where the foot is **now**, and feels another pull than the foot felt. What the two give each other is not equal any more: the pair makes itself a push out of nothing, each frame. With k = 0.3 and damping 0.9 that is more than damping takes, and the pair never comes to rest.
+
+At k = 0.2 it does come to rest, but in a wrong place.
+
+**Semi-implicit Euler**, on the right, is the same formula. It only takes all pulls first, and moves all bodies then.</source>
+        <translation>Ein Fuß und ein Körper ziehen einander. Nichts schiebt von außen, also **muss die Mitte zwischen ihnen bleiben, wo sie ist**: am Kreuz.
+
+Die gedruckte Regel bewegt zuerst den Fuß. Dann schaut der Körper, wo der Fuß **jetzt** ist, und spürt einen anderen Zug, als der Fuß spürte. Was die zwei einander geben, ist nicht mehr gleich: Das Paar macht sich in jedem Bild einen Schubs aus dem Nichts. Mit k = 0,3 und Dämpfung 0,9 ist das mehr, als die Dämpfung nimmt, und das Paar kommt nie zur Ruhe.
+
+Bei k = 0,2 kommt es zur Ruhe, aber am falschen Ort.
+
+Das **semi-implizite Euler-Verfahren**, rechts, ist dieselbe Formel. Es nimmt nur zuerst alle Züge und bewegt dann alle Körper.</translation>
+    </message>
+    <message>
+        <source>Too many feet</source>
+        <translation>Zu viele Füße</translation>
+    </message>
+    <message>
+        <source>Backward Euler</source>
+        <translation>Implizites Euler-Verfahren</translation>
+    </message>
+    <message>
+        <source>A stiffness of 0.2 is soft. But the body feels **all its feet at once**: sixty soft springs make one that is stiff.
+
+In any direction about half of the feet count, and the feet give way a little. So the pair of body and feet swings like a spring of stiffness k&#x2009;(1 + feet / 2). With damping 0.85 the limit is 4.35, which is about 41 feet. At rest, that is: legs that are out of their length make it worse, so 38 feet hold here, and 41 do not.
+
+**Backward Euler**, on the right, looks for the place where the pulls *of the new place* lead to. No number of feet is too many for it.</source>
+        <translation>Eine Steifigkeit von 0,2 ist weich. Aber der Körper spürt **alle seine Füße zugleich**: Sechzig weiche Federn ergeben eine, die steif ist.
+
+In jeder Richtung zählt etwa die Hälfte der Füße, und die Füße geben ein wenig nach. Darum schwingt das Paar aus Körper und Füßen wie eine Feder der Steifigkeit k (1 + Füße / 2). Mit Dämpfung 0,85 ist die Grenze 4,35, das sind etwa 41 Füße. In Ruhe jedenfalls: Beine, die nicht ihre Länge haben, machen es schlimmer, darum halten hier 38 Füße, und 41 nicht.
+
+Das **implizite Euler-Verfahren**, rechts, sucht den Ort, zu dem die Züge *des neuen Ortes* führen. Keine Zahl von Füßen ist ihm zu viel.</translation>
+    </message>
+    <message>
+        <source>All in one place</source>
+        <translation>Alles an einem Ort</translation>
+    </message>
+    <message>
+        <source>Five feet and a body begin in **one place**. Each spring wants to be 50&#x2009;px long. In which direction?
+
+The printed code asks `atan2(0, 0)`, which is 0: to the right, for every foot. So all five go together, the body goes to the left, and what was five feet is one for ever: nothing tells them apart any more.
+
+The rule on the right gives **each pair a direction of its own**: it turns by the golden angle from one pair to the next, so many feet spread evenly. The two ends of a spring get opposite directions. It counts nothing but the numbers of the two points, so the same run comes out each time.
+
+Every method but the printed one uses it, everywhere.</source>
+        <translation>Fünf Füße und ein Körper beginnen an **einem Ort**. Jede Feder will 50&#x2009;px lang sein. In welche Richtung?
+
+Der gedruckte Code fragt `atan2(0, 0)`, und das ist 0: nach rechts, für jeden Fuß. Also gehen alle fünf zusammen, der Körper geht nach links, und was fünf Füße waren, ist für immer einer: Nichts unterscheidet sie mehr.
+
+Die Regel rechts gibt **jedem Paar seine eigene Richtung**: Von einem Paar zum nächsten dreht sie sich um den goldenen Winkel, darum verteilen sich viele Füße gleichmäßig. Die zwei Enden einer Feder bekommen entgegengesetzte Richtungen. Sie zählt nichts als die Nummern der zwei Punkte, darum kommt jedes Mal derselbe Lauf heraus.
+
+Jedes Verfahren außer dem gedruckten verwendet sie, überall.</translation>
+    </message>
+    <message>
+        <source>Stiff but calm</source>
+        <translation>Steif, aber ruhig</translation>
+    </message>
+    <message>
+        <source>Three legs, each 5000 times as stiff as before: nearly sticks. In one step Semi-implicit Euler sends the feet 20&#x2009;000&#x2009;px away. Some frames later the numbers are too large to write: the run **stops at the last good frame** and says who went first. Nothing is lost. Go back, and change something.
+
+It can be saved by small steps: 1/32 of a frame is too long still, 1/64 holds. That is 64 times the work, for a motion that nobody sees.
+
+**Backward Euler** needs one step a frame, at any stiffness. The price: it slows what swings, as if there were more damping. For what should be stiff and calm that is right; for what should swing, it is not.</source>
+        <translation>Drei Beine, jedes 5000-mal so steif wie zuvor: fast Stäbe. In einem Zeitschritt schickt das semi-implizite Euler-Verfahren die Füße 20 000&#x2009;px weit weg. Einige Bilder später sind die Zahlen zu groß zum Schreiben: Der Lauf **hält beim letzten guten Bild an** und sagt, wer zuerst davonging. Nichts ist verloren. Geh zurück und ändere etwas.
+
+Retten lässt er sich mit kleinen Zeitschritten: 1/32 Bild ist noch zu lang, 1/64 hält. Das ist 64-mal die Arbeit, für eine Bewegung, die niemand sieht.
+
+Das **implizite Euler-Verfahren** braucht einen Zeitschritt pro Bild, bei jeder Steifigkeit. Der Preis: Es bremst, was schwingt, als gäbe es mehr Dämpfung. Für etwas, das steif und ruhig sein soll, ist das richtig; für etwas, das schwingen soll, nicht.</translation>
+    </message>
+    <message>
+        <source>Sticks that contradict</source>
+        <translation>Stäbe im Widerspruch</translation>
+    </message>
+    <message>
+        <source>The same, as sticks</source>
+        <translation>Dasselbe, als Stäbe</translation>
+    </message>
+    <message>
+        <source>Made of</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>Whether springs hold the three points, or rigid sticks.</source>
+        <translation>Ob Federn die drei Punkte halten oder starre Stäbe.</translation>
+    </message>
+    <message>
+        <source>Three lengths: 20, 20 and 200&#x2009;px. No triangle has them. Whatever moves, something is wrong.
+
+On the left **springs** pull. What is wrong stays wrong, so they pull for ever, and three springs of 1.5 are too stiff for a step: in a line they swing like one of 3 k, and the limit is 4.22.
+
+On the right **sticks** hold. They do not pull: each is made right by *moving* its ends, one after the other. The last in the list has its length, and the others bear the error. A place cannot be moved farther than an error is large, so sticks never run away. They come to rest, with a lie shared out among them. Its size is in their colour.</source>
+        <translation>Drei Längen: 20, 20 und 200&#x2009;px. Kein Dreieck hat sie. Was sich auch bewegt, etwas ist falsch.
+
+Links ziehen **Federn**. Was falsch ist, bleibt falsch, darum ziehen sie ewig, und drei Federn von 1,5 sind zu steif für einen Zeitschritt: In einer Linie schwingen sie wie eine von 3 k, und die Grenze ist 4,22.
+
+Rechts halten **Stäbe**. Sie ziehen nicht: Jeder wird richtiggestellt, indem man seine Enden *bewegt*, einer nach dem anderen. Der letzte in der Liste hat seine Länge, und die anderen tragen den Fehler. Ein Ort lässt sich nicht weiter bewegen, als ein Fehler groß ist, darum laufen Stäbe nie davon. Sie kommen zur Ruhe, mit einer Lüge, die sie unter sich aufteilen. Ihre Farbe zeigt, wie groß sie ist.</translation>
+    </message>
+    <message>
+        <source>The long run</source>
+        <translation>Der lange Lauf</translation>
+    </message>
+    <message>
+        <source>Velocity Verlet</source>
+        <translation>Velocity-Verlet</translation>
+    </message>
+    <message>
+        <source>Nothing slows this foot. It should swing for ever.
+
+**Runge–Kutta 4** is the more exact of the two: in the first ten frames it is never more than 1.3&#x2009;px off, Velocity Verlet up to 14&#x2009;px. But its error always points the same way: with steps of a frame, each of them takes 0.08&#x2009;% of the swing. After **851&#x2009;frames** half is left, after 5000 next to nothing.
+
+**Velocity Verlet**, below, swings a little too fast. But its steps can be taken back exactly, and so nothing is lost, not in ten million frames.
+
+To go far, type a frame&apos;s number into the counter.
+
+What an error *adds up to* counts for more than how small it is.</source>
+        <translation>Nichts bremst diesen Fuß. Er sollte ewig schwingen.
+
+**Runge–Kutta 4** ist das genauere der beiden: In den ersten zehn Bildern ist es nie mehr als 1,3&#x2009;px daneben, Velocity-Verlet bis zu 14&#x2009;px. Aber sein Fehler zeigt immer in dieselbe Richtung: Mit Zeitschritten von einem Bild nimmt jeder 0,08&#x2009;% der Schwingung. Nach **851&#x2009;Bildern** ist die Hälfte übrig, nach 5000 fast nichts.
+
+**Velocity-Verlet**, unten, schwingt ein wenig zu schnell. Aber seine Zeitschritte lassen sich genau zurücknehmen, und so geht nichts verloren, nicht in zehn Millionen Bildern.
+
+Um weit zu gehen, gib die Nummer eines Bildes in den Zähler ein.
+
+Wozu sich ein Fehler *summiert*, zählt mehr, als wie klein er ist.</translation>
+    </message>
+    <message>
+        <source>The torture panel</source>
+        <translation>Die Zerreißprobe</translation>
+    </message>
+    <message>
+        <source>Here are all the cases that this program is tested with. Choose one, and a **method** above the scene, and see what holds.
+
+A method **claims** what it can hold: that follows from its rule, and is worked out before the run. The line over the scene says whether it claims this case, and how the run has been so far: within the bounds that the case sets, at rest where it should be, or out of bounds, and since when.
+
+A claim that breaks would be a fault of the program. A case that nobody claims may hold all the same. What cannot be computed at all is refused, with a sentence.
+
+Hands, walls and steps belong to a case. If you reach in, it is your own experiment.</source>
+        <translation>Hier sind alle Fälle, mit denen dieses Programm geprüft wird. Wähle einen, und ein **Verfahren** über der Szene, und sieh, was hält.
+
+Ein Verfahren **sagt zu**, was es halten kann: Das folgt aus seiner Regel und wird vor dem Lauf ausgerechnet. Die Zeile über der Szene sagt, ob es diesen Fall zusagt, und wie der Lauf bisher war: innerhalb der Grenzen, die der Fall setzt, in Ruhe, wo er es sein soll, oder außerhalb der Grenzen, und seit wann.
+
+Eine Zusage, die bricht, wäre ein Fehler des Programms. Ein Fall, den niemand zusagt, kann trotzdem halten. Was sich gar nicht berechnen lässt, wird abgelehnt, mit einem Satz.
+
+Hände, Wände und Zeitschritte gehören zu einem Fall. Greifst du ein, ist es dein eigenes Experiment.</translation>
+    </message>
+    <message>
+        <source>Choose **1/2&#x2009;frame** as step, and play to frame 100. It swings, hardly farther than the crosses.</source>
+        <translation>Wähle **1/2 Bild** als Zeitschritt und spiele bis Bild 100. Er schwingt, kaum weiter als die Kreuze.</translation>
+    </message>
+    <message>
+        <source>With steps of 1&#x2009;frame, go to frame 0 and set **k** to 3.9. Play to frame 100: six times as far, and it always comes back.</source>
+        <translation>Geh mit Zeitschritten von 1 Bild zu Bild 0 und setze **k** auf 3,9. Spiele bis Bild 100: sechsmal so weit, und er kommt immer zurück.</translation>
+    </message>
+    <message>
+        <source>At k = 4.01, go to frame 0 and set **damp** to 0.9. The limit is 4.22 now: wait until it rests.</source>
+        <translation>Geh bei k = 4,01 zu Bild 0 und setze **Dämpfung** auf 0,9. Jetzt ist die Grenze 4,22: Warte, bis er ruht.</translation>
+    </message>
+    <message>
+        <source>Choose **Semi-implicit Euler** as method, and play to frame 200. Where is the middle?</source>
+        <translation>Wähle **Semi-implizites Euler-Verfahren** und spiele bis Bild 200. Wo ist die Mitte?</translation>
+    </message>
+    <message>
+        <source>With **Published** and steps of 1&#x2009;frame, go to frame 0 and set **k** to 0.2. Wait until it rests: 157&#x2009;px from where it belongs.</source>
+        <translation>Geh mit **Veröffentlicht** und Zeitschritten von 1 Bild zu Bild 0 und setze **k** auf 0,2. Warte, bis es ruht: 157&#x2009;px von dort, wo es hingehört.</translation>
+    </message>
+    <message>
+        <source>**Published** at k = 0.3, with steps of **1/4&#x2009;frame**: wait until it rests. Less wrong, and never right.</source>
+        <translation>**Veröffentlicht** bei k = 0,3, mit Zeitschritten von **1/4 Bild**: Warte, bis es ruht. Weniger falsch, und nie richtig.</translation>
+    </message>
+    <message>
+        <source>With steps of 1&#x2009;frame, go to frame 0 and set **feet** to 38. Wait until it rests.</source>
+        <translation>Geh mit Zeitschritten von 1 Bild zu Bild 0 und setze **Füße** auf 38. Warte, bis alles ruht.</translation>
+    </message>
+    <message>
+        <source>Sixty feet at rest with steps of **1/2&#x2009;frame**.</source>
+        <translation>Sechzig Füße in Ruhe, mit Zeitschritten von **1/2 Bild**.</translation>
+    </message>
+    <message>
+        <source>Sixty feet at rest with steps of 1&#x2009;frame: how soft must the springs be? (Go to frame 0 first.)</source>
+        <translation>Sechzig Füße in Ruhe, mit Zeitschritten von 1 Bild: Wie weich müssen die Federn sein? (Geh zuerst zu Bild 0.)</translation>
+    </message>
+    <message>
+        <source>Choose **Semi-implicit Euler**, and play from frame 0 to 60: five feet, all apart.</source>
+        <translation>Wähle **Semi-implizites Euler-Verfahren** und spiele von Bild 0 bis 60: fünf Füße, alle getrennt.</translation>
+    </message>
+    <message>
+        <source>**Published**: drag one foot up, out of the line, let go, and wait until it rests. Did the others follow one by one, or as one?</source>
+        <translation>**Veröffentlicht**: Zieh einen Fuß nach oben, aus der Linie, lass los und warte, bis alles ruht. Folgten die anderen einer nach dem anderen oder wie einer?</translation>
+    </message>
+    <message>
+        <source>With any other method and all feet apart, set **radius** to 0: all fall into one place. After 60&#x2009;frames set it to 50 again. Do they part?</source>
+        <translation>Setze mit jedem anderen Verfahren, wenn alle Füße getrennt sind, **Radius** auf 0: Alle fallen an einen Ort. Setze ihn nach 60&#x2009;Bildern wieder auf 50. Trennen sie sich?</translation>
+    </message>
+    <message>
+        <source>**Semi-implicit Euler**: find a step with which the stiff legs come to rest.</source>
+        <translation>**Semi-implizites Euler-Verfahren**: Finde einen Zeitschritt, mit dem die steifen Beine zur Ruhe kommen.</translation>
+    </message>
+    <message>
+        <source>**Backward Euler**, steps of 1&#x2009;frame: go to frame 0, type 1000000 as **k**, and play 30&#x2009;frames.</source>
+        <translation>**Implizites Euler-Verfahren**, Zeitschritte von 1 Bild: Geh zu Bild 0, gib 1000000 als **k** ein und spiele 30&#x2009;Bilder.</translation>
+    </message>
+    <message>
+        <source>The price: **Backward Euler** with **k** 0.2 and **damp** 1, from frame 0. Nothing slows the legs. Wait until they have stopped swinging.</source>
+        <translation>Der Preis: **Implizites Euler-Verfahren** mit **k** 0,2 und **Dämpfung** 1, von Bild 0 an. Nichts bremst die Beine. Warte, bis sie nicht mehr schwingen.</translation>
+    </message>
+    <message>
+        <source>Springs, steps of 1&#x2009;frame: go to frame 0 and set **k** to 1. They share the error: wait until they rest.</source>
+        <translation>Federn, Zeitschritte von 1 Bild: Geh zu Bild 0 und setze **k** auf 1. Sie teilen sich den Fehler: Warte, bis sie ruhen.</translation>
+    </message>
+    <message>
+        <source>Choose **sticks**, and wait until they rest. Which of them has its length?</source>
+        <translation>Wähle **Stäbe** und warte, bis sie ruhen. Welcher von ihnen hat seine Länge?</translation>
+    </message>
+    <message>
+        <source>Sticks: make **longest** so short that there is such a triangle, and all three are right to 0.1&#x2009;px.</source>
+        <translation>Stäbe: Mach **Längster** so kurz, dass es so ein Dreieck gibt und alle drei bis auf 0,1&#x2009;px stimmen.</translation>
+    </message>
+    <message>
+        <source>**Runge–Kutta 4**, steps of 1&#x2009;frame: go to frame 5000. What is left?</source>
+        <translation>**Runge–Kutta 4**, Zeitschritte von 1 Bild: Geh zu Bild 5000. Was ist übrig?</translation>
+    </message>
+    <message>
+        <source>The same with steps of **1/2&#x2009;frame**: a thirty-second of the loss a frame.</source>
+        <translation>Dasselbe mit Zeitschritten von **1/2 Bild**: ein Zweiunddreißigstel des Verlusts pro Bild.</translation>
+    </message>
+    <message>
+        <source>**Velocity Verlet**, steps of 1&#x2009;frame, to frame 20000: it swings as at first.</source>
+        <translation>**Velocity-Verlet**, Zeitschritte von 1 Bild, bis Bild 20000: Es schwingt wie am Anfang.</translation>
+    </message>
+    <message>
+        <source>Case **nearly rigid**: find a method that claims it, and play until it is at rest.</source>
+        <translation>Fall **fast starr**: Finde ein Verfahren, das ihn zusagt, und spiele, bis er in Ruhe ist.</translation>
+    </message>
+    <message>
+        <source>Case **torn away**: find a method with which the legs have their length again before frame 400. Which is the quickest?</source>
+        <translation>Fall **weggerissen**: Finde ein Verfahren, mit dem die Beine vor Bild 400 wieder ihre Länge haben. Welches ist das schnellste?</translation>
+    </message>
+    <message>
+        <source>Make any case **stop**: find one that a method does not claim, and see who went first.</source>
+        <translation>Bring einen Fall zum **Anhalten**: Finde einen, den ein Verfahren nicht zusagt, und sieh, wer zuerst davonging.</translation>
+    </message>
+    <message>
+        <source>springs</source>
+        <translation>Federn</translation>
+    </message>
+    <message>
+        <source>sticks</source>
+        <translation>Stäbe</translation>
+    </message>
+</context>
+<context>
+    <name>lesson.json</name>
+    <message>
+        <source>Hard cases</source>
+        <translation>Harte Fälle</translation>
+    </message>
+    <message>
+        <source>What breaks a simulation, why, and what holds.</source>
+        <translation>Was eine Simulation zerbricht, warum, und was hält.</translation>
+    </message>
+</context>
+<context>
+    <name>sim</name>
+    <message>
+        <source>points</source>
+        <translation>Punkte</translation>
+    </message>
+</context>
+</TS>

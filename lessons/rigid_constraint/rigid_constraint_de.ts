@@ -1,0 +1,305 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+<context>
+    <name>RigidConstraint</name>
+    <message>
+        <source>Largest error</source>
+        <translation>Größter Fehler</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source>How far the length of the worst stick is from what it should be.</source>
+        <translation>Wie weit die Länge des schlechtesten Stabs von ihrem Sollwert entfernt ist.</translation>
+    </message>
+    <message>
+        <source>Largest stretch</source>
+        <translation>Größte Dehnung</translation>
+    </message>
+    <message>
+        <source>%</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source>How far the worst stick is from its length, as a part of that length.</source>
+        <translation>Wie weit der schlechteste Stab von seiner Länge entfernt ist, als Anteil dieser Länge.</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>How far apart a stick keeps its two ends.</source>
+        <translation>Wie weit ein Stab seine zwei Enden auseinanderhält.</translation>
+    </message>
+    <message>
+        <source>Share of p0</source>
+        <translation>Anteil von p0</translation>
+    </message>
+    <message>
+        <source>The part of the error that p0 takes; p1 takes the rest.</source>
+        <translation>Der Teil des Fehlers, den p0 übernimmt; p1 übernimmt den Rest.</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>How many triangles the figure has.</source>
+        <translation>Wie viele Dreiecke die Figur hat.</translation>
+    </message>
+    <message>
+        <source>Iterations</source>
+        <translation>Iterationen</translation>
+    </message>
+    <message>
+        <source>passes</source>
+        <translation>Durchgänge</translation>
+    </message>
+    <message>
+        <source>How often each frame goes through the list of sticks.</source>
+        <translation>Wie oft jedes Bild die Liste der Stäbe durchgeht.</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Reibung</translation>
+    </message>
+    <message>
+        <source>How much a wall’s push holds back what slides along it. 0: like ice.</source>
+        <translation>Wie sehr der Druck einer Wand bremst, was an ihr entlanggleitet. 0: wie Eis.</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>Gelenke</translation>
+    </message>
+    <message>
+        <source>Whether arms and legs bend only as far as joints do, or all the way round.</source>
+        <translation>Ob Arme und Beine sich nur so weit beugen wie Gelenke oder ganz herum.</translation>
+    </message>
+    <message>
+        <source>A pair</source>
+        <translation>Ein Paar</translation>
+    </message>
+    <message>
+        <source>A **stick** is a rule: these two points are 100&#x202f;px apart, whatever happens. Such a rule is called a **constraint**. The pointer carries p0, and the rule does the rest.
+
+Each frame the code measures the distance. What it has too much is the **error**; below 0 it has too little. Both points go along the stick, and each takes **half of the error**. Then the distance is right, in one go: there is no spring here, and no velocity.
+
+Both points start in one place, where a stick has no direction. `atan2(0, 0)` is 0, so they part straight up and down.
+
+This angle is counted from the y axis: that is why dx comes first in `atan2`.</source>
+        <translation>Ein **Stab** ist eine Regel: Diese zwei Punkte sind 100&#x202f;px auseinander, was auch geschieht. Eine solche Regel heißt **Zwangsbedingung**. Der Zeiger trägt p0, und die Regel tut den Rest.
+
+In jedem Bild misst der Code den Abstand. Was er zu viel hat, ist der **Fehler**; unter 0 hat er zu wenig. Beide Punkte gehen am Stab entlang, und jeder übernimmt **die Hälfte des Fehlers**. Dann stimmt der Abstand, auf einen Schlag: Es gibt hier keine Feder und keine Geschwindigkeit.
+
+Beide Punkte beginnen an einem Ort, wo ein Stab keine Richtung hat. `atan2(0, 0)` ist 0, also trennen sie sich gerade nach oben und unten.
+
+Dieser Winkel zählt von der y-Achse aus: Darum steht dx in `atan2` an erster Stelle.</translation>
+    </message>
+    <message>
+        <source>Who takes the error</source>
+        <translation>Wer den Fehler trägt</translation>
+    </message>
+    <message>
+        <source>Half each is not always what you want. **share** is the part of the error that p0 takes, from 0 to 1. p1 takes the rest.
+
+At 1, p1 is a nail. The pointer takes p0 away, and the stick brings it back to 100&#x202f;px from the nail, on the side where the pointer is.
+
+At 0, p0 stays at the pointer and p1 is pulled along.
+
+In between, both move. The pointer puts p0 back each frame, so the stick is wrong again. While the pointer stands still, **each frame leaves share of the error**: at 0.5 half of it, then a quarter, and p0 comes to the pointer after all.</source>
+        <translation>Jeder die Hälfte ist nicht immer, was du willst. **Anteil** (share) ist der Teil des Fehlers, den p0 übernimmt, von 0 bis 1. p1 übernimmt den Rest.
+
+Bei 1 ist p1 ein Nagel. Der Zeiger trägt p0 davon, und der Stab bringt ihn auf 100&#x202f;px an den Nagel zurück, auf der Seite, auf der der Zeiger ist.
+
+Bei 0 bleibt p0 am Zeiger, und p1 wird hinterhergezogen.
+
+Dazwischen bewegen sich beide. Der Zeiger setzt p0 in jedem Bild zurück, darum ist der Stab wieder falsch. Solange der Zeiger stillsteht, **lässt jedes Bild den Anteil vom Fehler übrig**: bei 0,5 die Hälfte, dann ein Viertel, und p0 kommt doch noch zum Zeiger.</translation>
+    </message>
+    <message>
+        <source>A triangle</source>
+        <translation>Ein Dreieck</translation>
+    </message>
+    <message>
+        <source>Three points, three sticks: the same function three times, one after the other. Each stick makes its own distance right, and **the ones before it a little wrong again**.
+
+Move the pointer slowly, and you hardly see it. Move it fast, and the triangle is out of shape: one round of corrections is not enough. The next frame corrects what is left, so it comes back to its shape in a few frames.
+
+The three start in one place and part on one line. They stay on that line until the pointer leaves it: on a line no stick knows a way to the side.
+
+Three sticks of 100&#x202f;px can all be right at once. Sticks of 100, 100 and 300&#x202f;px never can: some error would stay for ever.</source>
+        <translation>Drei Punkte, drei Stäbe: dieselbe Funktion dreimal, eine nach der anderen. Jeder Stab stellt seinen eigenen Abstand richtig, und **die vor ihm wieder ein wenig falsch**.
+
+Beweg den Zeiger langsam, und du siehst es kaum. Beweg ihn schnell, und das Dreieck ist verzogen: Eine Runde von Korrekturen genügt nicht. Das nächste Bild korrigiert, was übrig ist, darum kommt es in wenigen Bildern in seine Form zurück.
+
+Die drei beginnen an einem Ort und trennen sich auf einer Linie. Auf ihr bleiben sie, bis der Zeiger sie verlässt: Auf einer Linie kennt kein Stab einen Weg zur Seite.
+
+Drei Stäbe von 100&#x202f;px können alle zugleich stimmen. Stäbe von 100, 100 und 300&#x202f;px können das nie: Ein Fehler bliebe für immer.</translation>
+    </message>
+    <message>
+        <source>A list of sticks</source>
+        <translation>Eine Liste von Stäben</translation>
+    </message>
+    <message>
+        <source>Copied lines will not do for a big figure. Here **a loop** fills a list of sticks: each point is tied to the one before it and to the one before that, which gives a row of triangles. A second loop goes through the list each frame and enforces one stick after the other.
+
+**The order matters.** A pull at p0 runs down the list in one frame, as each stick sees what the one before it moved. A correction that has to go the other way gets one stick further each frame.
+
+A stick’s colour shows its error. After a fast move you can watch the error spread, and shrink frame by frame.</source>
+        <translation>Abgeschriebene Zeilen genügen nicht für eine große Figur. Hier füllt **eine Schleife** eine Liste von Stäben: Jeder Punkt ist an den vor ihm gebunden und an den davor, das gibt eine Reihe von Dreiecken. Eine zweite Schleife geht in jedem Bild die Liste durch und setzt einen Stab nach dem anderen durch.
+
+**Die Reihenfolge zählt.** Ein Zug an p0 läuft in einem Bild die Liste hinunter, denn jeder Stab sieht, was der vor ihm bewegt hat. Eine Korrektur, die in die andere Richtung muss, kommt in jedem Bild einen Stab weiter.
+
+Die Farbe eines Stabs zeigt seinen Fehler. Nach einer schnellen Bewegung kannst du zusehen, wie der Fehler sich ausbreitet und Bild für Bild schrumpft.</translation>
+    </message>
+    <message>
+        <source>Points that move</source>
+        <translation>Bewegte Punkte</translation>
+    </message>
+    <message>
+        <source>Now the points move by themselves, and fall. But a stick puts a point elsewhere without asking its velocity. The remedy: **do not keep a velocity. It is the way that the point came**, its place now minus its place one frame before:
+
+`x + (x − before) + g`
+
+is the next place. This is **Verlet integration**. Watch the phases: move, sticks, room, and then the new velocity is read off. Whatever moved the point is in it.
+
+Walls are constraints, too: no point may be past one. **Friction** holds back what slides along them.
+
+**iterations** says how often a frame goes through the list of sticks. At 1 this box gives way like rubber; more make it stiff.</source>
+        <translation>Jetzt bewegen sich die Punkte von selbst, und fallen. Aber ein Stab setzt einen Punkt woandershin, ohne nach seiner Geschwindigkeit zu fragen. Die Abhilfe: **Speichere keine Geschwindigkeit. Sie ist der Weg, den der Punkt kam**, sein Ort jetzt minus sein Ort ein Bild zuvor:
+
+`x + (x − before) + g`
+
+ist der nächste Ort. Das ist **Verlet-Integration**. Sieh dir die Phasen an: Bewegung, Stäbe, Raum, und dann wird die neue Geschwindigkeit abgelesen. Was den Punkt auch bewegt hat, steckt darin.
+
+Auch Wände sind Zwangsbedingungen: Kein Punkt darf hinter einer sein. **Reibung** bremst, was an ihnen entlanggleitet.
+
+**Iterationen** sagt, wie oft ein Bild die Liste der Stäbe durchgeht. Bei 1 gibt diese Kiste nach wie Gummi; mehr machen sie steif.</translation>
+    </message>
+    <message>
+        <source>A ragdoll</source>
+        <translation>Eine Gliederpuppe</translation>
+    </message>
+    <message>
+        <source>A whole figure: 12 points and 14 sticks. Three sticks make the torso a triangle, which cannot be bent. Three more hold the head on it: two from the shoulders, and one from the hip as a **brace**. Arms and legs are two sticks each.
+
+Sticks alone let a knee turn all the way round. **Joint limits** are constraints that act only when they are broken: when the angle at a joint is past its limit, both limbs are turned back, half of it each.
+
+Drag it, throw it, drop it. A stick’s colour shows what error is left after all iterations, and the figure beside the scene shows the worst one. Each pass takes a part of the error, so **twice the passes leave less**, and cost twice as much.</source>
+        <translation>Eine ganze Figur: 12 Punkte und 14 Stäbe. Drei Stäbe machen den Rumpf zu einem Dreieck, das sich nicht biegen lässt. Drei weitere halten den Kopf darauf: zwei von den Schultern und einer von der Hüfte als **Strebe**. Arme und Beine sind je zwei Stäbe.
+
+Stäbe allein lassen ein Knie ganz herumdrehen. **Gelenkgrenzen** sind Zwangsbedingungen, die nur wirken, wenn sie verletzt sind: Ist der Winkel an einem Gelenk über seiner Grenze, werden beide Glieder zurückgedreht, jedes um die Hälfte.
+
+Zieh sie, wirf sie, lass sie fallen. Die Farbe eines Stabs zeigt, welcher Fehler nach allen Iterationen übrig ist, und die Zahl neben der Szene zeigt den schlimmsten. Jeder Durchgang nimmt einen Teil des Fehlers, darum **lassen doppelt so viele weniger übrig** und kosten doppelt so viel.</translation>
+    </message>
+    <message>
+        <source>Lead p0 at least 150&#x202f;px away. p1 is pulled after it.</source>
+        <translation>Führe p0 mindestens 150&#x202f;px weg. p1 wird hinterhergezogen.</translation>
+    </message>
+    <message>
+        <source>Stop inside a frame (**Shift+→**) when the pointer has moved p0 by 20&#x202f;px or more, and the stick has not acted.</source>
+        <translation>Halte innerhalb eines Bildes an (**Umschalt+→**), wenn der Zeiger p0 um 20&#x202f;px oder mehr bewegt hat und der Stab noch nicht gewirkt hat.</translation>
+    </message>
+    <message>
+        <source>Set **length** to 0 and lead p0 away. Where is p1?</source>
+        <translation>Setze **Länge** auf 0 und führe p0 weg. Wo ist p1?</translation>
+    </message>
+    <message>
+        <source>With **share** at 1, lead the pointer around p1. p1 does not move at all.</source>
+        <translation>Führe bei **Anteil** 1 den Zeiger um p1 herum. p1 bewegt sich gar nicht.</translation>
+    </message>
+    <message>
+        <source>Set **share** to 0 and lead p0 at least 150&#x202f;px away. It stays at the pointer.</source>
+        <translation>Setze **Anteil** auf 0 und führe p0 mindestens 150&#x202f;px weg. Er bleibt am Zeiger.</translation>
+    </message>
+    <message>
+        <source>Set **share** to 0.5, move the pointer, and hold it still until p0 has come to it.</source>
+        <translation>Setze **Anteil** auf 0,5, beweg den Zeiger und halte ihn still, bis p0 bei ihm angekommen ist.</translation>
+    </message>
+    <message>
+        <source>Move the pointer so fast that a stick is wrong by 10&#x202f;px.</source>
+        <translation>Beweg den Zeiger so schnell, dass ein Stab um 10&#x202f;px falsch ist.</translation>
+    </message>
+    <message>
+        <source>Then hold it still until all three sticks are right to 0.01&#x202f;px.</source>
+        <translation>Halte ihn dann still, bis alle drei Stäbe bis auf 0,01&#x202f;px stimmen.</translation>
+    </message>
+    <message>
+        <source>Set **length** to 150 and lead p0 off the line, until all three sticks are right to 0.01&#x202f;px.</source>
+        <translation>Setze **Länge** auf 150 und führe p0 von der Linie weg, bis alle drei Stäbe bis auf 0,01&#x202f;px stimmen.</translation>
+    </message>
+    <message>
+        <source>Lead p0 at least 150&#x202f;px away, and wait until every stick is right to 0.1&#x202f;px.</source>
+        <translation>Führe p0 mindestens 150&#x202f;px weg und warte, bis jeder Stab bis auf 0,1&#x202f;px stimmt.</translation>
+    </message>
+    <message>
+        <source>Set **triangles** to 15 and shake p0, until a stick is wrong by 20&#x202f;px.</source>
+        <translation>Setze **Dreiecke** auf 15 und schüttle p0, bis ein Stab um 20&#x202f;px falsch ist.</translation>
+    </message>
+    <message>
+        <source>Go back in time, change **length**, and compare with the ghost.</source>
+        <translation>Geh in der Zeit zurück, ändere **Länge** und vergleiche mit dem Geist.</translation>
+    </message>
+    <message>
+        <source>Throw the box against a wall.</source>
+        <translation>Wirf die Kiste gegen eine Wand.</translation>
+    </message>
+    <message>
+        <source>Set **iterations** to 20, carry the box 50&#x202f;px or more, drop it, and wait until it lies still.</source>
+        <translation>Setze **Iterationen** auf 20, trag die Kiste 50&#x202f;px oder mehr, lass sie fallen und warte, bis sie still liegt.</translation>
+    </message>
+    <message>
+        <source>Set **gravity** to 0 and throw it. A second later it still glides.</source>
+        <translation>Setze **Schwerkraft** auf 0 und wirf sie. Eine Sekunde später gleitet sie immer noch.</translation>
+    </message>
+    <message>
+        <source>Stop inside a frame when the sticks have moved points, and the velocity is still the old one.</source>
+        <translation>Halte innerhalb eines Bildes an, wenn die Stäbe Punkte bewegt haben und die Geschwindigkeit noch die alte ist.</translation>
+    </message>
+    <message>
+        <source>Lift it by any point, drop it, and wait until it lies still.</source>
+        <translation>Heb sie an irgendeinem Punkt hoch, lass sie fallen und warte, bis sie still liegt.</translation>
+    </message>
+    <message>
+        <source>Throw it at a wall.</source>
+        <translation>Wirf sie gegen eine Wand.</translation>
+    </message>
+    <message>
+        <source>Set **iterations** to 1 and shake it, until a stick is wrong by 25&#x202f;%.</source>
+        <translation>Setze **Iterationen** auf 1 und schüttle sie, bis ein Stab um 25&#x202f;% falsch ist.</translation>
+    </message>
+    <message>
+        <source>Go back in time to before you threw it, change **iterations**, and compare with the ghost.</source>
+        <translation>Geh in der Zeit zurück, bevor du sie geworfen hast, ändere **Iterationen** und vergleiche mit dem Geist.</translation>
+    </message>
+    <message>
+        <source>free</source>
+        <translation>frei</translation>
+    </message>
+    <message>
+        <source>limited</source>
+        <translation>begrenzt</translation>
+    </message>
+</context>
+<context>
+    <name>lesson.json</name>
+    <message>
+        <source>Rigid constraints</source>
+        <translation>Starre Stäbe</translation>
+    </message>
+    <message>
+        <source>Sticks that keep their length, from one pair to a ragdoll to throw about.</source>
+        <translation>Stäbe, die ihre Länge behalten, von einem Paar bis zu einer Gliederpuppe zum Herumwerfen.</translation>
+    </message>
+</context>
+<context>
+    <name>sim</name>
+    <message>
+        <source>points</source>
+        <translation>Punkte</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,525 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+<context>
+    <name>SwayingTree</name>
+    <message>
+        <source>corrected</source>
+        <translation>korrigiert</translation>
+    </message>
+    <message>
+        <source>published</source>
+        <translation>veröffentlicht</translation>
+    </message>
+    <message>
+        <source>%1 px off</source>
+        <translation>%1 px daneben</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <translation>Vorderseite</translation>
+    </message>
+    <message>
+        <source>end</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>Branches</source>
+        <translation>Zweige</translation>
+    </message>
+    <message>
+        <source>How many branches the tree has.</source>
+        <translation>Wie viele Zweige der Baum hat.</translation>
+    </message>
+    <message>
+        <source>Largest bend</source>
+        <translation>Größte Biegung</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>How far the most bent branch is turned from where it grew.</source>
+        <translation>Wie weit der am meisten gebogene Zweig von dort gedreht ist, wo er wuchs.</translation>
+    </message>
+    <message>
+        <source>Energy</source>
+        <translation>Energie</translation>
+    </message>
+    <message>
+        <source>Of motion and springs together. Without wind and damping it stays.</source>
+        <translation>Von Bewegung und Federn zusammen. Ohne Wind und Dämpfung bleibt sie.</translation>
+    </message>
+    <message>
+        <source>In motion</source>
+        <translation>In Bewegung</translation>
+    </message>
+    <message>
+        <source>The part that is in the turning branches.</source>
+        <translation>Der Teil, der in den sich drehenden Zweigen steckt.</translation>
+    </message>
+    <message>
+        <source>In springs</source>
+        <translation>In Federn</translation>
+    </message>
+    <message>
+        <source>The part that the bent joints hold.</source>
+        <translation>Der Teil, den die gebogenen Gelenke halten.</translation>
+    </message>
+    <message>
+        <source>The trunk</source>
+        <translation>Der Stamm</translation>
+    </message>
+    <message>
+        <source>A branch is three things: where it begins, its **angle**, and its length. Where it ends follows: `cos` and `sin` of the angle, times the length, lead from its origin to its end.
+
+The trunk begins in the middle of the ground, 275&#x202f;px to the right and 400&#x202f;px down. Its angle is −90&#x202f;°: y points down, so angles grow clockwise, and minus a quarter turn is straight up. It is 100&#x202f;px long.
+
+`cos` and `sin` take radians, so the angle is divided by the degrees to a radian: 57.2958. The tutorial behind this lesson divides by 57.3. That leans the trunk by 0.0066&#x202f;° to the right, and its end is 0.0116&#x202f;px off. The switch **Formula** has both.</source>
+        <translation>Ein Zweig ist dreierlei: wo er beginnt, sein **Winkel** und seine Länge. Wo er endet, folgt daraus: `cos` und `sin` des Winkels, mal die Länge, führen von seinem Anfang zu seinem Ende.
+
+Der Stamm beginnt in der Mitte des Bodens, 275&#x202f;px nach rechts und 400&#x202f;px nach unten. Sein Winkel ist −90 °: y zeigt nach unten, darum wachsen Winkel im Uhrzeigersinn, und minus eine Vierteldrehung ist gerade nach oben. Er ist 100&#x202f;px lang.
+
+`cos` und `sin` nehmen Radiant, darum wird der Winkel durch die Grad pro Radiant geteilt: 57,2958. Das Tutorial, auf dem diese Lektion beruht, teilt durch 57,3. Das neigt den Stamm um 0,0066 ° nach rechts, und sein Ende ist 0,0116&#x202f;px daneben. Der Schalter **Formel** hat beide.</translation>
+    </message>
+    <message>
+        <source>Where a branch ends, two smaller ones begin. One leans 30&#x202f;° to the left of it, one to the right: that is the **spread**. Each is 0.8 times as large: the **slope**. And each of them does the same.
+
+Such a rule that uses itself needs an end. A branch grows only while it is **larger than 0.2** of the trunk. That makes 8 levels: 1 + 2 + 4 + … + 128 = **255 branches** from one rule.
+
+With a slope of 1 nothing would get smaller and the tree would never end. So the levels are counted before it grows, and a tree of more than 131071 branches is refused.
+
+Branches are numbered level by level, from left to right: 0 is the trunk.</source>
+        <translation>Wo ein Zweig endet, beginnen zwei kleinere. Einer neigt sich um 30 ° nach links von ihm, einer nach rechts: Das ist die **Spreizung**. Jeder ist 0,8-mal so groß: die **Verjüngung**. Und jeder von ihnen tut dasselbe.
+
+Eine solche Regel, die sich selbst verwendet, braucht ein Ende. Ein Zweig wächst nur, solange er **größer als 0,2** vom Stamm ist. Das ergibt 8 Ebenen: 1 + 2 + 4 + … + 128 = **255 Zweige** aus einer Regel.
+
+Mit einer Verjüngung von 1 würde nichts kleiner, und der Baum hätte kein Ende. Darum werden die Ebenen gezählt, bevor er wächst, und ein Baum mit mehr als 131071 Zweigen wird abgelehnt.
+
+Zweige sind Ebene für Ebene nummeriert, von links nach rechts: 0 ist der Stamm.</translation>
+    </message>
+    <message>
+        <source>A little chance</source>
+        <translation>Ein wenig Zufall</translation>
+    </message>
+    <message>
+        <source>Real trees are not so neat. So each new branch is turned by a little more: by chance, up to 10&#x202f;° to either side. That is the **jitter**.
+
+A branch leans from where its parent points. So what chance did to the parent, its children carry on, and one change near the trunk turns a whole bough.
+
+Each number of chance is worked out from the branch’s own number and the **seed**, a whole number that belongs to the experiment. So the same seed grows the same tree, each time that you go back to the start.
+
+A variable or two are enough for quite other patterns. The **gallery** has some; from one of them, go on by yourself.</source>
+        <translation>Echte Bäume sind nicht so ordentlich. Darum wird jeder neue Zweig noch ein wenig mehr gedreht: zufällig, bis zu 10 ° nach jeder Seite. Das ist die **Streuung**.
+
+Ein Zweig neigt sich von der Richtung seines Elternzweigs weg. Was der Zufall mit den Eltern tat, tragen die Kinder also weiter, und eine Änderung nahe am Stamm dreht einen ganzen Ast.
+
+Jede Zufallszahl wird aus der Nummer des Zweigs und dem **Startwert** (seed) berechnet, einer ganzen Zahl, die zum Experiment gehört. Derselbe Startwert lässt also denselben Baum wachsen, jedes Mal, wenn du zum Anfang zurückgehst.
+
+Ein, zwei Variablen genügen für ganz andere Muster. Die **Beispiele** zeigen einige; von dort aus mach selbst weiter.</translation>
+    </message>
+    <message>
+        <source>Formula</source>
+        <translation>Formel</translation>
+    </message>
+    <message>
+        <source>What the tutorial’s text means, or what its code prints.</source>
+        <translation>Was der Text des Tutorials meint oder was sein Code gedruckt hat.</translation>
+    </message>
+    <message>
+        <source>Trunk length</source>
+        <translation>Stammlänge</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source>How long the trunk is. All branches grow and shrink with it.</source>
+        <translation>Wie lang der Stamm ist. Alle Zweige wachsen und schrumpfen mit ihm.</translation>
+    </message>
+    <message>
+        <source>Spread</source>
+        <translation>Spreizung</translation>
+    </message>
+    <message>
+        <source>How far a branch leans away from its parent.</source>
+        <translation>Wie weit sich ein Zweig von seinem Elternzweig wegneigt.</translation>
+    </message>
+    <message>
+        <source>Slope</source>
+        <translation>Verjüngung</translation>
+    </message>
+    <message>
+        <source>How large a branch is, as a share of its parent.</source>
+        <translation>Wie groß ein Zweig ist, als Anteil seines Elternzweigs.</translation>
+    </message>
+    <message>
+        <source>Smallest branch</source>
+        <translation>Kleinster Zweig</translation>
+    </message>
+    <message>
+        <source>Branches must be larger than this share of the trunk.</source>
+        <translation>Zweige müssen größer sein als dieser Anteil des Stamms.</translation>
+    </message>
+    <message>
+        <source>Jitter</source>
+        <translation>Streuung</translation>
+    </message>
+    <message>
+        <source>How much chance may turn a new branch, to either side.</source>
+        <translation>Wie weit der Zufall einen neuen Zweig drehen darf, nach jeder Seite.</translation>
+    </message>
+    <message>
+        <source>Ease</source>
+        <translation>Langsamkeit</translation>
+    </message>
+    <message>
+        <source>frames</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>How slowly a branch turns: each frame by the missing angle divided by this.</source>
+        <translation>Wie langsam ein Zweig sich dreht: in jedem Bild um den fehlenden Winkel, geteilt hierdurch.</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation>Wind</translation>
+    </message>
+    <message>
+        <source>How hard the wind blows. 0 is a calm.</source>
+        <translation>Wie stark der Wind weht. 0 ist Windstille.</translation>
+    </message>
+    <message>
+        <source>Turbulence</source>
+        <translation>Turbulenz</translation>
+    </message>
+    <message>
+        <source>How much chance may turn the wind in each frame, to either side.</source>
+        <translation>Wie weit der Zufall den Wind in jedem Bild drehen darf, nach jeder Seite.</translation>
+    </message>
+    <message>
+        <source>Gust speed</source>
+        <translation>Böentempo</translation>
+    </message>
+    <message>
+        <source>px/frame</source>
+        <translation>px/Bild</translation>
+    </message>
+    <message>
+        <source>How fast a gust runs outwards from the pointer.</source>
+        <translation>Wie schnell eine Bö vom Zeiger nach außen läuft.</translation>
+    </message>
+    <message>
+        <source>Gusts</source>
+        <translation>Böen</translation>
+    </message>
+    <message>
+        <source>The share by which the wind swells and ebbs as it runs. 0 is a steady wind.</source>
+        <translation>Der Anteil, um den der Wind beim Laufen an- und abschwillt. 0 ist ein steter Wind.</translation>
+    </message>
+    <message>
+        <source>Poplar</source>
+        <translation>Pappel</translation>
+    </message>
+    <message>
+        <source>A small spread makes a narrow crown that reaches up.</source>
+        <translation>Eine kleine Spreizung ergibt eine schmale Krone, die nach oben strebt.</translation>
+    </message>
+    <message>
+        <source>Honeycomb</source>
+        <translation>Bienenwabe</translation>
+    </message>
+    <message>
+        <source>At 60 degrees without jitter, branches meet and draw a net of hexagons.</source>
+        <translation>Bei 60 Grad ohne Streuung treffen sich Zweige und zeichnen ein Netz aus Sechsecken.</translation>
+    </message>
+    <message>
+        <source>City plan</source>
+        <translation>Stadtplan</translation>
+    </message>
+    <message>
+        <source>Right angles, each branch 0.71 of its parent: streets that fill a rectangle.</source>
+        <translation>Rechte Winkel, jeder Zweig 0,71 seines Elternzweigs: Straßen, die ein Rechteck füllen.</translation>
+    </message>
+    <message>
+        <source>Lace</source>
+        <translation>Spitze</translation>
+    </message>
+    <message>
+        <source>Turned by 130 degrees, branches fold back on themselves and fill a triangle.</source>
+        <translation>Um 130 Grad gedreht, falten sich Zweige auf sich selbst zurück und füllen ein Dreieck.</translation>
+    </message>
+    <message>
+        <source>Cauliflower</source>
+        <translation>Blumenkohl</translation>
+    </message>
+    <message>
+        <source>Short steps and a slow slope: many branches of nearly one size.</source>
+        <translation>Kurze Glieder und eine langsame Verjüngung: viele Zweige von fast einer Größe.</translation>
+    </message>
+    <message>
+        <source>Thicket</source>
+        <translation>Dickicht</translation>
+    </message>
+    <message>
+        <source>With a jitter of 90 degrees chance has the last word.</source>
+        <translation>Mit einer Streuung von 90 Grad hat der Zufall das letzte Wort.</translation>
+    </message>
+    <message>
+        <source>Make the trunk half as high as the stage: set **trunk length** to 200.</source>
+        <translation>Mach den Stamm halb so hoch wie die Bühne: Setze **Stammlänge** auf 200.</translation>
+    </message>
+    <message>
+        <source>Switch **Formula** to published. Find its 0.0116&#x202f;px in the code: the x of `end` is no longer 275.</source>
+        <translation>Stelle **Formel** auf veröffentlicht. Such seine 0,0116&#x202f;px im Code: Das x von `end` ist nicht mehr 275.</translation>
+    </message>
+    <message>
+        <source>Make a tree with just three branches: raise **smallest branch**.</source>
+        <translation>Mach einen Baum mit nur drei Zweigen: Erhöhe **Kleinster Zweig**.</translation>
+    </message>
+    <message>
+        <source>Set **spread** to 90&#x202f;°. Which way do the branches of every second level point?</source>
+        <translation>Setze **Spreizung** auf 90 °. In welche Richtung zeigen die Zweige jeder zweiten Ebene?</translation>
+    </message>
+    <message>
+        <source>Set **slope** to 0.7. How many levels are left, and how many branches?</source>
+        <translation>Setze **Verjüngung** auf 0,7. Wie viele Ebenen bleiben, und wie viele Zweige?</translation>
+    </message>
+    <message>
+        <source>Set **jitter** to 0, and the tree of the step before is back.</source>
+        <translation>Setze **Streuung** auf 0, und der Baum des vorigen Schritts ist wieder da.</translation>
+    </message>
+    <message>
+        <source>Set **jitter** to 60&#x202f;°. Is it still a tree?</source>
+        <translation>Setze **Streuung** auf 60 °. Ist das noch ein Baum?</translation>
+    </message>
+    <message>
+        <source>Choose a tree from the gallery, or make one of your own with another **spread**.</source>
+        <translation>Wähle einen Baum aus den Beispielen oder mach einen eigenen mit anderer **Spreizung**.</translation>
+    </message>
+    <message>
+        <source>Hold the button down beside the tree. Every branch points at you.</source>
+        <translation>Halte neben dem Baum die Taste gedrückt. Jeder Zweig zeigt auf dich.</translation>
+    </message>
+    <message>
+        <source>Do the same with **Formula** set to published, and hold still. Count the frames until the whole tree points at you.</source>
+        <translation>Tu dasselbe mit **Formel** auf veröffentlicht und halte still. Zähl die Bilder, bis der ganze Baum auf dich zeigt.</translation>
+    </message>
+    <message>
+        <source>Hold the button down low beside the trunk, then let go. Does the tree get up again?</source>
+        <translation>Halte die Taste tief neben dem Stamm gedrückt, dann lass los. Steht der Baum wieder auf?</translation>
+    </message>
+    <message>
+        <source>Blow until the trunk leans by more than 60&#x202f;°.</source>
+        <translation>Blase, bis der Stamm sich um mehr als 60 ° neigt.</translation>
+    </message>
+    <message>
+        <source>Set **ease** to 2 and blow for ten frames. Then set it to 30, and do it again.</source>
+        <translation>Setze **Langsamkeit** auf 2 und blase zehn Bilder lang. Setze sie dann auf 30 und tu es noch einmal.</translation>
+    </message>
+    <message>
+        <source>Blow from close by. Go back a few frames, set **Formula** to published, and play on: the ghost is the wind as meant.</source>
+        <translation>Blase aus der Nähe. Geh ein paar Bilder zurück, stelle **Formel** auf veröffentlicht und spiele weiter: Der Geist ist der Wind, wie er gemeint war.</translation>
+    </message>
+    <message>
+        <source>Bend a branch by more than 60&#x202f;°, let go, and count the frames until all are back within 1&#x202f;°.</source>
+        <translation>Bieg einen Zweig um mehr als 60 °, lass los und zähl die Bilder, bis alle innerhalb von 1 ° zurück sind.</translation>
+    </message>
+    <message>
+        <source>Do the same with **ease** at 30. How much longer does it take?</source>
+        <translation>Tu dasselbe mit **Langsamkeit** auf 30. Wie viel länger dauert es?</translation>
+    </message>
+    <message>
+        <source>Stop inside a frame (**Shift+→**) when the tree has returned and the wind has not bent it yet.</source>
+        <translation>Halte innerhalb eines Bildes an (**Umschalt+→**), wenn der Baum zurückgekehrt ist und der Wind ihn noch nicht gebogen hat.</translation>
+    </message>
+    <message>
+        <source>Blow at a twig from less than 20&#x202f;px until it is bent by more than 30&#x202f;°.</source>
+        <translation>Blase aus weniger als 20&#x202f;px auf einen Zweig, bis er um mehr als 30 ° gebogen ist.</translation>
+    </message>
+    <message>
+        <source>Now from a corner, for 60&#x202f;frames: nothing bends by more than 15&#x202f;°.</source>
+        <translation>Jetzt aus einer Ecke, 60&#x202f;Bilder lang: Nichts biegt sich um mehr als 15 °.</translation>
+    </message>
+    <message>
+        <source>While you blow, go back a few frames, set **Formula** to published, and play on. Which tree bends more?</source>
+        <translation>Geh beim Blasen ein paar Bilder zurück, stelle **Formel** auf veröffentlicht und spiele weiter. Welcher Baum biegt sich mehr?</translation>
+    </message>
+    <message>
+        <source>Blow until some twig is bent twenty times as far as the trunk.</source>
+        <translation>Blase, bis ein Zweig zwanzigmal so weit gebogen ist wie der Stamm.</translation>
+    </message>
+    <message>
+        <source>Set **wind** to 20 and lean the trunk by 10&#x202f;°.</source>
+        <translation>Setze **Wind** auf 20 und neige den Stamm um 10 °.</translation>
+    </message>
+    <message>
+        <source>While you blow from close by, go back a few frames, set **Formula** to published, and play on. Which twigs quiver?</source>
+        <translation>Geh beim Blasen aus der Nähe ein paar Bilder zurück, stelle **Formel** auf veröffentlicht und spiele weiter. Welche Zweige zittern?</translation>
+    </message>
+    <message>
+        <source>Hold the button for 60&#x202f;frames and watch the twigs, then the trunk.</source>
+        <translation>Halte die Taste 60&#x202f;Bilder lang und beobachte die feinen Zweige, dann den Stamm.</translation>
+    </message>
+    <message>
+        <source>Go back to where your wind began, set **turbulence** to 0, and play on. The ghost trembles, the tree does not.</source>
+        <translation>Geh zum Beginn deines Windes zurück, setze **Turbulenz** auf 0 und spiele weiter. Der Geist zittert, der Baum nicht.</translation>
+    </message>
+    <message>
+        <source>Choose another tree from the gallery and blow at it.</source>
+        <translation>Wähle einen anderen Baum aus den Beispielen und blase auf ihn.</translation>
+    </message>
+    <message>
+        <source>Blow, let go, and watch: the trunk swings past its rest, towards where the wind came from.</source>
+        <translation>Blase, lass los und sieh zu: Der Stamm schwingt über seine Ruhelage hinaus, dorthin, woher der Wind kam.</translation>
+    </message>
+    <message>
+        <source>Hold the button at the left edge and stop (**Space**) when the gust has reached some branches, but not all.</source>
+        <translation>Halte die Taste am linken Rand und halte an (**Leertaste**), wenn die Bö einige Zweige erreicht hat, aber nicht alle.</translation>
+    </message>
+    <message>
+        <source>Set **damping** to 1, blow, and let go. After 300&#x202f;frames it still sways: look at the energy.</source>
+        <translation>Setze **Dämpfung** auf 1, blase und lass los. Nach 300&#x202f;Bildern schwankt er noch immer: Sieh dir die Energie an.</translation>
+    </message>
+    <message>
+        <source>To the pointer</source>
+        <translation>Zum Zeiger</translation>
+    </message>
+    <message>
+        <source>Hold the button down: every branch turns to the pointer. The trunk turns first. Then its children move to where it ends now, turn in their turn, and move theirs: from the trunk to the twigs.
+
+The tutorial takes the line from the branch’s end to the pointer, and its code **adds** the end where the text means the distance between the two. That slip makes it work: the branch comes round in a few frames. With a minus it would flip to and fro as soon as the pointer is nearer than two lengths.
+
+**Corrected** takes the line from the branch’s origin, so one frame will do. The two dashed lines show what each formula wants of the branch next to the pointer.</source>
+        <translation>Halte die Taste gedrückt: Jeder Zweig dreht sich zum Zeiger. Zuerst dreht sich der Stamm. Dann gehen seine Kinder dorthin, wo er jetzt endet, drehen sich ihrerseits und bewegen ihre: vom Stamm bis zu den feinsten Zweigen.
+
+Das Tutorial nimmt die Linie vom Ende des Zweigs zum Zeiger, und sein Code **addiert** das Ende, wo der Text den Abstand der beiden meint. Durch diesen Ausrutscher funktioniert es: Der Zweig kommt in wenigen Bildern herum. Mit einem Minus würde er hin und her klappen, sobald der Zeiger näher als zwei Längen ist.
+
+**Korrigiert** nimmt die Linie vom Anfang des Zweigs, darum genügt ein Bild. Die zwei gestrichelten Linien zeigen, was jede Formel von dem Zweig neben dem Zeiger will.</translation>
+    </message>
+    <message>
+        <source>Wind blows **away** from you, and nothing bends at once. Each frame a branch turns by the missing angle divided by **ease**, 8: fast at first, then slower. Within 1&#x202f;° it stays.
+
+From an angle of −170&#x202f;° to one of 170&#x202f;° it is 20&#x202f;° the short way round, not 340&#x202f;°. So a way past **180&#x202f;°, to either side**, is taken the other way round.
+
+The published code differs in two places. It adds the end point to the pointer where the way between the two is meant, so it blows to a wrong side when the pointer is near. And its second test has 360 for 180, so some branches take the long way. The dashed lines show both winds at the branch next to the pointer. Nothing brings the tree back yet.</source>
+        <translation>Wind weht **von dir weg**, und nichts biegt sich auf einmal. In jedem Bild dreht sich ein Zweig um den fehlenden Winkel, geteilt durch **Langsamkeit**, 8: erst schnell, dann langsamer. Innerhalb von 1 ° bleibt er.
+
+Von einem Winkel von −170 ° zu einem von 170 ° sind es auf dem kurzen Weg 20 °, nicht 340 °. Darum wird ein Weg über **180 °, nach jeder Seite**, andersherum genommen.
+
+Der veröffentlichte Code unterscheidet sich an zwei Stellen. Er addiert den Endpunkt zum Zeiger, wo der Weg zwischen den beiden gemeint ist, darum bläst er zu einer falschen Seite, wenn der Zeiger nahe ist. Und sein zweiter Test hat 360 statt 180, darum nehmen manche Zweige den langen Weg. Die gestrichelten Linien zeigen beide Winde an dem Zweig neben dem Zeiger. Noch bringt nichts den Baum zurück.</translation>
+    </message>
+    <message>
+        <source>Back to rest</source>
+        <translation>Zurück zur Ruhe</translation>
+    </message>
+    <message>
+        <source>Each branch keeps a second angle: the one at which it grew, **rest**. In every frame, wind or not, it turns back by the missing angle divided by **ease**. It is the formula of the wind with another target.
+
+While you hold the button both act, one after the other: first the whole tree returns, then the wind bends it. Both take an eighth of what they miss, so a branch stays about half-way between the two.
+
+Let go, and an eighth of the way is left out each frame: after 5&#x202f;frames half of the bend is left. Within 1&#x202f;° a branch stays where it is. Nothing swings past its rest, as nothing here has a velocity.</source>
+        <translation>Jeder Zweig behält einen zweiten Winkel: den, mit dem er wuchs, **Ruhe** (rest). In jedem Bild, ob Wind oder nicht, dreht er sich um den fehlenden Winkel, geteilt durch **Langsamkeit**, zurück. Es ist die Formel des Windes mit einem anderen Ziel.
+
+Solange du die Taste hältst, wirken beide, eins nach dem anderen: Erst kehrt der ganze Baum zurück, dann biegt ihn der Wind. Beide nehmen ein Achtel von dem, was ihnen fehlt, darum bleibt ein Zweig etwa auf halbem Weg zwischen beiden.
+
+Lass los, und in jedem Bild fällt ein Achtel des Wegs weg: Nach 5&#x202f;Bildern ist die Hälfte der Biegung übrig. Innerhalb von 1 ° bleibt ein Zweig, wo er ist. Nichts schwingt über seine Ruhelage hinaus, denn nichts hat hier eine Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Close to you the wind should be strong, and far away weak. So the 8 in the wind’s formula gives way to the **distance** between the pointer and the branch’s end: at 100&#x202f;px a branch turns by a hundredth of the missing angle each frame. Its way back is still an eighth, so far branches hardly bend.
+
+Nearer than 1&#x202f;px that would be more than all of it. **Corrected** stops at the wind’s angle, and with the pointer on the very end it takes a direction that belongs to the branch. The published code shoots past, and divides by 0 there.
+
+Its distance is in the branch’s own measure, too: for a branch half as large it counts twice.</source>
+        <translation>Nahe bei dir soll der Wind stark sein, und weit weg schwach. Darum weicht die 8 in der Formel des Windes dem **Abstand** zwischen dem Zeiger und dem Ende des Zweigs: Bei 100&#x202f;px dreht sich ein Zweig in jedem Bild um ein Hundertstel des fehlenden Winkels. Sein Rückweg ist noch immer ein Achtel, darum biegen sich ferne Zweige kaum.
+
+Näher als 1&#x202f;px wäre das mehr als alles davon. **Korrigiert** hält beim Winkel des Windes an, und mit dem Zeiger genau auf dem Ende nimmt es eine Richtung, die zum Zweig gehört. Der veröffentlichte Code schießt darüber hinaus und teilt dort durch 0.
+
+Auch ist sein Abstand im eigenen Maß des Zweigs: Bei einem halb so großen Zweig zählt er doppelt.</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Dicke</translation>
+    </message>
+    <message>
+        <source>Thick branches resist. The distance is multiplied by the branch’s **scale twice**: a twig of 0.2 has 0.04 of the trunk’s resistance, so it turns 25 times as fast. Then all of it is divided by **wind**, 5.
+
+The tutorial says that dividing by 5 decreases the strength of the wind. But its variable `strength` divides the bend, so a smaller one bends more: 5 makes the wind **five times stronger**.
+
+Where distance × scale² / 5 is less than 1, the published code turns a twig by more than the missing angle, past the wind and back. That is much of the quiver near the pointer. **Corrected** stops at the wind’s angle.</source>
+        <translation>Dicke Zweige widerstehen. Der Abstand wird **zweimal mit der Größe** (scale) des Zweigs multipliziert: Ein Zweig von 0,2 hat 0,04 vom Widerstand des Stamms, also dreht er sich 25-mal so schnell. Dann wird alles durch **Wind**, 5, geteilt.
+
+Das Tutorial sagt, durch 5 zu teilen, mache den Wind schwächer. Aber seine Variable `strength` teilt die Biegung, darum biegt eine kleinere mehr: 5 macht den Wind **fünfmal stärker**.
+
+Wo Abstand × Größe² / 5 kleiner als 1 ist, dreht der veröffentlichte Code einen Zweig um mehr als den fehlenden Winkel, über den Wind hinaus und zurück. Daher kommt viel von dem Zittern nahe am Zeiger. **Korrigiert** hält beim Winkel des Windes an.</translation>
+    </message>
+    <message>
+        <source>Real wind is never steady. Once a frame, chance turns the wind’s angle by up to 20&#x202f;° to either side, **the same for all branches**. Twigs follow at once, so they tremble. The trunk is slow: for it, the changes of many frames cancel.
+
+Chance is worked out from the seed and the frame’s number. So when you go back in time, the same gusts come again. An experiment file can give a frame’s turbulence itself, as a `gust` in degrees.
+
+This is where the tutorial ends. It moves **angles**: they have no velocity, so this tree never swings past its rest. The last step is ours. Try the **gallery** in this wind first.</source>
+        <translation>Echter Wind ist nie stet. Einmal pro Bild dreht der Zufall den Winkel des Windes um bis zu 20 ° nach jeder Seite, **gleich für alle Zweige**. Feine Zweige folgen sofort, darum zittern sie. Der Stamm ist langsam: Für ihn heben sich die Änderungen vieler Bilder auf.
+
+Der Zufall wird aus dem Startwert und der Nummer des Bildes berechnet. Gehst du also in der Zeit zurück, kommen dieselben Böen wieder. Eine Experimentdatei kann die Turbulenz eines Bildes selbst angeben, als `gust` in Grad.
+
+Hier endet das Tutorial. Es bewegt **Winkel**: Sie haben keine Geschwindigkeit, darum schwingt dieser Baum nie über seine Ruhelage hinaus. Der letzte Schritt ist unserer. Probier zuerst die **Beispiele** in diesem Wind aus.</translation>
+    </message>
+    <message>
+        <source>How hard a joint turns its branch back: for a lone trunk, this share of its bend each frame.</source>
+        <translation>Wie stark ein Gelenk seinen Zweig zurückdreht: für einen Stamm allein dieser Anteil seiner Biegung, in jedem Bild.</translation>
+    </message>
+    <message>
+        <source>The share of its spin that every branch keeps each frame. 1 keeps it all.</source>
+        <translation>Der Anteil seiner Drehung, den jeder Zweig in jedem Bild behält. 1 behält alles.</translation>
+    </message>
+    <message>
+        <source>A real sway</source>
+        <translation>Echtes Schwanken</translation>
+    </message>
+    <message>
+        <source>Now every joint is a **spring that turns**: its torque is its stiffness times its twist. The branch feels it one way, its parent **the opposite way**. That is how a gust in the twigs moves the trunk.
+
+A branch has a **spin**, in degrees per frame. Its inertia is its own, plus what it carries at its end; its stiffness is k × inertia / scale. So a lone trunk is the spring of lesson 1, and thin branches swing faster.
+
+Wind pushes by the sine of the angle between branch and wind. A gust runs outwards at **gust speed**: far branches feel it later. Let go, and the tree swings past its rest.
+
+With these values a step can be up to 3.1&#x202f;frames long. Without damping and wind the energy stays.</source>
+        <translation>Jetzt ist jedes Gelenk eine **Feder, die dreht**: Ihr Drehmoment ist ihre Steifigkeit mal ihre Verdrehung. Der Zweig spürt es in die eine Richtung, sein Elternzweig **in die andere**. So bewegt eine Bö in den feinen Zweigen den Stamm.
+
+Ein Zweig hat eine **Drehgeschwindigkeit**, in Grad pro Bild. Seine Trägheit ist seine eigene, plus was er an seinem Ende trägt; seine Steifigkeit ist k × Trägheit / Größe. Ein Stamm allein ist also die Feder aus Lektion 1, und dünne Zweige schwingen schneller.
+
+Wind schiebt mit dem Sinus des Winkels zwischen Zweig und Wind. Eine Bö läuft mit dem **Böentempo** nach außen: Ferne Zweige spüren sie später. Lass los, und der Baum schwingt über seine Ruhelage hinaus.
+
+Mit diesen Werten kann ein Zeitschritt bis zu 3,1&#x202f;Bilder lang sein. Ohne Dämpfung und Wind bleibt die Energie.</translation>
+    </message>
+</context>
+<context>
+    <name>lesson.json</name>
+    <message>
+        <source>Swaying tree</source>
+        <translation>Schwankender Baum</translation>
+    </message>
+    <message>
+        <source>A tree that grows by one rule, bends in your wind, and at last swings by itself.</source>
+        <translation>Ein Baum, der nach einer Regel wächst, sich in deinem Wind biegt und zuletzt von selbst schwingt.</translation>
+    </message>
+</context>
+<context>
+    <name>sim</name>
+    <message>
+        <source>branches</source>
+        <translation>Zweige</translation>
+    </message>
+    <message>
+        <source>branch</source>
+        <translation>Zweig</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,578 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+<context>
+    <name>WalkingGait</name>
+    <message>
+        <source>Centipede</source>
+        <translation>Tausendfüßler</translation>
+    </message>
+    <message>
+        <source>Twelve feet, one after the other: the body glides.</source>
+        <translation>Zwölf Füße, einer nach dem anderen: Der Körper gleitet.</translation>
+    </message>
+    <message>
+        <source>Trot</source>
+        <translation>Trab</translation>
+    </message>
+    <message>
+        <source>Four feet in two pairs: it bobs like one with two feet.</source>
+        <translation>Vier Füße in zwei Paaren: Er wippt wie einer mit zwei Füßen.</translation>
+    </message>
+    <message>
+        <source>Limp</source>
+        <translation>Humpeln</translation>
+    </message>
+    <message>
+        <source>Three feet close behind each other, then a pause.</source>
+        <translation>Drei Füße dicht hintereinander, dann eine Pause.</translation>
+    </message>
+    <message>
+        <source>Runner</source>
+        <translation>Läufer</translation>
+    </message>
+    <message>
+        <source>A fast clock: no foot touches the ground for long.</source>
+        <translation>Eine schnelle Uhr: Kein Fuß berührt den Boden lang.</translation>
+    </message>
+    <message>
+        <source>More feet</source>
+        <translation>Mehr Füße</translation>
+    </message>
+    <message>
+        <source>More feet need no new code: the loop gives each an angle, and they share the clock. Foot i of n belongs i/n of a full turn behind foot 0. **spread** makes that more or less than a full turn.
+
+Two feet carry the body up and down by 55&#x202f;px. With five it is 4&#x202f;px, with twelve 1&#x202f;px: some foot is always on its way down. They walk faster, too, 1.4&#x202f;px a frame instead of 1.2.
+
+At a spread of 0 all step together. The body falls and rises, and it gets nowhere.</source>
+        <translation>Mehr Füße brauchen keinen neuen Code: Die Schleife gibt jedem einen Winkel, und sie teilen sich die Uhr. Fuß i von n gehört i/n einer ganzen Drehung hinter Fuß 0. **Verteilung** macht daraus mehr oder weniger als eine ganze Drehung.
+
+Zwei Füße tragen den Körper um 55&#x202f;px auf und ab. Bei fünf sind es 4&#x202f;px, bei zwölf 1&#x202f;px: Irgendein Fuß ist immer auf dem Weg nach unten. Sie gehen auch schneller, 1,4&#x202f;px pro Bild statt 1,2.
+
+Bei einer Verteilung von 0 treten alle zugleich auf. Der Körper fällt und steigt, und kommt nicht vom Fleck.</translation>
+    </message>
+    <message>
+        <source>Steering</source>
+        <translation>Lenken</translation>
+    </message>
+    <message>
+        <source>The clock&apos;s speed is a number like any other, so it can change while the creature walks. Above 0 it walks right, below 0 left, at 0 it stands.
+
+**Arrow keys**, while it plays: each frame that → is down adds **change** to the speed, ← takes as much away.
+
+**Pointer:** while its button is down it sets the speed: 200&#x202f;px to the right of the body ask for **top speed**, half as far for half of it, and to the left it is negative.
+
+Neither gets past the top speed, 0.15 either way. Let go, and the creature keeps the speed that it has.</source>
+        <translation>Das Tempo der Uhr ist eine Zahl wie jede andere, also kann es sich ändern, während die Figur geht. Über 0 geht sie nach rechts, unter 0 nach links, bei 0 steht sie.
+
+**Pfeiltasten**, solange es läuft: In jedem Bild, in dem → gedrückt ist, kommt **Änderung** zum Tempo hinzu, ← nimmt ebenso viel weg.
+
+**Zeiger:** Solange seine Taste gedrückt ist, bestimmt er das Tempo: 200&#x202f;px rechts vom Körper verlangen **Höchsttempo**, halb so weit die Hälfte davon, und links ist es negativ.
+
+Keines von beiden kommt über das Höchsttempo hinaus, 0,15 in jeder Richtung. Lass los, und die Figur behält das Tempo, das sie hat.</translation>
+    </message>
+    <message>
+        <source>Walls to bump into</source>
+        <translation>Wände zum Anstoßen</translation>
+    </message>
+    <message>
+        <source>Two walls, as in the lesson before, for feet and body. Where an edge is past a wall, it is put back, and the velocity across the wall becomes 0.
+
+The creature **turns round** when any part of it touches a wall: the clock&apos;s speed gets the sign that leads away. It is a rule, not a force: the wall only stops what hits it. With **at wall** on keep_on it walks against the wall for good. Its standing feet then slip 1.1&#x202f;px a frame, more than twice as much as on its way.
+
+You can steer it, as before.</source>
+        <translation>Zwei Wände, wie in der Lektion davor, für Füße und Körper. Wo ein Rand über eine Wand hinaus ist, wird er zurückgesetzt, und die Geschwindigkeit quer zur Wand wird 0.
+
+Die Figur **kehrt um**, wenn irgendein Teil von ihr eine Wand berührt: Das Tempo der Uhr bekommt das Vorzeichen, das wegführt. Das ist eine Regel, keine Kraft: Die Wand hält nur an, was sie trifft. Steht **An einer Wand** auf weitergehen, geht sie endlos gegen die Wand. Ihre stehenden Füße rutschen dann 1,1&#x202f;px pro Bild, mehr als doppelt so viel wie unterwegs.
+
+Lenken kannst du sie wie zuvor.</translation>
+    </message>
+    <message>
+        <source>Company</source>
+        <translation>Gesellschaft</translation>
+    </message>
+    <message>
+        <source>Several creatures, each with a clock of its own. They start towards each other, out of step.
+
+Two bodies closer than **distance** push each other apart, by **push** times what is missing: a spring that never pulls. Legs meet nothing.
+
+Each push is felt by **both**, the opposite way, in the same moment. So all pushes add up to 0, and two creatures that meet share their momentum out anew; the push makes none and loses none. (The ground does: it stops feet.) With **felt by** on one, the second feels nothing. Then each push makes momentum from nothing.</source>
+        <translation>Mehrere Figuren, jede mit eigener Uhr. Sie starten aufeinander zu, nicht im Takt.
+
+Zwei Körper, die sich näher als **Abstand** sind, schieben einander weg, um **Druck** mal das, was fehlt: eine Feder, die nie zieht. Beine treffen auf nichts.
+
+Jeden Druck spüren **beide**, in entgegengesetzter Richtung, im selben Moment. Darum ergeben alle Drücke zusammen 0, und zwei Figuren, die sich treffen, teilen ihren Impuls neu auf; der Druck macht keinen und verliert keinen. (Der Boden schon: Er hält Füße an.) Steht **Gespürt von** auf einem, spürt der zweite nichts. Dann macht jeder Druck Impuls aus dem Nichts.</translation>
+    </message>
+    <message>
+        <source>Set **speed** to −0.05 and let the creature walk off to the left.</source>
+        <translation>Setze **Tempo** auf −0,05 und lass die Figur nach links davongehen.</translation>
+    </message>
+    <message>
+        <source>Set **traction** to none for 150&#x202f;frames: ice. It treads on the spot.</source>
+        <translation>Setze **Haftung** 150&#x202f;Bilder lang auf keine: Eis. Sie tritt auf der Stelle.</translation>
+    </message>
+    <message>
+        <source>Set **bounce** to 0.8 and stop just when a foot bounces.</source>
+        <translation>Setze **Abprall** auf 0,8 und halte genau dann an, wenn ein Fuß abprallt.</translation>
+    </message>
+    <message>
+        <source>Lift the body at least 100&#x202f;px and let go. It lands on its feet and walks on.</source>
+        <translation>Heb den Körper mindestens 100&#x202f;px an und lass los. Sie landet auf den Füßen und geht weiter.</translation>
+    </message>
+    <message>
+        <source>Set **feet** to 12 and watch for 200&#x202f;frames. How much does the body go up and down?</source>
+        <translation>Setze **Füße** auf 12 und sieh 200&#x202f;Bilder lang zu. Wie weit geht der Körper auf und ab?</translation>
+    </message>
+    <message>
+        <source>Set **spread** to 0 for 200&#x202f;frames. All feet step together: does it get anywhere?</source>
+        <translation>Setze **Verteilung** 200&#x202f;Bilder lang auf 0. Alle Füße treten zugleich auf: Kommt sie vom Fleck?</translation>
+    </message>
+    <message>
+        <source>Set **speed** to 0.3 and stop when no foot touches the ground.</source>
+        <translation>Setze **Tempo** auf 0,3 und halte an, wenn kein Fuß den Boden berührt.</translation>
+    </message>
+    <message>
+        <source>Hold the **←** key until the creature walks to the left, and let it walk 100&#x202f;px that way.</source>
+        <translation>Halte die Taste **←**, bis die Figur nach links geht, und lass sie 100&#x202f;px in diese Richtung gehen.</translation>
+    </message>
+    <message>
+        <source>Make it as fast as it can with the pointer: hold the button at least 200&#x202f;px away from it.</source>
+        <translation>Mach sie mit dem Zeiger so schnell wie möglich: Halte die Taste mindestens 200&#x202f;px von ihr entfernt.</translation>
+    </message>
+    <message>
+        <source>Make it stand: bring the clock to within 0.005&#x202f;rad/frame of 0.</source>
+        <translation>Lass sie stehen: Bring die Uhr auf 0,005 rad/Bild an 0 heran.</translation>
+    </message>
+    <message>
+        <source>Set **at wall** to keep_on and let it walk against a wall for 200&#x202f;frames.</source>
+        <translation>Stelle **An einer Wand** auf weitergehen und lass sie 200&#x202f;Bilder lang gegen eine Wand gehen.</translation>
+    </message>
+    <message>
+        <source>Put the walls 150&#x202f;px apart or closer, and see it turn to the left.</source>
+        <translation>Stelle die Wände 150&#x202f;px oder enger auseinander und sieh, wie sie nach links umkehrt.</translation>
+    </message>
+    <message>
+        <source>Throw the creature into a wall.</source>
+        <translation>Wirf die Figur in eine Wand.</translation>
+    </message>
+    <message>
+        <source>Take one creature by its body and drag it into another. Both feel the push; the one in your hand cannot move.</source>
+        <translation>Nimm eine Figur am Körper und zieh sie in eine andere. Beide spüren den Druck; die in deiner Hand kann sich nicht bewegen.</translation>
+    </message>
+    <message>
+        <source>Set **felt by** to one, and look at the sum of the pushes while two bodies touch.</source>
+        <translation>Stelle **Gespürt von** auf einem und sieh dir die Summe der Drücke an, während zwei Körper sich berühren.</translation>
+    </message>
+    <message>
+        <source>Set **creatures** to 5 and watch the crowd for 300&#x202f;frames.</source>
+        <translation>Setze **Figuren** auf 5 und sieh der Menge 300&#x202f;Bilder lang zu.</translation>
+    </message>
+    <message>
+        <source>Swing</source>
+        <translation>Schwung</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source>How far foot 0 is from the middle of its places. The leg is what it would be if it followed exactly.</source>
+        <translation>Wie weit Fuß 0 von der Mitte seiner Orte entfernt ist. Das Bein ist, was es wäre, wenn er genau folgte.</translation>
+    </message>
+    <message>
+        <source>Momentum</source>
+        <translation>Impuls</translation>
+    </message>
+    <message>
+        <source>px/frame</source>
+        <translation>px/Bild</translation>
+    </message>
+    <message>
+        <source>All velocities added up; how long that arrow is. Every mass is 1.</source>
+        <translation>Alle Geschwindigkeiten addiert; wie lang dieser Pfeil ist. Jede Masse ist 1.</translation>
+    </message>
+    <message>
+        <source>Walks</source>
+        <translation>Geht</translation>
+    </message>
+    <message>
+        <source>How far the body came to the right in the last frame.</source>
+        <translation>Wie weit der Körper im letzten Bild nach rechts kam.</translation>
+    </message>
+    <message>
+        <source>Slip</source>
+        <translation>Rutschen</translation>
+    </message>
+    <message>
+        <source>How far the standing feet slid in the last frame, on the average.</source>
+        <translation>Wie weit die stehenden Füße im letzten Bild im Mittel gerutscht sind.</translation>
+    </message>
+    <message>
+        <source>Clock</source>
+        <translation>Uhr</translation>
+    </message>
+    <message>
+        <source>rad/frame</source>
+        <translation>rad/Bild</translation>
+    </message>
+    <message>
+        <source>How fast the gait clock turns.</source>
+        <translation>Wie schnell sich die Ganguhr dreht.</translation>
+    </message>
+    <message>
+        <source>Pushes</source>
+        <translation>Drücke</translation>
+    </message>
+    <message>
+        <source>px/frame²</source>
+        <translation>px/Bild²</translation>
+    </message>
+    <message>
+        <source>All pushes between bodies added up; how long that arrow is.</source>
+        <translation>Alle Drücke zwischen Körpern addiert; wie lang dieser Pfeil ist.</translation>
+    </message>
+    <message>
+        <source>Leg</source>
+        <translation>Bein</translation>
+    </message>
+    <message>
+        <source>How far a foot belongs from the middle of its places.</source>
+        <translation>Wie weit ein Fuß von der Mitte seiner Orte entfernt hingehört.</translation>
+    </message>
+    <message>
+        <source>Drop</source>
+        <translation>Absenkung</translation>
+    </message>
+    <message>
+        <source>How far below the body the feet belong.</source>
+        <translation>Wie weit unter den Körper die Füße gehören.</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Bogen</translation>
+    </message>
+    <message>
+        <source>How high above its foot the point lies that bends a leg. Only drawn.</source>
+        <translation>Wie hoch über seinem Fuß der Punkt liegt, der ein Bein biegt. Nur gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>How far the gait clock turns each frame. Below 0 it turns the other way.</source>
+        <translation>Wie weit sich die Ganguhr in jedem Bild dreht. Unter 0 dreht sie sich andersherum.</translation>
+    </message>
+    <message>
+        <source>The share of its speed that a foot keeps, turned round, on the ground.</source>
+        <translation>Der Anteil seines Tempos, den ein Fuß, umgekehrt, am Boden behält.</translation>
+    </message>
+    <message>
+        <source>Traction</source>
+        <translation>Haftung</translation>
+    </message>
+    <message>
+        <source>Whether the ground stops a foot sideways, too. Without it is ice.</source>
+        <translation>Ob der Boden einen Fuß auch seitwärts anhält. Ohne sie ist Eis.</translation>
+    </message>
+    <message>
+        <source>Feet</source>
+        <translation>Füße</translation>
+    </message>
+    <message>
+        <source>How many feet the body has.</source>
+        <translation>Wie viele Füße der Körper hat.</translation>
+    </message>
+    <message>
+        <source>Spread</source>
+        <translation>Verteilung</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Over how much of a turn the feet are spread. At 0 all step together.</source>
+        <translation>Über wie viel einer Drehung die Füße verteilt sind. Bei 0 treten alle zugleich auf.</translation>
+    </message>
+    <message>
+        <source>Top speed</source>
+        <translation>Höchsttempo</translation>
+    </message>
+    <message>
+        <source>The fastest that keys and pointer make the gait clock.</source>
+        <translation>Das schnellste Tempo, das Tasten und Zeiger der Ganguhr geben.</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Änderung</translation>
+    </message>
+    <message>
+        <source>rad/frame²</source>
+        <translation>rad/Bild²</translation>
+    </message>
+    <message>
+        <source>How much speed an arrow key adds or takes away, each frame that it is down.</source>
+        <translation>Wie viel Tempo eine Pfeiltaste hinzufügt oder wegnimmt, in jedem Bild, in dem sie gedrückt ist.</translation>
+    </message>
+    <message>
+        <source>At a wall</source>
+        <translation>An einer Wand</translation>
+    </message>
+    <message>
+        <source>Whether it turns round where it bumps into a wall, or walks on.</source>
+        <translation>Ob sie umkehrt, wo sie an eine Wand stößt, oder weitergeht.</translation>
+    </message>
+    <message>
+        <source>Creatures</source>
+        <translation>Figuren</translation>
+    </message>
+    <message>
+        <source>How many creatures there are.</source>
+        <translation>Wie viele Figuren es gibt.</translation>
+    </message>
+    <message>
+        <source>Push</source>
+        <translation>Druck</translation>
+    </message>
+    <message>
+        <source>1/frame²</source>
+        <translation>1/Bild²</translation>
+    </message>
+    <message>
+        <source>How hard two bodies push: this share of the missing distance, each frame.</source>
+        <translation>Wie stark zwei Körper schieben: dieser Anteil des fehlenden Abstands, in jedem Bild.</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Two bodies closer than this push each other.</source>
+        <translation>Zwei Körper, die sich näher sind, schieben einander weg.</translation>
+    </message>
+    <message>
+        <source>Felt by</source>
+        <translation>Gespürt von</translation>
+    </message>
+    <message>
+        <source>Whether both bodies feel a push, or only the one that comes first.</source>
+        <translation>Ob beide Körper einen Druck spüren oder nur der, der zuerst kommt.</translation>
+    </message>
+    <message>
+        <source>foot %1</source>
+        <translation>Fuß %1</translation>
+    </message>
+    <message>
+        <source>middle</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
+        <source>Bones</source>
+        <translation>Knochen</translation>
+    </message>
+    <message>
+        <source>Until now a foot was content anywhere on a ring round the body: a rag doll. Now each foot has a **bone**: an angle of its own. It belongs **leg** pixels from the body at that angle, and a plain spring pulls it there. A cross shows the place.
+
+Angles are in radians. Foot 0 has the angle 0; foot 1 has π, half a turn on. The code **subtracts** the bone from the body, so foot 0 belongs on the **left**.
+
+(The tutorial behind this lesson says right, and in one passage that the leg is 75&#x202f;px. Its code has left and 50, and its code is what runs here.)
+
+The body is a handle again: only your hand moves it.</source>
+        <translation>Bisher war ein Fuß überall auf einem Ring um den Körper zufrieden: eine Stoffpuppe. Jetzt hat jeder Fuß einen **Knochen**: einen eigenen Winkel. Er gehört **Bein** Pixel vom Körper in diesem Winkel, und eine einfache Feder zieht ihn dorthin. Ein Kreuz zeigt den Ort.
+
+Winkel sind in Radiant. Fuß 0 hat den Winkel 0; Fuß 1 hat π, eine halbe Drehung weiter. Der Code zieht den Knochen vom Körper **ab**, darum gehört Fuß 0 nach **links**.
+
+(Das Tutorial, auf dem diese Lektion beruht, sagt rechts, und an einer Stelle, das Bein sei 75&#x202f;px lang. Sein Code hat links und 50, und sein Code ist, was hier läuft.)
+
+Der Körper ist wieder ein Griff: Nur deine Hand bewegt ihn.</translation>
+    </message>
+    <message>
+        <source>Legs</source>
+        <translation>Beine</translation>
+    </message>
+    <message>
+        <source>A **leg** is a line from the body to a foot. It is made anew for each picture, from where body and foot are at that moment. Nothing feels it: the code that moves the feet is the same as before.
+
+Still it tells you something: how long the spring is. At rest each line is as long as **leg** says, 50&#x202f;px. While a foot swings, you see it stretch and shrink.</source>
+        <translation>Ein **Bein** ist eine Linie vom Körper zu einem Fuß. Sie wird für jedes Bild neu gemacht, aus dem, wo Körper und Fuß in diesem Moment sind. Nichts spürt sie: Der Code, der die Füße bewegt, ist derselbe wie zuvor.
+
+Trotzdem sagt sie dir etwas: wie lang die Feder ist. In Ruhe ist jede Linie so lang, wie **Bein** sagt, 50&#x202f;px. Während ein Fuß schwingt, siehst du sie sich dehnen und schrumpfen.</translation>
+    </message>
+    <message>
+        <source>Feet below the body</source>
+        <translation>Füße unter dem Körper</translation>
+    </message>
+    <message>
+        <source>Feet belong below a body. One number does it: **drop** moves the place of every foot straight down, by 50&#x202f;px. (y points down, so it is added.)
+
+It comes after the bone: it does not turn with the leg&apos;s angle, and is the same for all feet.
+
+Each place is now 50&#x202f;px to the side and 50&#x202f;px down: 70.7&#x202f;px from the body. The feet start in their places, so nothing moves until you move something.</source>
+        <translation>Füße gehören unter einen Körper. Eine Zahl genügt: **Absenkung** schiebt den Ort jedes Fußes gerade nach unten, um 50&#x202f;px. (y zeigt nach unten, darum wird sie addiert.)
+
+Sie kommt nach dem Knochen: Sie dreht sich nicht mit dem Winkel des Beins und ist für alle Füße gleich.
+
+Jeder Ort ist jetzt 50&#x202f;px seitlich und 50&#x202f;px unten: 70,7&#x202f;px vom Körper. Die Füße beginnen an ihren Orten, darum bewegt sich nichts, bis du etwas bewegst.</translation>
+    </message>
+    <message>
+        <source>Curved legs</source>
+        <translation>Gebogene Beine</translation>
+    </message>
+    <message>
+        <source>Two straight twigs are no legs. A **curve** needs one more point: the cross above each foot, **curve** pixels up. The leg leaves the foot towards that point and comes to the body from there. Halfway it is a quarter of the way to the foot, a quarter to the body, and half to the cross.
+
+The point is only drawn. The springs do not know of it, so the run is the same for every curve: the ghost proves it.</source>
+        <translation>Zwei gerade Stecken sind keine Beine. Eine **Kurve** braucht noch einen Punkt: das Kreuz über jedem Fuß, **Bogen** Pixel darüber. Das Bein verlässt den Fuß auf diesen Punkt zu und kommt von dort zum Körper. Auf halbem Weg ist es ein Viertel des Wegs zum Fuß, ein Viertel zum Körper und die Hälfte zum Kreuz.
+
+Der Punkt ist nur gezeichnet. Die Federn wissen nichts von ihm, darum ist der Lauf für jede Kurve derselbe: Der Geist beweist es.</translation>
+    </message>
+    <message>
+        <source>Now the places move. The creature gets **one clock** that turns by **speed** each frame, last of all. Every foot adds it to its own angle. So the places go round, clockwise, half a turn apart, and each foot runs after its place.
+
+At 0.05&#x202f;rad a frame a full turn (2π, 6.28&#x202f;rad) takes 126&#x202f;frames.
+
+A foot is on a spring: it doesn&apos;t follow exactly. At this speed it goes round on 50.6&#x202f;px where its place is 50&#x202f;px out. Near the speed at which it would swing by itself, it goes much farther.</source>
+        <translation>Jetzt bewegen sich die Orte. Die Figur bekommt **eine Uhr**, die sich in jedem Bild um **Tempo** dreht, als Letztes von allem. Jeder Fuß addiert sie zu seinem eigenen Winkel. So gehen die Orte im Kreis, im Uhrzeigersinn, eine halbe Drehung auseinander, und jeder Fuß läuft seinem Ort nach.
+
+Bei 0,05 rad pro Bild dauert eine ganze Drehung (2π, 6,28 rad) 126&#x202f;Bilder.
+
+Ein Fuß hängt an einer Feder: Er folgt nicht genau. Bei diesem Tempo kreist er auf 50,6&#x202f;px, wo sein Ort 50&#x202f;px draußen ist. Nahe dem Tempo, mit dem er von selbst schwingen würde, kommt er viel weiter hinaus.</translation>
+    </message>
+    <message>
+        <source>The body is pulled, too</source>
+        <translation>Zug auch am Körper</translation>
+    </message>
+    <message>
+        <source>What pulls is pulled back, just as hard, the other way. That needs no new formula: each leg&apos;s pull goes onto its foot, and the **opposite** goes onto the body, in the same moment.
+
+So what the feet gain, the body loses. All velocities added up are the **momentum**, and no leg can change it. Only damping takes from it, and your hand.
+
+Let it run: the legs pull the body left and right just as hard at every moment. It stays where it is. Legs alone get nowhere: there must be something to stand on.</source>
+        <translation>Was zieht, wird zurückgezogen, genauso stark, in die andere Richtung. Das braucht keine neue Formel: Der Zug jedes Beins geht auf seinen Fuß, und das **Entgegengesetzte** geht auf den Körper, im selben Moment.
+
+Was die Füße gewinnen, verliert also der Körper. Alle Geschwindigkeiten addiert sind der **Impuls**, und kein Bein kann ihn ändern. Nur die Dämpfung nimmt davon, und deine Hand.
+
+Lass es laufen: Die Beine ziehen den Körper in jedem Moment genauso stark nach links wie nach rechts. Er bleibt, wo er ist. Beine allein kommen nirgends hin: Es muss etwas geben, worauf man steht.</translation>
+    </message>
+    <message>
+        <source>Ground</source>
+        <translation>Boden</translation>
+    </message>
+    <message>
+        <source>Gravity pulls everything down, and the **ground** holds the feet. Only the feet: they hold the body. A foot below the ground is put back onto it, and its velocity becomes 0, sideways, too. That is its **traction**.
+
+Now the foot stands. Its leg still pulls, and only the body can give way: it walks, about 150&#x202f;px in each turn of the clock. A negative **speed** walks left. Without traction it treads on the spot.
+
+A standing foot is stopped **after** it moved. So it slips a little in each frame, 0.4&#x202f;px on the average. In steps of half a frame it slips 0.25&#x202f;px, and walks 1.4&#x202f;px a frame instead of 1.2.
+
+From here on k is 0.1.</source>
+        <translation>Die Schwerkraft zieht alles nach unten, und der **Boden** hält die Füße. Nur die Füße: Sie halten den Körper. Ein Fuß unter dem Boden wird darauf zurückgesetzt, und seine Geschwindigkeit wird 0, auch seitwärts. Das ist seine **Haftung**.
+
+Jetzt steht der Fuß. Sein Bein zieht weiter, und nur der Körper kann nachgeben: Er geht, etwa 150&#x202f;px in jeder Drehung der Uhr. Ein negatives **Tempo** geht nach links. Ohne Haftung tritt er auf der Stelle.
+
+Ein stehender Fuß wird angehalten, **nachdem** er sich bewegt hat. Darum rutscht er in jedem Bild ein wenig, im Mittel 0,4&#x202f;px. Mit Zeitschritten von einem halben Bild rutscht er 0,25&#x202f;px, und geht 1,4&#x202f;px pro Bild statt 1,2.
+
+Von hier an ist k 0,1.</translation>
+    </message>
+    <message>
+        <source>Carry the body at least 150&#x202f;px. Both feet follow, each on its side.</source>
+        <translation>Trag den Körper mindestens 150&#x202f;px. Beide Füße folgen, jeder auf seiner Seite.</translation>
+    </message>
+    <message>
+        <source>Pull foot 0 over to the right of the body, let go, and wait until all is still. Where does it end?</source>
+        <translation>Zieh Fuß 0 auf die rechte Seite des Körpers, lass los und warte, bis alles still ist. Wo endet er?</translation>
+    </message>
+    <message>
+        <source>Stop inside a frame (**Shift+→**) when the springs have pulled and nothing has moved.</source>
+        <translation>Halte innerhalb eines Bildes an (**Umschalt+→**), wenn die Federn gezogen haben und sich nichts bewegt hat.</translation>
+    </message>
+    <message>
+        <source>Set **leg** to 100 and wait until all is still. How long are the lines?</source>
+        <translation>Setze **Bein** auf 100 und warte, bis alles still ist. Wie lang sind die Linien?</translation>
+    </message>
+    <message>
+        <source>Pull a foot at least 100&#x202f;px away and let go. The line shows how far the spring swings.</source>
+        <translation>Zieh einen Fuß mindestens 100&#x202f;px weg und lass los. Die Linie zeigt, wie weit die Feder schwingt.</translation>
+    </message>
+    <message>
+        <source>Set **drop** to 0, as it was before, and wait until all is still.</source>
+        <translation>Setze **Absenkung** auf 0, wie es vorher war, und warte, bis alles still ist.</translation>
+    </message>
+    <message>
+        <source>Set **drop** so that the feet belong above the body, and wait until all is still.</source>
+        <translation>Setze **Absenkung** so, dass die Füße über den Körper gehören, und warte, bis alles still ist.</translation>
+    </message>
+    <message>
+        <source>Set **curve** to 0. What do the legs look like?</source>
+        <translation>Setze **Bogen** auf 0. Wie sehen die Beine aus?</translation>
+    </message>
+    <message>
+        <source>Carry the body, go back in time, change **curve**, and compare with the ghost: the run is the same.</source>
+        <translation>Trag den Körper, geh in der Zeit zurück, ändere **Bogen** und vergleiche mit dem Geist: Der Lauf ist derselbe.</translation>
+    </message>
+    <message>
+        <source>Set **curve** below 0.</source>
+        <translation>Setze **Bogen** unter 0.</translation>
+    </message>
+    <message>
+        <source>Set **speed** to −0.05 for at least 60&#x202f;frames. Which way do the feet go round now?</source>
+        <translation>Setze **Tempo** für mindestens 60&#x202f;Bilder auf −0,05. In welche Richtung kreisen die Füße jetzt?</translation>
+    </message>
+    <message>
+        <source>Find a speed at which a foot goes round more than 150&#x202f;px from the middle of its places. Hands off while you measure.</source>
+        <translation>Finde ein Tempo, bei dem ein Fuß mehr als 150&#x202f;px von der Mitte seiner Orte entfernt kreist. Hände weg, während du misst.</translation>
+    </message>
+    <message>
+        <source>Carry the body 200&#x202f;px to the side, slowly. It looks like walking.</source>
+        <translation>Trag den Körper 200&#x202f;px zur Seite, langsam. Es sieht aus wie Gehen.</translation>
+    </message>
+    <message>
+        <source>Pull a foot at least 100&#x202f;px away and let go. Now the body comes along.</source>
+        <translation>Zieh einen Fuß mindestens 100&#x202f;px weg und lass los. Jetzt kommt der Körper mit.</translation>
+    </message>
+    <message>
+        <source>Set **damping** to 1 and throw the creature. After 100&#x202f;frames its momentum is what your hand gave it.</source>
+        <translation>Setze **Dämpfung** auf 1 und wirf die Figur. Nach 100&#x202f;Bildern ist ihr Impuls, was deine Hand ihr gab.</translation>
+    </message>
+    <message>
+        <source>Hold a foot for 60&#x202f;frames. It feels nothing, but the body still feels its leg.</source>
+        <translation>Halte einen Fuß 60&#x202f;Bilder lang. Er spürt nichts, aber der Körper spürt noch immer sein Bein.</translation>
+    </message>
+    <message>
+        <source>full</source>
+        <translation>voll</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation>umkehren</translation>
+    </message>
+    <message>
+        <source>keep_on</source>
+        <translation>weitergehen</translation>
+    </message>
+    <message>
+        <source>both</source>
+        <translation>beiden</translation>
+    </message>
+    <message>
+        <source>one</source>
+        <translation>einem</translation>
+    </message>
+</context>
+<context>
+    <name>lesson.json</name>
+    <message>
+        <source>Walking</source>
+        <translation>Gehen</translation>
+    </message>
+    <message>
+        <source>Bones, a clock that turns them, and ground: a creature that walks.</source>
+        <translation>Knochen, eine Uhr, die sie dreht, und Boden: eine Figur, die geht.</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,415 @@
+// The window in German: everything is said in German, and nothing is cut.
+
+#include "app/model/language.h"
+#include "app/model/numbers.h"
+#include "app/model/sentences.h"
+#include "app/ui/code/code_view.h"
+#include "app/ui/panels/help_page.h"
+#include "app/ui/panels/preset_gallery.h"
+#include "app/ui/scene/scene_view.h"
+#include "app/ui/window/main_window.h"
+#include "drawn_text.h"
+#include "sim/methods/methods.h"
+#include "sim/pipeline.h"
+
+#include <QAbstractButton>
+#include <QLabel>
+#include <QMenu>
+#include <QMenuBar>
+#include <QSet>
+#include <QSettings>
+#include <QStatusBar>
+#include <QTemporaryDir>
+#include <QToolButton>
+#include <QtTest>
+
+using namespace app;
+
+namespace {
+
+/// One method, measured; the study itself takes seconds and says nothing about the window.
+sim::Accuracy quickStudy(const sim::Script &script, const sim::StudyPlan &plan, const sim::StudyProgress &)
+{
+    sim::Accuracy found;
+    found.span = found.horizon = plan.frames;
+    found.reference.disagreement = 2e-11;
+    const sim::State start = sim::sceneOf(script, script.values).start;
+    std::vector<sim::Vec2> places;
+    for (int i = 0; i < start.points(); ++i)
+        places.push_back(start.at(i) + sim::Vec2{3.0, 4.0});
+    found.reference.places.assign(static_cast<std::size_t>(plan.frames + 1), places);
+    sim::AccuracyRow row;
+    row.way = *plan.inUse;
+    row.outcome = sim::Outcome::measured;
+    row.error = 3.7;
+    row.nsPerFrame = 250.0;
+    found.rows = {row};
+    return found;
+}
+
+/// Without times: to measure them takes seconds, too.
+void quickCost(const CostSubject &, const sim::GoesOn &, const std::function<void(const sim::FrameCost &)> &)
+{
+}
+
+/// The window, in German where nothing else is asked for.
+struct German
+{
+    Language language;
+    LessonLibrary library = LessonLibrary::load({LESSON_DIR}, &language);
+    Theme theme{Scheme::light};
+    Session session{library};
+    MainWindow window{session, theme, quickStudy, quickCost};
+
+    explicit German(QSize size = {1280, 800}, const QString &code = "de") : language(code)
+    {
+        theme.apply(*qApp);
+        window.setAttribute(Qt::WA_DontShowOnScreen);
+        window.resize(size);
+        window.show();
+        QCoreApplication::processEvents();
+    }
+};
+
+/// Who `widget` is, for a message.
+QString whereIs(const QWidget *widget)
+{
+    QStringList path;
+    for (; widget; widget = widget->parentWidget())
+        path.prepend(QString(widget->metaObject()->className()).remove("app::"));
+    return path.join('/');
+}
+
+/// How many px a label or button lacks for its text, across or down; 0 where it has enough.
+int lacking(const QWidget &widget)
+{
+    if (const auto *label = qobject_cast<const QLabel *>(&widget)) {
+        if (label->text().isEmpty())
+            return 0;
+        return label->wordWrap() ? label->heightForWidth(label->width()) - label->height()
+                                 : label->minimumSizeHint().width() - label->width();
+    }
+    if (const auto *button = qobject_cast<const QAbstractButton *>(&widget)) {
+        const QRect text = button->fontMetrics().boundingRect({}, Qt::TextShowMnemonic, button->text());
+        return std::max(text.width() - button->width(), text.height() - button->height());
+    }
+    return 0;
+}
+
+/// Whether it draws no text, or text that may be cut: code is scrolled to, values beside it have the rest in a tooltip, and
+/// labels in a picture have the place that the picture leaves.
+bool isFree(const QWidget *widget)
+{
+    for (; widget; widget = widget->parentWidget()) {
+        if (qobject_cast<const CodeView *>(widget) || qobject_cast<const SceneView *>(widget) ||
+            widget->inherits("QCustomPlot"))
+            return true;
+    }
+    return false;
+}
+
+/// What an ellipsis stands at the end of by right: what goes on ("Messung läuft …"), nothing known yet, and the list of
+/// what is not in the scene, which has a tooltip.
+bool mayEnd(const QString &text)
+{
+    return text.endsWith(" …") || text == "…" || text.count(", ") > 1;
+}
+
+/// The texts in `window` that have not the room that they need.
+QStringList cutIn(QWidget &window)
+{
+    QStringList cut;
+    QList<QWidget *> all = window.findChildren<QWidget *>();
+    all << &window;
+    for (QWidget *widget : all) {
+        if (!widget->isVisible() || widget->visibleRegion().isEmpty() || isFree(widget))
+            continue;
+        if (const int px = lacking(*widget); px > 0)
+            cut << QString("%1: %2 px").arg(whereIs(widget)).arg(px);
+        for (const QString &text : drawnBy(*widget)) {
+            if (text.endsWith(QChar(0x2026)) && !mayEnd(text))
+                cut << QString("%1: \"%2\"").arg(whereIs(widget), text);
+        }
+    }
+    return cut;
+}
+
+void collectMenus(const QMenu *menu, QList<const QMenu *> &all)
+{
+    all << menu;
+    for (const QAction *action : menu->actions()) {
+        if (action->menu())
+            collectMenus(action->menu(), all);
+    }
+}
+
+/// Letters that two entries of `actions` share.
+QStringList sharedLetters(const QList<QAction *> &actions)
+{
+    QStringList shared;
+    QHash<QChar, QString> seen;
+    for (const QAction *action : actions) {
+        const qsizetype at = action->text().indexOf(QRegularExpression("&\\w"));
+        if (at < 0)
+            continue;
+        const QChar letter = action->text()[at + 1].toLower();
+        if (seen.contains(letter))
+            shared << seen[letter] + " / " + action->text();
+        seen[letter] = action->text();
+    }
+    return shared;
+}
+
+/// The texts of sim in a run that have no German.
+void missIn(const sim::Scene &scene, const sim::Method &method, QSet<QString> &missing)
+{
+    const auto look = [&](const std::string &text) {
+        // German has some words of the same spelling, so the question is whether there is an entry.
+        const QString said = QString::fromStdString(text);
+        static const QSet<QString> same = {"Motor", "Wind"};
+        if (!text.empty() && phrase(text) == said && said.size() > 1 && !same.contains(capitalised(said)))
+            missing.insert(said);
+    };
+    for (const auto &group : scene.groups)
+        look(group.title);
+    for (const auto &phase : sim::compose(scene, method, sim::stepFor(method, {})).phases)
+        look(phase.title);
+}
+
+}
+
+class GermanTest : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase();
+    void thereAreTwoLanguages();
+    void theSystemsWishesAreMet_data();
+    void theSystemsWishesAreMet();
+    void numbersHaveACommaOnTheScreen();
+    void everyStepSpeaksGerman();
+    void whatTheCoreNamesIsNamedInGerman();
+    void noLetterOpensTwoEntriesOfAMenu_data();
+    void noLetterOpensTwoEntriesOfAMenu();
+    void nothingIsCut_data();
+    void nothingIsCut();
+    void whatOpensIsNotCut();
+    void theChoiceOfALanguageIsRemembered();
+    void cleanupTestCase() { m_shown.reset(); }
+
+private:
+    std::unique_ptr<German> m_shown; ///< for the rows of one size
+    QSize m_size;
+    QTemporaryDir m_settings;
+};
+
+void GermanTest::initTestCase()
+{
+    QSettings::setDefaultFormat(QSettings::IniFormat);
+    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_settings.path());
+}
+
+void GermanTest::thereAreTwoLanguages()
+{
+    QCOMPARE(Language::known(), QStringList({"de", "en"}));
+    QCOMPARE(Language::nameOf("de"), QString("Deutsch"));
+    QCOMPARE(Language::nameOf("en"), QString("English"));
+}
+
+void GermanTest::theSystemsWishesAreMet_data()
+{
+    QTest::addColumn<QStringList>("wanted");
+    QTest::addColumn<QString>("spoken");
+    QTest::newRow("German") << QStringList{"de-DE"} << "de";
+    QTest::newRow("German of Austria") << QStringList{"de-Latn-AT", "de-AT", "de"} << "de";
+    QTest::newRow("none of them") << QStringList{"fr-FR"} << "en";
+    QTest::newRow("the second") << QStringList{"fr", "de"} << "de";
+    QTest::newRow("English first") << QStringList{"en-GB", "de"} << "en";
+    QTest::newRow("C") << QStringList{"C"} << "en";
+}
+
+void GermanTest::theSystemsWishesAreMet()
+{
+    QFETCH(QStringList, wanted);
+    QTEST(Language::firstKnown(wanted), "spoken");
+}
+
+void GermanTest::numbersHaveACommaOnTheScreen()
+{
+    {
+        const Language german("de");
+        QCOMPARE(fixedNumber(-1234.5, 2), QString("−1234,50"));
+        QCOMPARE(roughNumber(2.1e-11), QString("2,1·10⁻¹¹"));
+        QCOMPARE(writtenNumber(0.25, 1), QString("0,25"));
+    }
+    const Language english("en");
+    QCOMPARE(fixedNumber(-1234.5, 2), QString("−1234.50"));
+}
+
+void GermanTest::everyStepSpeaksGerman()
+{
+    const LessonLibrary english = LessonLibrary::load({LESSON_DIR});
+    Language language("de");
+    const LessonLibrary german = LessonLibrary::load({LESSON_DIR}, &language);
+    QCOMPARE(german.lessons.size(), english.lessons.size());
+    for (std::size_t i = 0; i < german.lessons.size(); ++i) {
+        const LessonEntry &lesson = german.lessons[i];
+        QVERIFY2(lesson.summary != english.lessons[i].summary, qPrintable(lesson.id));
+        for (std::size_t s = 0; s < lesson.steps.size(); ++s) {
+            const lessons::Step &said = lesson.steps[s], &was = english.lessons[i].steps[s];
+            const QString name = lesson.id + '/' + said.id;
+            QVERIFY2(said.narration != was.narration, qPrintable(name));
+            for (std::size_t t = 0; t < said.tries.size(); ++t)
+                QVERIFY2(said.tries[t].text != was.tries[t].text, qPrintable(name));
+            for (std::size_t p = 0; p < said.parameters.size(); ++p)
+                QVERIFY2(said.parameters[p].help != was.parameters[p].help, qPrintable(name));
+        }
+    }
+}
+
+void GermanTest::whatTheCoreNamesIsNamedInGerman()
+{
+    Language language("de");
+    const LessonLibrary library = LessonLibrary::load({LESSON_DIR}, &language);
+    QSet<QString> missing;
+    for (const LessonEntry &lesson : library.lessons) {
+        for (const lessons::Step &step : lesson.steps) {
+            const sim::Scene scene = step.scene(step.presets());
+            for (const sim::MethodPtr &method : sim::allMethods()) {
+                try {
+                    missIn(scene, *method, missing);
+                } catch (const sim::Error &) { // not every method fits every scene
+                }
+            }
+            for (const std::string &name : scene.names) {
+                const QString title = bodyTitle(QString::fromStdString(name));
+                if (title.contains(
+                        QRegularExpression("\\b(foot|body|creature|lead|tail|side|tentacle|branch)\\b")))
+                    missing.insert(title);
+            }
+        }
+    }
+    QVERIFY2(missing.isEmpty(), qPrintable(missing.values().join(" | ")));
+}
+
+void GermanTest::noLetterOpensTwoEntriesOfAMenu_data()
+{
+    QTest::addColumn<QString>("language");
+    QTest::newRow("German") << "de";
+    QTest::newRow("English") << "en";
+}
+
+void GermanTest::noLetterOpensTwoEntriesOfAMenu()
+{
+    QFETCH(QString, language);
+    German german({1280, 800}, language);
+    const auto *bar = german.window.findChild<QMenuBar *>();
+    QList<const QMenu *> menus;
+    for (const QAction *action : bar->actions())
+        collectMenus(action->menu(), menus);
+    QStringList shared = sharedLetters(bar->actions());
+    for (const QMenu *menu : menus)
+        shared << sharedLetters(menu->actions());
+    QVERIFY2(shared.isEmpty(), qPrintable(shared.join('\n')));
+}
+
+void GermanTest::nothingIsCut_data()
+{
+    QTest::addColumn<QSize>("size");
+    QTest::addColumn<QString>("lesson");
+    QTest::addColumn<bool>("measuring");
+    for (const QSize size : {QSize(1280, 800), QSize(1920, 1080)}) {
+        for (const char *lesson : {"single_spring", "multi_foot", "walking_gait", "swaying_tree",
+                                   "rigid_constraint", "codeling", "accuracy", "hard_cases"}) {
+            for (const bool measuring : {false, true})
+                QTest::addRow("%s, %d px, %s", lesson, size.width(), measuring ? "measure" : "learn")
+                    << size << QString(lesson) << measuring;
+        }
+    }
+}
+
+void GermanTest::nothingIsCut()
+{
+    QFETCH(QSize, size);
+    QFETCH(QString, lesson);
+    QFETCH(bool, measuring);
+    if (!m_shown || m_size != size) {
+        m_shown.reset(); // first, as there is one language at a time
+        m_shown = std::make_unique<German>(size);
+        m_size = size;
+    }
+    German &shown = *m_shown;
+    shown.window.setMode(measuring ? MainWindow::Mode::measure : MainWindow::Mode::learn);
+    QStringList cut;
+    for (const lessons::Step &step : shown.library.lesson(lesson)->steps) {
+        shown.session.openStep(lesson, step.id);
+        shown.session.goTo({3, 1});
+        shown.window.showEnergy(true);
+        shown.window.showEffects(true);
+        QCoreApplication::processEvents();
+        for (const QString &where : cutIn(shown.window))
+            cut << step.id + ' ' + where;
+    }
+    cut.removeDuplicates();
+    QVERIFY2(cut.isEmpty(), qPrintable('\n' + cut.join('\n')));
+}
+
+void GermanTest::whatOpensIsNotCut()
+{
+    m_shown.reset();
+    German german;
+    QStringList cut;
+    const auto look = [&](const char *what, QWidget *at) {
+        QCoreApplication::processEvents();
+        for (const QString &where : cutIn(*at))
+            cut << QString("%1: %2").arg(what, where);
+    };
+    for (QAction *action : german.window.actions()) {
+        if (action->shortcuts().contains(QKeySequence(Qt::Key_F1)))
+            action->trigger();
+    }
+    auto *help = german.window.findChild<HelpPage *>();
+    QVERIFY(help && help->isVisible());
+    look("help", help);
+    help->hide();
+    german.session.openStep("multi_foot", "any_number");
+    german.window.showStability(true);
+    look("stability", &german.window);
+    german.window.showGrowthMap(MapPlane::damping);
+    look("map", &german.window);
+    for (const char *step : {"swaying_tree/turbulence", "walking_gait/more_feet"}) {
+        german.session.openStep(QString(step).section('/', 0, 0), QString(step).section('/', 1));
+        german.window.findChild<QToolButton *>("presets")->click();
+        auto *gallery = german.window.findChild<PresetGallery *>();
+        QVERIFY(gallery && gallery->isVisible());
+        look(step, gallery);
+        gallery->hide();
+    }
+    QVERIFY2(cut.isEmpty(), qPrintable('\n' + cut.join('\n')));
+}
+
+void GermanTest::theChoiceOfALanguageIsRemembered()
+{
+    m_shown.reset();
+    German german;
+    auto *menu = german.window.findChild<QMenu *>("language");
+    QVERIFY(menu);
+    QStringList entries;
+    for (QAction *action : menu->actions()) {
+        entries << action->text();
+        if (action->text() == "English")
+            action->trigger();
+    }
+    QCOMPARE(entries, QStringList({"Wie das &System", "", "Deutsch", "English"}));
+    QCOMPARE(QSettings().value("window/language").toString(), QString("en"));
+    QCOMPARE(Language::chosen("en"), QString("en"));
+    bool isSaid = false;
+    for (const QLabel *label : german.window.statusBar()->findChildren<QLabel *>())
+        isSaid = isSaid || label->text() == "Ab dem nächsten Start spricht Springstep English.";
+    QVERIFY(isSaid);
+    QSettings().remove("window/language");
+}
+
+QTEST_MAIN(GermanTest)
+#include "tst_german.moc"
