@@ -10,6 +10,7 @@
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTextStream>
+#include <QTimer>
 
 namespace app {
 
@@ -43,6 +44,8 @@ int runWindow(QApplication &application, const QString &file)
     window.show();
     if (!file.isEmpty())
         window.openFile(file);
+    else if (MainWindow::wantsTour())
+        QTimer::singleShot(0, &window, &MainWindow::startTour);
     return QApplication::exec();
 }
 

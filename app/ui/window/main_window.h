@@ -22,6 +22,7 @@ class Course;
 class EffectsPanel;
 class EnergyPanel;
 class FootfallStrip;
+class GlossaryPage;
 class HelpPage;
 class LearnPanel;
 class Notice;
@@ -33,7 +34,9 @@ class StabilityGauge;
 class StabilityPanel;
 class StopNotice;
 class TimelineStrip;
+class Tour;
 class TransportBar;
+struct TourStop;
 
 /// The window: lessons on the left, the scene with its time in the middle, code and parameters on the right.
 class MainWindow : public QMainWindow
@@ -61,6 +64,11 @@ public:
     void showStability(bool shown);
     /// The map of growth, where the step has one.
     void showGrowthMap(MapPlane plane);
+
+    /// Whether the tour was never started on this machine.
+    static bool wantsTour();
+    /// Cards that point at the parts of the window, one after the other.
+    void startTour();
 
     /// Opens an experiment file. A file that is refused is named with the reason, and nothing changes.
     void openFile(const QString &path);
@@ -95,6 +103,9 @@ private:
     void makeStability();
     void showStatus();
     void showHelp();
+    void makeLearning();
+    void showGlossary(const QString &typed);
+    std::vector<TourStop> tourStops();
     void askOpen();
     void askSave();
     void restore();
@@ -140,6 +151,8 @@ private:
     QWidget *m_measureLine = nullptr; ///< between measures and parameters
     Notice *m_notice = nullptr;
     HelpPage *m_helpPage = nullptr;
+    GlossaryPage *m_glossaryPage = nullptr;
+    Tour *m_tour = nullptr;
     AccuracyPanel *m_accuracy = nullptr;
     EnergyPanel *m_energy = nullptr;
     EffectsPanel *m_effects = nullptr;
