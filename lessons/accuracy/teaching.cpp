@@ -94,8 +94,8 @@ Teaching halve()
         },
         {
             {Text::tr("Order"), Text::tr("order 1|order 2|order 4|a higher order|every order"),
-             Text::tr("What halving the step is worth. Order 1: half of the error. Order 2: a quarter. "
-                      "Order 4: a sixteenth.")},
+             Text::tr("What halving the step is worth: half of the error for order 1, a quarter for order 2, "
+                      "a sixteenth for order 4.")},
             {Text::tr("Runge–Kutta 4"), Text::tr("Runge–Kutta 4"),
              Text::tr("A method of order 4. It asks for the forces four times in each step, and takes a "
                       "mean of what it hears.")},

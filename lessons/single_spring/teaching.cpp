@@ -162,8 +162,8 @@ Teaching radial()
                    "`atan2(dy, dx)`\n\n"
                    "gets both numbers, so it sees their signs. It knows all four quarters of a turn, from "
                    "−π to π, and straight up and down as well.\n\n"
-                   "`atan2(2, 1) = 1.107 rad = 63°`\n\n"
-                   "`atan2(−2, −1) = −2.034 rad = −117°`")}}};
+                   "`atan2(2, 1) = 1.107 rad`\n\n"
+                   "`atan2(−2, −1) = −2.034 rad`")}}};
 }
 
 }

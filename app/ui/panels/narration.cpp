@@ -94,8 +94,9 @@ QWidget *Narration::makeTries()
     m_heading = new QLabel(tr("Try this"), m_tryPage);
     m_heading->setObjectName("heading");
     m_heading->setFixedHeight(headingHeight);
+    m_heading->setIndent(TryBox::left);
     m_tryColumn = new QVBoxLayout(m_tryPage);
-    m_tryColumn->setContentsMargins(18, 6, 18, 4);
+    m_tryColumn->setContentsMargins(18 - TryBox::left, 6, 18, 4);
     m_tryColumn->setSpacing(0);
     m_tryColumn->addWidget(m_heading);
     m_tryColumn->addSpacing(2);

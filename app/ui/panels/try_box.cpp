@@ -4,15 +4,17 @@
 #include "app/ui/panels/prose.h"
 #include "app/ui/panels/try_row.h"
 
-#include <QGridLayout>
 #include <QToolButton>
+#include <QVBoxLayout>
 
 namespace app {
 
 namespace {
 
-constexpr int buttonSize = 24;
-constexpr int hintLeft = 25; ///< under the text of the row
+constexpr QSize buttonSize{24, 24};
+constexpr QPoint buttonPlace{0, 22}; ///< under the box of the row, where its text needs no room
+constexpr int leastHeight = 46;      ///< of a row with a button
+constexpr int hintLeft = 25;         ///< from the row’s left: under the text of the row
 
 }
 
@@ -22,29 +24,28 @@ TryBox::TryBox(const lessons::Try &what, const Theme &theme, QWidget *parent)
     QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     policy.setHeightForWidth(true);
     setSizePolicy(policy);
-    auto *grid = new QGridLayout(this);
-    grid->setContentsMargins(0, 0, 0, 0);
-    grid->setSpacing(0);
-    grid->setColumnStretch(0, 1);
-    grid->addWidget(m_row, 0, 0);
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(left, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(m_row);
     if (what.hint.isEmpty())
         return;
     m_button = new QToolButton(this);
     m_button->setObjectName("hint");
     m_button->setCheckable(true);
-    m_button->setFixedSize(buttonSize, buttonSize);
     m_button->setIconSize({14, 14});
+    m_button->setGeometry(QRect(buttonPlace, buttonSize));
+    m_row->setMinimumHeight(leastHeight);
     m_button->setFocusPolicy(Qt::TabFocus);
     m_button->setAccessibleName(tr("Hint: %1").arg(plainText(what.text)));
     m_hint = new NarrationText(theme, this, NarrationText::Kind::aside);
     m_hint->setObjectName("hintText");
     m_hint->setText(what.hint);
     m_hint->hide();
-    grid->addWidget(m_button, 0, 1, Qt::AlignTop);
     auto *indented = new QVBoxLayout; // takes no room while the hint is hidden
     indented->setContentsMargins(hintLeft, 0, 0, 4);
     indented->addWidget(m_hint);
-    grid->addLayout(indented, 1, 0, 1, 2);
+    column->addLayout(indented);
     connect(m_button, &QToolButton::clicked, this, [this](bool shown) {
         showHint(shown);
         emit hintAsked(shown);
@@ -67,6 +68,7 @@ void TryBox::setDone(bool done)
     if (done)
         showHint(false);
     m_button->setVisible(!done);
+    m_row->setMinimumHeight(done ? 0 : leastHeight);
 }
 
 bool TryBox::hasHint() const

@@ -18,6 +18,8 @@ class TryBox : public QWidget
     Q_OBJECT
 
 public:
+    static constexpr int left = 4; ///< px before the row, so that the button stands right under its box
+
     TryBox(const lessons::Try &what, const Theme &theme, QWidget *parent = nullptr);
 
     /// What is done needs no hint any more.

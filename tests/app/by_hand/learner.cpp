@@ -14,6 +14,7 @@
 #include "lessons/api/hand.h"
 
 #include <QTest>
+#include <QToolButton>
 
 #include <stdexcept>
 
@@ -35,6 +36,12 @@ void sendMouse(QWidget *to, QEvent::Type type, QPoint at, Qt::MouseButton button
 
 }
 
+void settle()
+{
+    QCoreApplication::processEvents();
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete); // what was replaced is gone
+}
+
 Learner::Learner(Session &session, MainWindow &window)
     : m_session(session), m_window(window), m_view(*window.findChild<SceneView *>())
 {
@@ -43,11 +50,10 @@ Learner::Learner(Session &session, MainWindow &window)
 void Learner::begin(std::size_t number)
 {
     m_number = number;
-    if (m_isDown)
-        release();
+    leavePicture();
     QTest::keyClick(&m_window, Qt::Key_R, Qt::ControlModifier);
     QTest::keyClick(&m_window, Qt::Key_0, Qt::ControlModifier);
-    QCoreApplication::processEvents();
+    settle();
 }
 
 void Learner::openLesson(const QString &title)
@@ -59,7 +65,7 @@ void Learner::openLesson(const QString &title)
             continue;
         list->scrollTo(lesson);
         QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualRect(lesson).center());
-        QCoreApplication::processEvents();
+        settle();
         return;
     }
     throw std::runtime_error("no lesson is called " + title.toStdString());
@@ -72,9 +78,9 @@ QString Learner::narration() const
 
 QStringList Learner::hints()
 {
-    for (std::size_t i = 0; i < m_session.step().tries.size(); ++i)
-        QTest::keyClick(&m_view, Qt::Key_H);
-    QCoreApplication::processEvents();
+    for (auto *lamp : m_window.findChild<Narration *>()->findChildren<QToolButton *>("hint"))
+        QTest::mouseClick(lamp, Qt::LeftButton);
+    settle();
     QStringList all;
     for (const auto *hint : m_window.findChild<Narration *>()->findChildren<NarrationText *>("hintText")) {
         if (hint->isVisible())
@@ -108,7 +114,7 @@ void Learner::pressNext()
             break;
         }
     }
-    QCoreApplication::processEvents();
+    settle();
 }
 
 bool Learner::done() const
@@ -122,7 +128,7 @@ void Learner::look()
     if (++m_unseen < framesUnseen)
         return;
     m_unseen = 0;
-    QCoreApplication::processEvents();
+    settle();
 }
 
 QPoint Learner::onScreen(sim::Vec2 place) const
@@ -160,7 +166,7 @@ void Learner::bringIntoView(const std::string &body)
 {
     if (!m_view.viewport()->rect().contains(onScreen(at(body)))) {
         QTest::keyClick(&m_window, Qt::Key_0, Qt::ControlModifier);
-        QCoreApplication::processEvents();
+        settle();
     }
 }
 

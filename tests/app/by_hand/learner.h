@@ -17,6 +17,9 @@ class SceneView;
 
 namespace support {
 
+/// Lets the window paint and tidy up.
+void settle();
+
 /// A learner in the window: every deed is done with the mouse or the keys, and nothing else.
 class Learner : public Player
 {
@@ -30,7 +33,7 @@ public:
     /// Clicks a lesson in the list of lessons.
     void openLesson(const QString &title);
     QString narration() const;
-    /// Asks for all hints with the key, and returns what they say.
+    /// Asks for all hints, and returns what they say.
     QStringList hints();
     /// Unfolds all why-boxes, and returns the answers.
     QStringList answers();
@@ -63,6 +66,9 @@ private:
     void press(QPoint place);
     void move(QPoint place);
     void release();
+    /// Before the mouse does something elsewhere, and after a menu or a list was open.
+    void leavePicture();
+    void comeBack();
     void bringIntoView(const std::string &body);
     void step(bool byPhase);
     void playInTime(int frames);

@@ -47,6 +47,20 @@ Qt::Key keyOf(bool sim::Keys::*key)
 
 }
 
+void Learner::leavePicture()
+{
+    if (m_isDown)
+        release(); // there is but one hand
+}
+
+void Learner::comeBack()
+{
+    // Where there are no real windows, one that has closed over another leaves it inactive.
+    m_window.activateWindow();
+    if (!QTest::qWaitForWindowActive(&m_window))
+        throw std::runtime_error("the window is not active");
+}
+
 QAbstractButton &Learner::button(const QWidget *part, const QString &name) const
 {
     if (auto *found = part->findChild<QAbstractButton *>(name))
@@ -113,19 +127,21 @@ void Learner::chooseFrom(QWidget &field, int row)
     for (int i = 0; i < row; ++i)
         QTest::keyClick(box.view(), Qt::Key_Down);
     QTest::keyClick(box.view(), Qt::Key_Return);
+    comeBack();
     if (box.currentIndex() != row)
         throw std::runtime_error("the list of choices does not follow the keys");
 }
 
 void Learner::set(const std::string &parameter, double value)
 {
+    leavePicture();
     auto *panel = m_window.findChild<ParameterPanel *>();
     for (ParameterRow *row : panel->findChildren<ParameterRow *>()) {
         if (row->parameter().id != QString::fromStdString(parameter))
             continue;
         if (!row->isVisible())
             QTest::mouseClick(&button(panel, "disclosure"), Qt::LeftButton);
-        QCoreApplication::processEvents();
+        settle();
         panel->findChild<QScrollArea *>()->ensureWidgetVisible(row);
         if (!row->parameter().choices.isEmpty()) {
             chooseFrom(*row->findChild<QComboBox *>(), static_cast<int>(value));
@@ -134,7 +150,7 @@ void Learner::set(const std::string &parameter, double value)
             QTest::mouseClick(box, Qt::LeftButton);
             replaceText(box, QString::number(value, 'g', 12));
         }
-        QCoreApplication::processEvents();
+        settle();
         return;
     }
     throw std::runtime_error("no parameter is called " + parameter);
@@ -142,13 +158,15 @@ void Learner::set(const std::string &parameter, double value)
 
 void Learner::inMenu(const QString &name, const std::function<void(QMenu &)> &choose)
 {
+    leavePicture();
     for (auto *one : m_window.findChild<SceneBar *>()->findChildren<FlatButton *>()) {
         if (!one->accessibleName().startsWith(name))
             continue;
         // The menu has a loop of its own, in which this happens.
         QTimer::singleShot(0, one, [&] { choose(*one->menu()); });
         QTest::mouseClick(one, Qt::LeftButton);
-        QCoreApplication::processEvents();
+        settle();
+        comeBack();
         return;
     }
     throw std::runtime_error("no menu is called " + name.toStdString());
@@ -205,6 +223,7 @@ void Learner::useTiming(lessons::Timing timing)
 
 void Learner::goTo(std::int64_t frame)
 {
+    leavePicture();
     QTest::keyClick(&m_window, Qt::Key_G, Qt::ControlModifier);
     auto *field = m_window.findChild<FrameCounter *>()->findChild<QLineEdit *>();
     if (!field)

@@ -100,7 +100,7 @@ void ByHand::followTry(const Attempt &attempt)
         m_learner->begin(attempt.number);
         if (!m_learner->done()) // what was tried before may have done it, too
             attempt.act(*m_learner);
-        QCoreApplication::processEvents();
+        settle();
     } catch (const std::exception &error) {
         QFAIL(qPrintable(QStringLiteral("%1: %2").arg(text, error.what())));
     }
