@@ -43,6 +43,27 @@ void Progress::forgetAll()
     emit changed();
 }
 
+QStringList Progress::forgetLesson(const QString &lesson)
+{
+    QStringList forgotten;
+    for (const QString &one : m_done) {
+        if (one.startsWith(lesson + '/'))
+            forgotten.push_back(one);
+    }
+    for (const QString &one : forgotten)
+        m_done.remove(one);
+    save();
+    emit changed();
+    return forgotten;
+}
+
+void Progress::giveBack(const QStringList &ticks)
+{
+    m_done.unite(QSet<QString>(ticks.begin(), ticks.end()));
+    save();
+    emit changed();
+}
+
 void Progress::save() const
 {
     QStringList done(m_done.begin(), m_done.end());

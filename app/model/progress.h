@@ -3,6 +3,7 @@
 #include <QObject>
 #include <QSet>
 #include <QString>
+#include <QStringList>
 
 namespace app {
 
@@ -17,6 +18,10 @@ public:
     bool isDone(const QString &lesson, const QString &step, int number) const;
     void markDone(const QString &lesson, const QString &step, int number);
     void forgetAll();
+    /// Takes the ticks of one lesson away, and returns them.
+    QStringList forgetLesson(const QString &lesson);
+    /// Gives back what forgetLesson() returned.
+    void giveBack(const QStringList &ticks);
 
 signals:
     void changed();

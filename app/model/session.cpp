@@ -148,7 +148,7 @@ void Session::checkTries()
     const auto keeps = [&](const lessons::Budget &budget) {
         if (!mayMeasure)
             return false;
-        const bool kept = lessons::keeps(budget, m_timeline->script(), lessons::measuredTime);
+        const bool kept = lessons::keeps(budget, m_timeline->script(), m_timing);
         m_sinceMeasured.start();
         return kept;
     };

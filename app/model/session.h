@@ -43,6 +43,8 @@ public:
     const sim::Timeline &timeline() const { return *m_timeline; }
     Progress &progress() { return m_progress; }
     bool isStepDone(const LessonEntry &lesson, const lessons::Step &step) const;
+    /// How the time is told that a run takes, for things to try within a budget; measured, unless said otherwise.
+    void setTiming(lessons::Timing timing) { m_timing = std::move(timing); }
 
     /// Opens a step as it was left, or new. Names that do not exist change nothing.
     void openStep(const QString &lesson, const QString &step);
@@ -279,6 +281,7 @@ private:
     Player m_player;
     Foresight m_foresight, m_ghostForesight;
     Progress m_progress;
+    lessons::Timing m_timing = lessons::measuredTime;
     QString m_selected;
     Branches m_branches;
     int m_lastBranch = 0;               ///< the last id

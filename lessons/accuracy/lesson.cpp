@@ -1,5 +1,6 @@
 #include "lessons/api/lesson.h"
 #include "steps.h"
+#include "teaching.h"
 
 #include <QObject>
 
@@ -12,8 +13,10 @@ class AccuracyLesson : public QObject, public lessons::Lesson
 public:
     std::vector<lessons::Step> steps() const override
     {
-        return {accuracy::bigStep(),    accuracy::energyStep(), accuracy::halveStep(), accuracy::adaptStep(),
-                accuracy::bounceStep(), accuracy::budgetStep(), accuracy::crowdStep()};
+        return lessons::taught({accuracy::bigStep(), accuracy::energyStep(), accuracy::halveStep(),
+                                accuracy::adaptStep(), accuracy::bounceStep(), accuracy::budgetStep(),
+                                accuracy::crowdStep()},
+                               accuracy::teaching());
     }
 };
 

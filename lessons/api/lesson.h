@@ -19,5 +19,5 @@ public:
 
 }
 
-#define SpringstepLesson_iid "org.springstep.Lesson/1"
+#define SpringstepLesson_iid "org.springstep.Lesson/2"
 Q_DECLARE_INTERFACE(lessons::Lesson, SpringstepLesson_iid)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "lessons/api/budget.h"
+#include "lessons/api/explanation.h"
 #include "lessons/api/look.h"
 #include "lessons/api/parameter.h"
 #include "sim/timeline.h"
@@ -23,6 +24,8 @@ struct Try
     /// Where there is one, the thing is done only if the run keeps it, too. That is measured only while `done` is
     /// true, and not after every frame: it takes some milliseconds.
     std::optional<Budget> budget = {};
+    /// Markdown, one to three sentences: what to drag, to set or to press. May be empty.
+    QString hint = {};
 };
 
 /// A number that is measured of every frame, with its course over the last frames.
@@ -85,8 +88,11 @@ struct Step
     QString id;
     QString title;
     QString narration; ///< Markdown
+    QString learnt;    ///< one sentence, for the summary of the lesson; may be empty
     std::vector<Parameter> parameters;
     std::vector<Try> tries;
+    std::vector<Term> terms; ///< that are taught here
+    std::vector<Why> whys;
     std::function<sim::Scene(const sim::Values &)> scene;
     sim::Region setUp; ///< the source of `scene`
     std::function<Look(const sim::Scene &, const sim::Values &)> look;

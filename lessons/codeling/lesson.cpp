@@ -1,5 +1,6 @@
 #include "lessons/api/lesson.h"
 #include "steps.h"
+#include "teaching.h"
 
 #include <QObject>
 
@@ -13,8 +14,9 @@ public:
     std::vector<lessons::Step> steps() const override
     {
         using namespace codeling;
-        return {motorStep(),         orientationStep(), anticipationStep(),
-                squashStretchStep(), volumeStep(),      tentaclesStep()};
+        return lessons::taught({motorStep(), orientationStep(), anticipationStep(), squashStretchStep(),
+                                volumeStep(), tentaclesStep()},
+                               codeling::teaching());
     }
 };
 

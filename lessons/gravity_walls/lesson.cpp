@@ -1,5 +1,6 @@
 #include "lessons/api/lesson.h"
 #include "steps.h"
+#include "teaching.h"
 
 #include <QObject>
 
@@ -12,7 +13,8 @@ class GravityWalls : public QObject, public lessons::Lesson
 public:
     std::vector<lessons::Step> steps() const override
     {
-        return {gravity_walls::wallsStep(), gravity_walls::gravityStep()};
+        return lessons::taught({gravity_walls::wallsStep(), gravity_walls::gravityStep()},
+                               gravity_walls::teaching());
     }
 };
 

@@ -1,5 +1,6 @@
 #include "lessons/api/lesson.h"
 #include "steps.h"
+#include "teaching.h"
 
 #include <QObject>
 
@@ -12,9 +13,11 @@ class HardCasesLesson : public QObject, public lessons::Lesson
 public:
     std::vector<lessons::Step> steps() const override
     {
-        return {hard_cases::limitStep(),    hard_cases::runawayStep(), hard_cases::manyFeetStep(),
-                hard_cases::onePlaceStep(), hard_cases::stiffStep(),   hard_cases::contradictionStep(),
-                hard_cases::longRunStep(),  hard_cases::tortureStep()};
+        return lessons::taught({hard_cases::limitStep(), hard_cases::runawayStep(),
+                                hard_cases::manyFeetStep(), hard_cases::onePlaceStep(),
+                                hard_cases::stiffStep(), hard_cases::contradictionStep(),
+                                hard_cases::longRunStep(), hard_cases::tortureStep()},
+                               hard_cases::teaching());
     }
 };
 

@@ -1,5 +1,6 @@
 #include "lessons/api/lesson.h"
 #include "steps.h"
+#include "teaching.h"
 
 #include <QObject>
 
@@ -12,7 +13,9 @@ class MultiFoot : public QObject, public lessons::Lesson
 public:
     std::vector<lessons::Step> steps() const override
     {
-        return {multi_foot::twoFeetStep(), multi_foot::anyNumberStep(), multi_foot::grownFeetStep()};
+        return lessons::taught(
+            {multi_foot::twoFeetStep(), multi_foot::anyNumberStep(), multi_foot::grownFeetStep()},
+            multi_foot::teaching());
     }
 };
 

@@ -1,5 +1,6 @@
 #include "lessons/api/lesson.h"
 #include "steps.h"
+#include "teaching.h"
 
 #include <QObject>
 
@@ -13,7 +14,9 @@ public:
     std::vector<lessons::Step> steps() const override
     {
         using namespace rigid_constraint;
-        return {pairStep(), sharedErrorStep(), triangleStep(), listStep(), verletStep(), ragdollStep()};
+        return lessons::taught(
+            {pairStep(), sharedErrorStep(), triangleStep(), listStep(), verletStep(), ragdollStep()},
+            rigid_constraint::teaching());
     }
 };
 

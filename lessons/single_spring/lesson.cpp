@@ -1,5 +1,6 @@
 #include "lessons/api/lesson.h"
 #include "steps.h"
+#include "teaching.h"
 
 #include <QObject>
 
@@ -12,8 +13,10 @@ class SingleSpring : public QObject, public lessons::Lesson
 public:
     std::vector<lessons::Step> steps() const override
     {
-        return {single_spring::dragStep(), single_spring::fixedCentreStep(), single_spring::movingBodyStep(),
-                single_spring::offsetStep(), single_spring::radialStep()};
+        return lessons::taught({single_spring::dragStep(), single_spring::fixedCentreStep(),
+                                single_spring::movingBodyStep(), single_spring::offsetStep(),
+                                single_spring::radialStep()},
+                               single_spring::teaching());
     }
 };
 

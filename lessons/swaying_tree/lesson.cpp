@@ -1,5 +1,6 @@
 #include "lessons/api/lesson.h"
 #include "steps.h"
+#include "teaching.h"
 
 #include <QObject>
 
@@ -13,8 +14,10 @@ public:
     std::vector<lessons::Step> steps() const override
     {
         using namespace swaying_tree;
-        return {trunkStep(), branchesStep(), randomnessStep(), towardsPointerStep(), windStep(),
-                restStep(),  distanceStep(), thicknessStep(),  turbulenceStep(),     realSwayStep()};
+        return lessons::taught({trunkStep(), branchesStep(), randomnessStep(), towardsPointerStep(),
+                                windStep(), restStep(), distanceStep(), thicknessStep(), turbulenceStep(),
+                                realSwayStep()},
+                               swaying_tree::teaching());
     }
 };
 

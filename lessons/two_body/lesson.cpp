@@ -1,5 +1,6 @@
 #include "lessons/api/lesson.h"
 #include "steps.h"
+#include "teaching.h"
 
 #include <QObject>
 
@@ -12,7 +13,7 @@ class TwoBody : public QObject, public lessons::Lesson
 public:
     std::vector<lessons::Step> steps() const override
     {
-        return {two_body::mutualStep(), two_body::legLineStep()};
+        return lessons::taught({two_body::mutualStep(), two_body::legLineStep()}, two_body::teaching());
     }
 };
 

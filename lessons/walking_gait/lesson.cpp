@@ -1,5 +1,6 @@
 #include "lessons/api/lesson.h"
 #include "steps.h"
+#include "teaching.h"
 
 #include <QObject>
 
@@ -13,9 +14,10 @@ public:
     std::vector<lessons::Step> steps() const override
     {
         using namespace walking_gait;
-        return {bonesStep(),    legsStep(),       feetBelowStep(), curvedLegsStep(),
-                swingStep(),    bodyPulledStep(), groundStep(),    moreFeetStep(),
-                steeringStep(), wallsStep(),      companyStep()};
+        return lessons::taught({bonesStep(), legsStep(), feetBelowStep(), curvedLegsStep(), swingStep(),
+                                bodyPulledStep(), groundStep(), moreFeetStep(), steeringStep(), wallsStep(),
+                                companyStep()},
+                               walking_gait::teaching());
     }
 };
 

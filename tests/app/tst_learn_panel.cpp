@@ -6,6 +6,7 @@
 #include "app/ui/panels/narration.h"
 #include "app/ui/panels/panel_title.h"
 #include "app/ui/panels/step_button.h"
+#include "app/ui/panels/summary_page.h"
 #include "app/ui/panels/try_row.h"
 #include "panels_bench.h"
 
@@ -92,11 +93,11 @@ void LearnPanelTest::theOpenLessonAloneShowsItsSteps()
     QTreeView &list = listOf(panel);
     QVERIFY(list.isExpanded(list.model()->index(0, 0)));
     QVERIFY(!list.isExpanded(list.model()->index(1, 0)));
-    QCOMPARE(list.height(), 2 * 27 + 2 * 26);
+    QCOMPARE(list.height(), 2 * 27 + 3 * 26); // with the summary
     world.session.openStep("two", "many");
     QVERIFY(!list.isExpanded(list.model()->index(0, 0)));
     QVERIFY(list.isExpanded(list.model()->index(1, 0)));
-    QCOMPARE(list.height(), 2 * 27 + 26);
+    QCOMPARE(list.height(), 2 * 27 + 2 * 26);
 }
 
 void LearnPanelTest::theArrowKeysMoveAndEnterOpens()
@@ -111,6 +112,7 @@ void LearnPanelTest::theArrowKeysMoveAndEnterOpens()
     QCOMPARE(world.session.step().id, QString("first"));
     QTest::keyClick(&list, Qt::Key_Return);
     QCOMPARE(world.session.step().id, QString("second"));
+    QTest::keyClick(&list, Qt::Key_Down); // the summary
     QTest::keyClick(&list, Qt::Key_Down);
     QTest::keyClick(&list, Qt::Key_Enter);
     QCOMPARE(world.session.lesson().id, QString("two"));
@@ -190,9 +192,15 @@ void LearnPanelTest::nextAndBackCrossLessons()
     QCOMPARE(next->accessibleName(), QString("Next: The second step"));
     QTest::mouseClick(next, Qt::LeftButton);
     QCOMPARE(world.session.step().id, QString("second"));
-    QCOMPARE(next->accessibleName(), QString("Next: Many parameters"));
+    QCOMPARE(next->accessibleName(), QString("Next: What you learnt"));
+    QTest::mouseClick(next, Qt::LeftButton);
+    auto *page = panel.findChild<SummaryPage *>();
+    QVERIFY(page->isVisible() && !next->isVisible());
+    next = page->findChild<StepButton *>("next");
+    QCOMPARE(next->accessibleName(), QString("Next: Lesson two"));
     QTest::mouseClick(next, Qt::LeftButton);
     QCOMPARE(world.session.lesson().id, QString("two"));
+    QVERIFY(!page->isVisible());
     back->setFocus(Qt::TabFocusReason);
     QTest::keyClick(back, Qt::Key_Space);
     QCOMPARE(world.session.step().id, QString("second"));
@@ -210,8 +218,11 @@ void LearnPanelTest::theEndsSayWhyNothingFollows()
     QVERIFY(next->isEnabled());
     world.session.openStep("two", "many");
     QVERIFY(back->isEnabled());
-    QVERIFY(!next->isEnabled());
-    QCOMPARE(next->toolTip(), QString("No step comes after this one."));
+    QVERIFY(next->isEnabled()); // to the summary
+    QTest::mouseClick(panel.findChild<StepButton *>("next"), Qt::LeftButton);
+    next = panel.findChild<SummaryPage *>()->findChild<StepButton *>("next");
+    QVERIFY(next->isVisible() && !next->isEnabled());
+    QCOMPARE(next->toolTip(), QString("No lesson comes after this one."));
 }
 
 void LearnPanelTest::aTryIsTickedWhenItIsDone()

@@ -54,7 +54,7 @@ private slots:
         QTest::addColumn<QString>("sentence");
         QTest::newRow("older_version")
             << "It is a lesson for another version of the program (org.springstep.Lesson/0, not "
-               "org.springstep.Lesson/1); build it again for this one.";
+               "org.springstep.Lesson/2); build it again for this one.";
         QTest::newRow("other_program")
             << "It is a plugin of another program (org.example.Filter/1); move it to another folder.";
         QTest::newRow("no_description")

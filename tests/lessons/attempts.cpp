@@ -26,7 +26,7 @@ void addAttemptRows(const LoadedLesson &lesson, const std::vector<Attempt> &all)
 void checkAttempt(const LoadedLesson &lesson)
 {
     QFETCH(Attempt, attempt);
-    Player player(lesson.step(QString::fromUtf8(attempt.step)), attempt.number);
+    RunPlayer player(lesson.step(QString::fromUtf8(attempt.step)), attempt.number);
     QVERIFY(!player.done());
     attempt.act(player);
     QVERIFY(player.done());

@@ -6,20 +6,20 @@
 
 namespace support {
 
-Player::Player(const lessons::Step &step, std::size_t wanted)
+RunPlayer::RunPlayer(const lessons::Step &step, std::size_t wanted)
     : m_step(step), m_run(step.script()), m_try(step.tries.at(wanted)),
       m_timing([](const sim::Script &, std::int64_t) { return std::numeric_limits<double>::infinity(); })
 {
     look();
 }
 
-void Player::look()
+void RunPlayer::look()
 {
     m_done = m_done || (m_try.done(m_run) &&
                         (!m_try.budget || lessons::keeps(*m_try.budget, m_run.script(), m_timing)));
 }
 
-void Player::play(int frames)
+void RunPlayer::play(int frames)
 {
     for (int i = 0; i < frames; ++i) {
         m_run.stepRow();
@@ -29,11 +29,11 @@ void Player::play(int frames)
 
 void Player::playUntilDone(int frames)
 {
-    for (int i = 0; i < frames && !m_done; ++i)
+    for (int i = 0; i < frames && !done(); ++i)
         play(1);
 }
 
-void Player::grab(const std::string &body)
+void RunPlayer::grab(const std::string &body)
 {
     m_held = body;
     m_run.hand(sim::Grab{body});
@@ -44,12 +44,17 @@ void Player::carryTo(sim::Vec2 to, int frames)
 {
     const sim::Vec2 from = at(m_held);
     for (int i = 1; i <= frames; ++i) {
-        m_run.hand(sim::Move{from + (double(i) / frames) * (to - from)});
+        moveHand(from + (double(i) / frames) * (to - from));
         play(1);
     }
 }
 
-void Player::letGo()
+void RunPlayer::moveHand(sim::Vec2 to)
+{
+    m_run.hand(sim::Move{to});
+}
+
+void RunPlayer::letGo()
 {
     m_run.hand(sim::Release{});
     look();
@@ -62,25 +67,25 @@ void Player::drag(const std::string &body, sim::Vec2 to, int frames)
     letGo();
 }
 
-void Player::point(sim::Vec2 at, bool down)
+void RunPlayer::point(sim::Vec2 at, bool down)
 {
     m_run.hand(sim::Pointer{at, down});
     look();
 }
 
-void Player::target(sim::Vec2 at)
+void RunPlayer::target(sim::Vec2 at)
 {
     m_run.hand(sim::Target{at});
     look();
 }
 
-void Player::key(bool sim::Keys::*key, bool down)
+void RunPlayer::key(bool sim::Keys::*key, bool down)
 {
     m_run.hand(sim::Key{key, down});
     look();
 }
 
-void Player::set(const std::string &parameter, double value)
+void RunPlayer::set(const std::string &parameter, double value)
 {
     const lessons::Parameter *declared = m_step.parameter(QString::fromStdString(parameter));
     if (declared && declared->opens) {
@@ -93,46 +98,46 @@ void Player::set(const std::string &parameter, double value)
     look();
 }
 
-void Player::use(sim::Script script)
+void RunPlayer::use(sim::Script script)
 {
     script.step = sim::stepFor(*script.method, script.step);
     m_run.replace(std::move(script));
     look();
 }
 
-void Player::useMethod(const std::string &id)
+void RunPlayer::useMethod(const std::string &id)
 {
     sim::Script script = m_run.script();
     script.method = sim::findMethod(id);
     use(std::move(script));
 }
 
-void Player::useStep(double h)
+void RunPlayer::useStep(double h)
 {
     sim::Script script = m_run.script();
     script.step = sim::StepSize::of(h);
     use(std::move(script));
 }
 
-void Player::useTolerance(double tolerance)
+void RunPlayer::useTolerance(double tolerance)
 {
     sim::Script script = m_run.script();
     script.step = sim::StepSize::within(tolerance);
     use(std::move(script));
 }
 
-void Player::useTiming(lessons::Timing timing)
+void RunPlayer::useTiming(lessons::Timing timing)
 {
     m_timing = std::move(timing);
 }
 
-void Player::goTo(std::int64_t frame)
+void RunPlayer::goTo(std::int64_t frame)
 {
     m_run.seek({frame, 0});
     look();
 }
 
-void Player::stepPhases(int count)
+void RunPlayer::stepPhases(int count)
 {
     for (int i = 0; i < count; ++i) {
         m_run.stepPhase();
@@ -142,7 +147,7 @@ void Player::stepPhases(int count)
 
 sim::Vec2 Player::at(const std::string &body) const
 {
-    return m_run.now().at(m_run.track().shown().scene.find(body));
+    return run().now().at(run().track().shown().scene.find(body));
 }
 
 }

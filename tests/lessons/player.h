@@ -7,42 +7,73 @@
 
 namespace support {
 
-/// A learner at a step: does what a hand can do in the app and looks at one "thing to try" after each frame and
-/// each change, as the app does.
+/// A learner at a step, who follows one "thing to try": does what a hand can do in the app. What an attempt does is
+/// told once, and done in two ways: by code on a run alone (RunPlayer), and with mouse and keys in the window.
 class Player
 {
 public:
-    /// `wanted`: the number of the try to look at.
-    Player(const lessons::Step &step, std::size_t wanted);
+    virtual ~Player() = default;
 
-    void play(int frames);
+    virtual void play(int frames) = 0;
+    virtual void grab(const std::string &body) = 0;
+    /// Moves the hand that holds a body.
+    virtual void moveHand(sim::Vec2 to) = 0;
+    virtual void letGo() = 0;
+    /// The pointer at a place, its button down or up; and the other things that reach a scene.
+    virtual void point(sim::Vec2 at, bool down) = 0;
+    virtual void target(sim::Vec2 at) = 0;
+    virtual void key(bool sim::Keys::*key, bool down) = 0;
+    /// A parameter that opens another experiment begins the run anew, as in the app.
+    virtual void set(const std::string &parameter, double value) = 0;
+    virtual void useMethod(const std::string &id) = 0;
+    virtual void useStep(double h) = 0;
+    /// For a method that chooses its steps: px a step.
+    virtual void useTolerance(double tolerance) = 0;
+    /// How the time is told that a run takes, for tries with a budget; before, no time keeps one.
+    virtual void useTiming(lessons::Timing timing) = 0;
+    virtual void goTo(std::int64_t frame) = 0;
+    virtual void stepPhases(int count) = 0;
+
+    virtual bool done() const = 0;
+    virtual const sim::Timeline &run() const = 0;
+
     /// Plays until the try is done, for at most `frames` frames.
     void playUntilDone(int frames);
-    void grab(const std::string &body);
     /// Moves the hand to `to` in equal parts, one a frame, from where the held body is.
     void carryTo(sim::Vec2 to, int frames);
-    void letGo();
     /// Grabs, carries and lets go: a throw, if `frames` is small.
     void drag(const std::string &body, sim::Vec2 to, int frames);
-    /// The pointer at a place, its button down or up; and the other things that reach a scene.
-    void point(sim::Vec2 at, bool down);
-    void target(sim::Vec2 at);
-    void key(bool sim::Keys::*key, bool down);
-    /// A parameter that opens another experiment begins the run anew, as in the app.
-    void set(const std::string &parameter, double value);
-    void useMethod(const std::string &id);
-    void useStep(double h);
-    /// For a method that chooses its steps: px a step.
-    void useTolerance(double tolerance);
-    /// How the time is told that a run takes, for tries with a budget; before, no time keeps one.
-    void useTiming(lessons::Timing timing);
-    void goTo(std::int64_t frame);
     void reset() { goTo(0); }
-    void stepPhases(int count);
-
-    bool done() const { return m_done; }
-    const sim::Timeline &run() const { return m_run; }
     sim::Vec2 at(const std::string &body) const;
+
+protected:
+    std::string m_held; ///< the body that was grabbed last
+};
+
+/// Does it on a run alone, and looks at the try after each frame and each change, as the app does.
+class RunPlayer : public Player
+{
+public:
+    /// `wanted`: the number of the try to look at.
+    RunPlayer(const lessons::Step &step, std::size_t wanted);
+
+    void play(int frames) override;
+    void grab(const std::string &body) override;
+    void moveHand(sim::Vec2 to) override;
+    void letGo() override;
+    void point(sim::Vec2 at, bool down) override;
+    void target(sim::Vec2 at) override;
+    void key(bool sim::Keys::*key, bool down) override;
+    void set(const std::string &parameter, double value) override;
+    void useMethod(const std::string &id) override;
+    void useStep(double h) override;
+    void useTolerance(double tolerance) override;
+    void useTiming(lessons::Timing timing) override;
+    void goTo(std::int64_t frame) override;
+    void stepPhases(int count) override;
+
+    bool done() const override { return m_done; }
+    const sim::Timeline &run() const override { return m_run; }
 
 private:
     void look();
@@ -52,7 +83,6 @@ private:
     sim::Timeline m_run;
     lessons::Try m_try;
     lessons::Timing m_timing;
-    std::string m_held;
     bool m_done = false;
 };
 

@@ -241,7 +241,7 @@ void AccuracyLesson::aBallComesToRestAfterAFiniteTime()
 /// What a run costs does not count here.
 void AccuracyLesson::aBudgetIsNotKeptByWhatTakesTooLong()
 {
-    Player player(step("budget"), 1);
+    RunPlayer player(step("budget"), 1);
     player.useTiming([](const sim::Script &, std::int64_t) { return 600.0; });
     player.useMethod("rk4");
     player.play(220);
@@ -250,7 +250,7 @@ void AccuracyLesson::aBudgetIsNotKeptByWhatTakesTooLong()
 
 void AccuracyLesson::aChangedCreatureDoesNotCountForTheBudget()
 {
-    Player player(step("budget"), 1);
+    RunPlayer player(step("budget"), 1);
     player.useTiming([](const sim::Script &, std::int64_t) { return 1.0; });
     player.set("k", 0.0);
     player.play(220);

@@ -192,6 +192,38 @@ private slots:
         QVERIFY(step.tries.size() >= 2 && step.tries.size() <= 4);
     }
 
+    void everyThingToTryHasAHint_data() { addStepRows(); }
+    void everyThingToTryHasAHint()
+    {
+        for (const lessons::Try &one : stepOfRow().tries) {
+            QVERIFY2(!one.hint.isEmpty(), qPrintable(one.text));
+            QVERIFY2(one.hint != one.text && one.hint.endsWith(u'.'), qPrintable(one.hint));
+            QVERIFY2(!one.hint.contains(u'!') && one.hint.size() <= 260, qPrintable(one.hint));
+        }
+    }
+
+    void everyStepSaysWhatIsLearnt_data() { addStepRows(); }
+    void everyStepSaysWhatIsLearnt()
+    {
+        const QString learnt = stepOfRow().learnt;
+        QVERIFY(learnt.size() >= 30 && learnt.size() <= 160);
+        QVERIFY2(learnt.endsWith(u'.') && !learnt.contains(QRegularExpression(u"[.!?] "_qs)), "one sentence");
+    }
+
+    /// The panel is narrow, and a formula must not be broken.
+    void formulasOfAnswersFitIntoALine_data() { addStepRows(); }
+    void formulasOfAnswersFitIntoALine()
+    {
+        for (const lessons::Why &why : stepOfRow().whys) {
+            QVERIFY2(why.question.endsWith(u'?'), qPrintable(why.question));
+            QVERIFY2(why.answer.contains(u'`'), qPrintable(why.question));
+            for (const QString &part : why.answer.split(u"\n\n"_qs)) {
+                const bool isFormula = part.startsWith(u'`') && part.endsWith(u'`');
+                QVERIFY2(!isFormula || part.size() <= 2 + 33, qPrintable(part));
+            }
+        }
+    }
+
     void presetsLieWhereTheyMay_data() { addStepRows(); }
     void presetsLieWhereTheyMay()
     {

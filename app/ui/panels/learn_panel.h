@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/model/glossary.h"
 #include "app/model/session.h"
 #include "app/ui/theme/theme.h"
 
@@ -10,8 +11,10 @@ namespace app {
 class LessonList;
 class Narration;
 class PanelTitle;
+class SummaryPage;
+class WordCard;
 
-/// The left side of the window: the lessons over the text of the open step.
+/// The left side of the window: the lessons over the text of the open step, or over the summary of its lesson.
 class LearnPanel : public QWidget
 {
     Q_OBJECT
@@ -19,8 +22,17 @@ class LearnPanel : public QWidget
 public:
     LearnPanel(Session &session, const Theme &theme, QWidget *parent = nullptr);
 
+    const Glossary &glossary() const { return m_glossary; }
+    Narration &narration() const { return *m_narration; }
+    /// The summary of the open lesson in place of the step's text, or that again.
+    void showSummary(bool shown);
+
     QSize sizeHint() const override { return {280, 700}; }
     QSize minimumSizeHint() const override;
+
+signals:
+    /// All words were asked for, first of all those that are found for this.
+    void glossaryAsked(const QString &typed);
 
 protected:
     bool event(QEvent *event) override;
@@ -29,10 +41,15 @@ protected:
 private:
     void shareHeight();
     void showCount();
+    void listen();
 
+    Session &m_session;
+    Glossary m_glossary;
     PanelTitle *m_title;
     LessonList *m_list;
     Narration *m_narration;
+    SummaryPage *m_summary;
+    WordCard *m_card;
 };
 
 }

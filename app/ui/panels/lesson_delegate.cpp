@@ -35,7 +35,7 @@ void LessonDelegate::paint(QPainter *painter, const QStyleOptionViewItem &option
                            const QModelIndex &index) const
 {
     const LessonModel::Kind kind = kindOf(index);
-    const bool isOpenStep = kind == LessonModel::Kind::step && index.data(LessonModel::openRole).toBool();
+    const bool isOpenStep = kind != LessonModel::Kind::lesson && index.data(LessonModel::openRole).toBool();
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
     paintRow(*painter, option, isOpenStep);
@@ -46,6 +46,9 @@ void LessonDelegate::paint(QPainter *painter, const QStyleOptionViewItem &option
     case LessonModel::Kind::step:
         paintStep(*painter, option.rect, index);
         break;
+    case LessonModel::Kind::summary:
+        paintSummary(*painter, option.rect, index);
+        break;
     case LessonModel::Kind::problem:
         paintProblem(*painter, option.rect, index);
         break;
@@ -55,7 +58,9 @@ void LessonDelegate::paint(QPainter *painter, const QStyleOptionViewItem &option
 
 QSize LessonDelegate::sizeHint(const QStyleOptionViewItem &, const QModelIndex &index) const
 {
-    return {100, kindOf(index) == LessonModel::Kind::step ? stepHeight : lessonHeight};
+    const LessonModel::Kind kind = kindOf(index);
+    const bool isInside = kind == LessonModel::Kind::step || kind == LessonModel::Kind::summary;
+    return {100, isInside ? stepHeight : lessonHeight};
 }
 
 void LessonDelegate::paintRow(QPainter &painter, const QStyleOptionViewItem &option, bool open) const
@@ -115,6 +120,20 @@ void LessonDelegate::paintStep(QPainter &painter, const QRect &row, const QModel
         const double size = open ? 3.2 : 2.6;
         painter.drawEllipse(mark.center(), size, size);
     }
+    const QRect place = row.adjusted(left - row.left() + markSize + gap, 0, -sideMargin - padding, 0);
+    paintText(painter, place, index.data().toString(), m_theme.ui(13, open ? QFont::Medium : QFont::Normal),
+              open ? tokens.ink : tokens.ink2);
+}
+
+void LessonDelegate::paintSummary(QPainter &painter, const QRect &row, const QModelIndex &index) const
+{
+    const Tokens &tokens = m_theme.tokens();
+    const bool open = index.data(LessonModel::openRole).toBool();
+    const int left = row.left() + sideMargin + stepIndent;
+    const QRectF mark = squareAt(left, row, markSize);
+    painter.setPen(QPen(open ? tokens.ink : tokens.ink3, 1.5, Qt::SolidLine, Qt::RoundCap));
+    for (const auto &[y, right] : {std::pair{4.0, 11.0}, {7.0, 11.0}, {10.0, 8.0}}) // lines of a text
+        painter.drawLine(mark.topLeft() + QPointF(3.0, y), mark.topLeft() + QPointF(right, y));
     const QRect place = row.adjusted(left - row.left() + markSize + gap, 0, -sideMargin - padding, 0);
     paintText(painter, place, index.data().toString(), m_theme.ui(13, open ? QFont::Medium : QFont::Normal),
               open ? tokens.ink : tokens.ink2);

@@ -25,6 +25,7 @@ private:
     void paintRow(QPainter &painter, const QStyleOptionViewItem &option, bool open) const;
     void paintLesson(QPainter &painter, const QRect &row, const QModelIndex &index) const;
     void paintStep(QPainter &painter, const QRect &row, const QModelIndex &index) const;
+    void paintSummary(QPainter &painter, const QRect &row, const QModelIndex &index) const;
     void paintProblem(QPainter &painter, const QRect &row, const QModelIndex &index) const;
     void paintRing(QPainter &painter, const QRectF &place, double share) const;
     void paintText(QPainter &painter, const QRect &place, const QString &text, const QFont &font,

@@ -35,7 +35,7 @@ void LessonList::follow()
     const QModelIndex open = m_model->openLesson();
     for (int i = 0; i < m_model->rowCount(); ++i)
         setExpanded(m_model->index(i, 0), i == open.row());
-    setCurrentIndex(m_model->openStep());
+    setCurrentIndex(m_model->openRow());
     updateGeometry();
     emit contentHeightChanged();
     showOpen();
@@ -48,15 +48,22 @@ void LessonList::showOpen()
         scrollTo(m_model->index(m_model->rowCount(lesson) - 1, 0, lesson));
         scrollTo(lesson);
     } else {
-        scrollTo(m_model->openStep());
+        scrollTo(m_model->openRow());
     }
+}
+
+void LessonList::markSummary(bool shown)
+{
+    m_model->setSummaryShown(shown);
+    setCurrentIndex(m_model->openRow());
+    showOpen();
 }
 
 void LessonList::openRow(const QModelIndex &index)
 {
     m_model->open(index);
     if (index == m_model->openLesson())
-        setCurrentIndex(m_model->openStep());
+        setCurrentIndex(m_model->openRow());
 }
 
 int LessonList::contentHeight() const

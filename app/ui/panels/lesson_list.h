@@ -17,7 +17,9 @@ class LessonList : public QTreeView
 public:
     LessonList(Session &session, const Theme &theme, QWidget *parent = nullptr);
 
-    const LessonModel &lessons() const { return *m_model; }
+    LessonModel &lessons() const { return *m_model; }
+    /// Marks the summary of the open lesson, or its open step again.
+    void markSummary(bool shown);
     /// The height of all rows.
     int contentHeight() const;
     /// The height of the open lesson with its steps.

@@ -38,10 +38,18 @@ QModelIndex LessonModel::openLesson() const
     return index(static_cast<int>(found - all.begin()), 0);
 }
 
-QModelIndex LessonModel::openStep() const
+QModelIndex LessonModel::openRow() const
 {
     const auto &steps = m_session.lesson().steps;
-    return index(static_cast<int>(&m_session.step() - steps.data()), 0, openLesson());
+    const auto row =
+        m_summaryShown ? static_cast<std::ptrdiff_t>(steps.size()) : &m_session.step() - steps.data();
+    return index(static_cast<int>(row), 0, openLesson());
+}
+
+void LessonModel::setSummaryShown(bool shown)
+{
+    m_summaryShown = shown;
+    refresh();
 }
 
 void LessonModel::open(const QModelIndex &index)
@@ -49,8 +57,18 @@ void LessonModel::open(const QModelIndex &index)
     if (!index.isValid() || kindOf(index) == Kind::problem)
         return;
     const LessonEntry &lesson = lessonOf(index);
+    if (kindOf(index) == Kind::summary) {
+        if (!isOpen(lesson))
+            m_session.openStep(lesson.id, lesson.steps.back().id);
+        emit summaryAsked();
+        return;
+    }
     if (kindOf(index) == Kind::step) {
-        m_session.openStep(lesson.id, lesson.steps[static_cast<std::size_t>(index.row())].id);
+        const lessons::Step &step = lesson.steps[static_cast<std::size_t>(index.row())];
+        if (&step == &m_session.step() && m_summaryShown)
+            emit stepAsked();
+        else
+            m_session.openStep(lesson.id, step.id);
         return;
     }
     if (isOpen(lesson))
@@ -103,7 +121,7 @@ int LessonModel::rowCount(const QModelIndex &parent) const
     const LessonLibrary &library = m_session.library();
     if (!parent.isValid())
         return static_cast<int>(library.lessons.size()) + (library.problems.empty() ? 0 : 1);
-    return kindOf(parent) == Kind::lesson ? static_cast<int>(lessonOf(parent).steps.size()) : 0;
+    return kindOf(parent) == Kind::lesson ? static_cast<int>(lessonOf(parent).steps.size()) + 1 : 0;
 }
 
 int LessonModel::columnCount(const QModelIndex &) const
@@ -114,7 +132,7 @@ int LessonModel::columnCount(const QModelIndex &) const
 LessonModel::Kind LessonModel::kindOf(const QModelIndex &index) const
 {
     if (index.internalId() != topLevel)
-        return Kind::step;
+        return index.row() < static_cast<int>(lessonOf(index).steps.size()) ? Kind::step : Kind::summary;
     const bool isLesson = index.row() < static_cast<int>(m_session.library().lessons.size());
     return isLesson ? Kind::lesson : Kind::problem;
 }
@@ -144,6 +162,8 @@ QVariant LessonModel::data(const QModelIndex &index, int role) const
     const LessonEntry &lesson = lessonOf(index);
     if (kind == Kind::lesson)
         return lessonData(lesson, role);
+    if (kind == Kind::summary)
+        return summaryData(lesson, role);
     return stepData(lesson, lesson.steps[static_cast<std::size_t>(index.row())], role);
 }
 
@@ -169,7 +189,7 @@ QVariant LessonModel::lessonData(const LessonEntry &lesson, int role) const
 
 QVariant LessonModel::stepData(const LessonEntry &lesson, const lessons::Step &step, int role) const
 {
-    const bool open = &step == &m_session.step();
+    const bool open = &step == &m_session.step() && !m_summaryShown;
     const bool done = m_session.isStepDone(lesson, step);
     switch (role) {
     case Qt::DisplayRole:
@@ -183,6 +203,22 @@ QVariant LessonModel::stepData(const LessonEntry &lesson, const lessons::Step &s
         return done;
     case openRole:
         return open;
+    default:
+        return {};
+    }
+}
+
+QVariant LessonModel::summaryData(const LessonEntry &lesson, int role) const
+{
+    switch (role) {
+    case Qt::DisplayRole:
+        return tr("What you learnt");
+    case Qt::ToolTipRole:
+        return tr("What the steps of this lesson taught, and what is still to try");
+    case Qt::AccessibleTextRole:
+        return tr("%1: what you learnt").arg(lesson.title);
+    case openRole:
+        return isOpen(lesson) && m_summaryShown;
     default:
         return {};
     }

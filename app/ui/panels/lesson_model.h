@@ -12,19 +12,21 @@ class LessonModel : public QAbstractItemModel
     Q_OBJECT
 
 public:
-    enum class Kind { lesson, step, problem };
+    enum class Kind { lesson, step, summary, problem };
     enum Role {
         kindRole = Qt::UserRole, ///< Kind as a number
         doneRole,                ///< lesson: steps done; step: whether it is done
         countRole,               ///< lesson: how many steps
-        openRole,                ///< whether this lesson or step is the open one
+        openRole,                ///< whether this lesson, step or summary is the open one
     };
 
     explicit LessonModel(Session &session, QObject *parent = nullptr);
 
     QModelIndex openLesson() const;
-    QModelIndex openStep() const;
-    /// Opens what the row stands for: a step, or the first step of a lesson that is not done.
+    /// The row of the open step, or that of the lesson's summary while it is shown.
+    QModelIndex openRow() const;
+    void setSummaryShown(bool shown);
+    /// Opens what the row stands for: a step, the first step of a lesson that is not done, a summary.
     void open(const QModelIndex &index);
     int stepsDone() const;
     int stepCount() const;
@@ -36,9 +38,16 @@ public:
     QVariant data(const QModelIndex &index, int role) const override;
     Qt::ItemFlags flags(const QModelIndex &index) const override;
 
+signals:
+    /// The summary of the open lesson was asked for.
+    void summaryAsked();
+    /// The open step was asked for, which is open already.
+    void stepAsked();
+
 private:
     QVariant lessonData(const LessonEntry &lesson, int role) const;
     QVariant stepData(const LessonEntry &lesson, const lessons::Step &step, int role) const;
+    QVariant summaryData(const LessonEntry &lesson, int role) const;
     QVariant problemData(int role) const;
     Kind kindOf(const QModelIndex &index) const;
     const LessonEntry &lessonOf(const QModelIndex &index) const;
@@ -47,6 +56,7 @@ private:
     void refresh();
 
     Session &m_session;
+    bool m_summaryShown = false;
 };
 
 }

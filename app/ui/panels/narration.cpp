@@ -1,8 +1,11 @@
 #include "app/ui/panels/narration.h"
 
+#include "app/model/glossary.h"
 #include "app/ui/panels/narration_text.h"
+#include "app/ui/panels/prose.h"
 #include "app/ui/panels/step_button.h"
-#include "app/ui/panels/try_row.h"
+#include "app/ui/panels/try_box.h"
+#include "app/ui/panels/why_box.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -23,7 +26,7 @@ constexpr int headingHeight = 20;
 
 }
 
-Narration::Narration(Session &session, const Theme &theme, QWidget *parent)
+Narration::Narration(Session &session, const Glossary &glossary, const Theme &theme, QWidget *parent)
     : QWidget(parent), m_session(session), m_theme(theme)
 {
     setObjectName("panel");
@@ -34,6 +37,7 @@ Narration::Narration(Session &session, const Theme &theme, QWidget *parent)
     m_area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_area->setFocusPolicy(Qt::NoFocus);
     m_area->setWidget(makeText());
+    m_text->setGlossary(glossary);
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
@@ -68,7 +72,14 @@ QWidget *Narration::makeText()
     column->addWidget(m_title);
     column->addSpacing(5);
     column->addWidget(m_text);
+    m_whyColumn = new QVBoxLayout;
+    m_whyColumn->setSpacing(0);
+    column->addLayout(m_whyColumn);
     column->addStretch(1);
+    connect(m_text, &NarrationText::asked, this, [this](const QUrl &link, const QPoint &place) {
+        if (!wordOf(link).isEmpty())
+            emit wordAsked(wordOf(link), place);
+    });
     return page;
 }
 
@@ -76,14 +87,16 @@ QWidget *Narration::makeTries()
 {
     // Beside the text that scrolls, not in it: what there is to try is always in sight.
     m_tryPage = new QWidget(this);
+    m_tryPage->setObjectName("tries");
     QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Minimum);
     policy.setHeightForWidth(true);
     m_tryPage->setSizePolicy(policy);
     m_heading = new QLabel(tr("Try this"), m_tryPage);
     m_heading->setObjectName("heading");
     m_heading->setFixedHeight(headingHeight);
+    m_heading->setIndent(TryBox::left);
     m_tryColumn = new QVBoxLayout(m_tryPage);
-    m_tryColumn->setContentsMargins(18, 6, 18, 4);
+    m_tryColumn->setContentsMargins(18 - TryBox::left, 6, 18, 4);
     m_tryColumn->setSpacing(0);
     m_tryColumn->addWidget(m_heading);
     m_tryColumn->addSpacing(2);
@@ -109,7 +122,7 @@ QWidget *Narration::makeButtons()
     row->addWidget(m_back);
     row->addWidget(m_next, 1);
     connect(m_back, &QPushButton::clicked, &m_session, &Session::openPreceding);
-    connect(m_next, &QPushButton::clicked, &m_session, &Session::openFollowing);
+    connect(m_next, &QPushButton::clicked, this, &Narration::goOn);
     return buttons;
 }
 
@@ -118,25 +131,89 @@ void Narration::open()
     const lessons::Step &step = m_session.step();
     m_title->setText(step.title);
     m_text->setText(step.narration);
-    qDeleteAll(m_tries);
-    m_tries.clear();
-    for (const lessons::Try &one : step.tries) {
-        m_tries.push_back(new TryRow(one.text, m_theme, m_tryPage));
-        m_tryColumn->addWidget(m_tries.back());
-    }
-    m_heading->setVisible(!step.tries.empty());
-    const lessons::Step *before = m_session.preceding();
-    const lessons::Step *after = m_session.following();
-    m_back->setEnabled(before);
-    m_back->setToolTip(before ? tr("Back: %1 (Page Up)").arg(before->title) : tr("This is the first step."));
-    m_next->setEnabled(after);
-    const QString last = tr("The last step");
-    m_next->setFullText(after ? tr("Next: %1").arg(after->title) : last, after ? after->title : last);
-    m_next->setToolTip(after ? tr("Next: %1 (Page Down)").arg(after->title)
-                             : tr("No step comes after this one."));
+    addWhys();
+    addTries();
+    nameButtons();
     m_area->verticalScrollBar()->setValue(0);
     fitText();
     showProgress();
+}
+
+void Narration::addTries()
+{
+    qDeleteAll(m_tries);
+    m_tries.clear();
+    for (const lessons::Try &one : m_session.step().tries) {
+        const std::size_t number = m_tries.size();
+        m_tries.push_back(new TryBox(one, m_theme, m_tryPage));
+        m_tries.back()->showHint(m_hints.contains(keyOf(number)));
+        m_tryColumn->addWidget(m_tries.back());
+        connect(m_tries.back(), &TryBox::hintAsked, this,
+                [this, number](bool shown) { remember(number, shown); });
+    }
+    m_heading->setVisible(!m_tries.empty());
+}
+
+void Narration::addWhys()
+{
+    qDeleteAll(m_whys);
+    m_whys.clear();
+    for (const lessons::Why &why : m_session.step().whys) {
+        m_whys.push_back(new WhyBox(why, m_theme, m_area->widget()));
+        m_whyColumn->addWidget(m_whys.back());
+        connect(m_whys.back(), &WhyBox::unfolded, this, [this, box = m_whys.back()](bool open) {
+            fitText();
+            emit heightChanged();
+            if (open)
+                m_area->ensureWidgetVisible(box, 0, 0);
+        });
+    }
+    m_whyColumn->setContentsMargins(0, m_whys.empty() ? 0 : 6, 0, 0);
+}
+
+void Narration::nameButtons()
+{
+    const lessons::Step *before = m_session.preceding();
+    m_back->setEnabled(before);
+    m_back->setToolTip(before ? tr("Back: %1 (Page Up)").arg(before->title) : tr("This is the first step."));
+    const bool isLast = &m_session.step() == &m_session.lesson().steps.back();
+    const QString next = isLast ? tr("What you learnt") : m_session.following()->title;
+    m_next->setFullText(tr("Next: %1").arg(next), next);
+    m_next->setToolTip(isLast ? tr("What you learnt in this lesson, and what comes next")
+                              : tr("Next: %1 (Page Down)").arg(next));
+}
+
+void Narration::goOn()
+{
+    if (&m_session.step() == &m_session.lesson().steps.back())
+        emit summaryAsked();
+    else
+        m_session.openFollowing();
+}
+
+QString Narration::keyOf(std::size_t number) const
+{
+    return QStringLiteral("%1/%2/%3").arg(m_session.lesson().id, m_session.step().id).arg(number);
+}
+
+void Narration::remember(std::size_t number, bool shown)
+{
+    if (shown)
+        m_hints.insert(keyOf(number));
+    else
+        m_hints.remove(keyOf(number));
+    emit heightChanged();
+}
+
+void Narration::showNextHint()
+{
+    for (std::size_t i = 0; i < m_tries.size(); ++i) {
+        if (m_tries[i]->hasHint() && !m_tries[i]->showsHint()) {
+            m_tries[i]->showHint(true);
+            remember(i, true);
+            return;
+        }
+    }
 }
 
 void Narration::fitText()
@@ -152,11 +229,8 @@ void Narration::showProgress()
     for (int i = 0; i < static_cast<int>(m_tries.size()); ++i)
         m_tries[static_cast<std::size_t>(i)]->setDone(m_session.progress().isDone(lesson, step, i));
     const bool done = m_session.isStepDone(m_session.lesson(), m_session.step());
-    m_next->setPrimary(done && m_session.following());
-    m_next->setIcon(
-        m_session.following()
-            ? m_theme.icon("right", m_next->isPrimary() ? m_theme.tokens().buttonText : m_theme.tokens().ink)
-            : QIcon());
+    m_next->setPrimary(done);
+    m_next->setIcon(m_theme.icon("right", done ? m_theme.tokens().buttonText : m_theme.tokens().ink));
 }
 
 void Narration::dress()

@@ -3,6 +3,7 @@
 #include "app/model/session.h"
 #include "app/ui/theme/theme.h"
 
+#include <QSet>
 #include <QWidget>
 
 #include <vector>
@@ -15,8 +16,10 @@ class QVBoxLayout;
 namespace app {
 
 class NarrationText;
+class Glossary;
 class StepButton;
-class TryRow;
+class TryBox;
+class WhyBox;
 
 /// The text of the open step, the things to try in it, and the ways to its neighbours.
 class Narration : public QWidget
@@ -24,15 +27,26 @@ class Narration : public QWidget
     Q_OBJECT
 
 public:
-    Narration(Session &session, const Theme &theme, QWidget *parent = nullptr);
+    /// `glossary` must outlive this.
+    Narration(Session &session, const Glossary &glossary, const Theme &theme, QWidget *parent = nullptr);
 
     QSize minimumSizeHint() const override;
+    /// Shows the next hint: of the first thing that is not done and shows none.
+    void showNextHint();
     /// Takes the height that the text has at this width.
     void fitText();
     /// The height that shows all of the text, what there is to try, and the buttons at this width.
     int fullHeight() const;
     /// The same with as little of the text as can be scrolled.
     int leastHeight() const;
+
+signals:
+    /// A word of the text was asked for, which stands over `place` on the screen.
+    void wordAsked(const QString &name, const QPoint &place);
+    /// After the last step of a lesson comes its summary.
+    void summaryAsked();
+    /// What is unfolded is higher or lower than before.
+    void heightChanged();
 
 protected:
     void resizeEvent(QResizeEvent *event) override;
@@ -42,6 +56,12 @@ private:
     QWidget *makeTries();
     QWidget *makeButtons();
     void open();
+    void addTries();
+    void addWhys();
+    void nameButtons();
+    void goOn();
+    void remember(std::size_t number, bool shown);
+    QString keyOf(std::size_t number) const;
     void showProgress();
     void dress();
 
@@ -54,7 +74,10 @@ private:
     QWidget *m_buttons = nullptr;
     QLabel *m_heading = nullptr;
     QVBoxLayout *m_tryColumn = nullptr;
-    std::vector<TryRow *> m_tries;
+    std::vector<TryBox *> m_tries;
+    QVBoxLayout *m_whyColumn = nullptr;
+    std::vector<WhyBox *> m_whys;
+    QSet<QString> m_hints; ///< those that are shown, by step and number, until the program ends
     QPushButton *m_back = nullptr;
     StepButton *m_next = nullptr;
 };

@@ -1,5 +1,6 @@
 #include "app/ui/panels/narration_text.h"
 
+#include "app/model/glossary.h"
 #include "app/ui/panels/prose.h"
 
 #include <QDesktopServices>
@@ -8,7 +9,8 @@
 
 namespace app {
 
-NarrationText::NarrationText(const Theme &theme, QWidget *parent) : QTextBrowser(parent), m_theme(theme)
+NarrationText::NarrationText(const Theme &theme, QWidget *parent, Kind kind)
+    : QTextBrowser(parent), m_theme(theme), m_kind(kind)
 {
     setFrameShape(QFrame::NoFrame);
     setOpenLinks(false);
@@ -17,10 +19,7 @@ NarrationText::NarrationText(const Theme &theme, QWidget *parent) : QTextBrowser
     QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     policy.setHeightForWidth(true);
     setSizePolicy(policy);
-    connect(this, &QTextBrowser::anchorClicked, this, [](const QUrl &url) {
-        if (url.scheme() == "https")
-            QDesktopServices::openUrl(url);
-    });
+    connect(this, &QTextBrowser::anchorClicked, this, &NarrationText::follow);
     connect(&theme, &Theme::changed, this, &NarrationText::dress);
 }
 
@@ -29,6 +28,14 @@ void NarrationText::setText(const QString &markdown)
     m_text = markdown;
     setAccessibleName(plainText(markdown));
     dress();
+}
+
+void NarrationText::follow(const QUrl &link)
+{
+    if (link.scheme() == "https")
+        QDesktopServices::openUrl(link);
+    else
+        emit asked(link, viewport()->mapToGlobal(cursorRect().bottomLeft()));
 }
 
 void NarrationText::setLarge(bool large)
@@ -45,7 +52,11 @@ void NarrationText::dress()
     // Between 13 px and 14 px, as near as whole sizes come to that.
     const ProseStyle small{14, 20, 6, tokens.ink2, tokens.ink, QFont::DemiBold, -0.15};
     const ProseStyle large{14, 22, 6, tokens.ink2, tokens.ink};
-    setProse(*document(), m_text, m_large ? large : small, m_theme);
+    const ProseStyle aside{13, 19, 5, tokens.ink2, tokens.ink};
+    const ProseStyle &style = m_large ? large : small;
+    setProse(*document(), m_text, m_kind == Kind::aside ? aside : style, m_theme);
+    if (m_glossary)
+        linkWords(*document(), *m_glossary, m_theme);
     const bool links = document()->toHtml().contains("<a ");
     // Tab stops here only if there is a link to reach.
     setFocusPolicy(links ? Qt::StrongFocus : Qt::ClickFocus);

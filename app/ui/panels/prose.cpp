@@ -1,5 +1,7 @@
 #include "app/ui/panels/prose.h"
 
+#include "app/model/glossary.h"
+
 #include <QFontMetricsF>
 #include <QTextBlock>
 #include <QTextCursor>
@@ -69,6 +71,47 @@ void setProse(QTextDocument &document, const QString &markdown, const ProseStyle
         format.setTopMargin(block.blockNumber() > 0 ? style.paragraphGap : 0);
         format.setBottomMargin(0);
         QTextCursor(block).setBlockFormat(format);
+    }
+}
+
+QUrl wordLink(const QString &name)
+{
+    return QUrl(QStringLiteral("word:") + QString::fromLatin1(QUrl::toPercentEncoding(name)));
+}
+
+QString wordOf(const QUrl &link)
+{
+    return link.scheme() == u"word" ? link.path(QUrl::FullyDecoded) : QString();
+}
+
+QUrl stepLink(const QString &lesson, const QString &step)
+{
+    return QUrl(QStringLiteral("step:%1/%2").arg(lesson, step));
+}
+
+StepPlace stepOf(const QUrl &link)
+{
+    if (link.scheme() != u"step")
+        return {};
+    return {link.path().section('/', 0, 0), link.path().section('/', 1)};
+}
+
+void linkWords(QTextDocument &document, const Glossary &glossary, const Theme &theme)
+{
+    QTextCursor cursor(&document);
+    for (const Mention &mention : glossary.mentionsIn(document.toPlainText())) {
+        cursor.setPosition(static_cast<int>(mention.start) + 1);
+        if (cursor.charFormat().isAnchor())
+            continue;
+        cursor.setPosition(static_cast<int>(mention.start));
+        cursor.setPosition(static_cast<int>(mention.start + mention.length), QTextCursor::KeepAnchor);
+        QTextCharFormat format;
+        format.setAnchor(true);
+        format.setAnchorHref(
+            wordLink(glossary.entries()[mention.entry].term.name).toString(QUrl::FullyEncoded));
+        format.setUnderlineStyle(QTextCharFormat::DotLine);
+        format.setUnderlineColor(theme.tokens().link);
+        cursor.mergeCharFormat(format);
     }
 }
 

@@ -74,6 +74,7 @@ void MainWindow::makeActions()
     m_helpAction = action(tr("&Keys and mouse"), {QKeySequence(Qt::Key_F1), QKeySequence("?")}, tr("Window"));
     connect(m_helpAction, &QAction::triggered, this, &MainWindow::showHelp);
     m_help->addAction(m_helpAction);
+    makeLearning();
 }
 
 void MainWindow::makeFileActions()

@@ -14,6 +14,7 @@
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTextStream>
+#include <QTimer>
 
 namespace app {
 
@@ -49,6 +50,8 @@ int runWindow(QApplication &application, const QString &file)
     window.show();
     if (!file.isEmpty())
         window.openFile(file);
+    else if (MainWindow::wantsTour())
+        QTimer::singleShot(0, &window, &MainWindow::startTour);
     window.keepScenesIn(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/scenes");
     return QApplication::exec();
 }

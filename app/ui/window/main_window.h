@@ -27,6 +27,7 @@ class EffectsPanel;
 class EnergyPanel;
 class FilmDialog;
 class FootfallStrip;
+class GlossaryPage;
 class HelpPage;
 class LearnPanel;
 class Notice;
@@ -38,7 +39,9 @@ class StabilityGauge;
 class StabilityPanel;
 class StopNotice;
 class TimelineStrip;
+class Tour;
 class TransportBar;
+struct TourStop;
 
 /// The window: lessons on the left, the scene with its time in the middle, code and parameters on the right.
 class MainWindow : public QMainWindow
@@ -72,6 +75,10 @@ public:
     /// Lets panels give way, lessons first, then code and parameters, until the window goes into `room`, px, or nothing
     /// is left to give, and makes it no larger than that. Their keys bring them back; the arrangement is not kept for a larger screen.
     void fitInto(QSize room);
+    /// Whether the tour was never started on this machine.
+    static bool wantsTour();
+    /// Cards that point at the parts of the window, one after the other.
+    void startTour();
 
     /// Opens an experiment file. A file that is refused is named with the reason, and nothing changes.
     void openFile(const QString &path);
@@ -122,6 +129,9 @@ private:
     void showHelp();
     void makeDocument();
     void startNew();
+    void makeLearning();
+    void showGlossary(const QString &typed);
+    std::vector<TourStop> tourStops();
     void askOpen();
     bool askSave();
     bool saveOrAsk();
@@ -192,6 +202,8 @@ private:
     Notice *m_notice = nullptr;
     HelpPage *m_helpPage = nullptr;
     FilmDialog *m_film = nullptr;
+    GlossaryPage *m_glossaryPage = nullptr;
+    Tour *m_tour = nullptr;
     AccuracyPanel *m_accuracy = nullptr;
     BranchesPanel *m_branches = nullptr;
     EnergyPanel *m_energy = nullptr;

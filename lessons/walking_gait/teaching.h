@@ -1,0 +1,10 @@
+#pragma once
+
+#include "lessons/api/teaching.h"
+
+namespace walking_gait {
+
+/// What is told about the steps besides their narrations: hints, words, and the why of their mathematics.
+std::vector<lessons::Teaching> teaching();
+
+}

@@ -1,0 +1,222 @@
+// How a learner reads, and what the mouse does in the picture.
+
+#include "tests/app/by_hand/learner.h"
+
+#include "app/ui/panels/learn_panel.h"
+#include "app/ui/panels/lesson_list.h"
+#include "app/ui/panels/narration.h"
+#include "app/ui/panels/narration_text.h"
+#include "app/ui/panels/step_button.h"
+#include "app/ui/panels/try_row.h"
+#include "app/ui/panels/why_box.h"
+#include "app/ui/scene/hand.h"
+#include "app/ui/scene/scene_view.h"
+#include "lessons/api/hand.h"
+
+#include <QTest>
+#include <QToolButton>
+
+#include <stdexcept>
+
+using namespace app;
+
+namespace support {
+
+namespace {
+
+constexpr int framesUnseen = 20; ///< that a run goes on before the picture is painted again
+constexpr int enoughToGrab = 4;  ///< px on the screen: less is a click
+constexpr int awayFromBody = 45; ///< px on the screen
+
+void sendMouse(QWidget *to, QEvent::Type type, QPoint at, Qt::MouseButton button, Qt::MouseButtons buttons)
+{
+    QMouseEvent event(type, QPointF(at), QPointF(to->mapToGlobal(at)), button, buttons, Qt::NoModifier);
+    QApplication::sendEvent(to, &event);
+}
+
+}
+
+void settle()
+{
+    QCoreApplication::processEvents();
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete); // what was replaced is gone
+}
+
+Learner::Learner(Session &session, MainWindow &window)
+    : m_session(session), m_window(window), m_view(*window.findChild<SceneView *>())
+{
+}
+
+void Learner::begin(std::size_t number)
+{
+    m_number = number;
+    leavePicture();
+    QTest::keyClick(&m_window, Qt::Key_R, Qt::ControlModifier);
+    QTest::keyClick(&m_window, Qt::Key_0, Qt::ControlModifier);
+    settle();
+}
+
+void Learner::openLesson(const QString &title)
+{
+    auto *list = m_window.findChild<LessonList *>();
+    for (int i = 0; i < list->model()->rowCount(); ++i) {
+        const QModelIndex lesson = list->model()->index(i, 0);
+        if (lesson.data().toString() != title)
+            continue;
+        list->scrollTo(lesson);
+        QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualRect(lesson).center());
+        settle();
+        return;
+    }
+    throw std::runtime_error("no lesson is called " + title.toStdString());
+}
+
+QString Learner::narration() const
+{
+    return m_window.findChild<Narration *>()->findChild<NarrationText *>()->toPlainText();
+}
+
+QStringList Learner::hints()
+{
+    for (auto *lamp : m_window.findChild<Narration *>()->findChildren<QToolButton *>("hint"))
+        QTest::mouseClick(lamp, Qt::LeftButton);
+    settle();
+    QStringList all;
+    for (const auto *hint : m_window.findChild<Narration *>()->findChildren<NarrationText *>("hintText")) {
+        if (hint->isVisible())
+            all << hint->toPlainText();
+    }
+    return all;
+}
+
+QStringList Learner::answers()
+{
+    QStringList all;
+    for (auto *box : m_window.findChild<Narration *>()->findChildren<WhyBox *>()) {
+        QTest::mouseClick(box->findChild<WhyButton *>(), Qt::LeftButton);
+        const auto *answer = box->findChild<NarrationText *>();
+        all << (answer->isVisible() ? answer->toPlainText() : QString());
+    }
+    return all;
+}
+
+bool Learner::sees(std::size_t number) const
+{
+    const auto rows = m_window.findChild<Narration *>()->findChildren<TryRow *>();
+    return static_cast<qsizetype>(number) < rows.size() && rows[static_cast<qsizetype>(number)]->isChecked();
+}
+
+void Learner::pressNext()
+{
+    for (auto *next : m_window.findChild<LearnPanel *>()->findChildren<StepButton *>("next")) {
+        if (next->isVisible()) {
+            QTest::mouseClick(next, Qt::LeftButton);
+            break;
+        }
+    }
+    settle();
+}
+
+bool Learner::done() const
+{
+    return m_session.progress().isDone(m_session.lesson().id, m_session.step().id,
+                                       static_cast<int>(m_number));
+}
+
+void Learner::look()
+{
+    if (++m_unseen < framesUnseen)
+        return;
+    m_unseen = 0;
+    settle();
+}
+
+QPoint Learner::onScreen(sim::Vec2 place) const
+{
+    return m_view.viewportTransform().map(QPointF(place.x, place.y)).toPoint();
+}
+
+int Learner::bodyAt(QPoint place) const
+{
+    return Hand::bodyAt(m_view.shown(), Camera(m_view.viewportTransform()), place);
+}
+
+void Learner::press(QPoint place)
+{
+    m_pointer = place;
+    m_isDown = true;
+    m_view.viewport()->setFocus(Qt::MouseFocusReason); // as the press of a real mouse does
+    sendMouse(m_view.viewport(), QEvent::MouseButtonPress, place, Qt::LeftButton, Qt::LeftButton);
+}
+
+void Learner::move(QPoint place)
+{
+    m_pointer = place;
+    sendMouse(m_view.viewport(), QEvent::MouseMove, place, Qt::NoButton,
+              m_isDown ? Qt::LeftButton : Qt::NoButton);
+}
+
+void Learner::release()
+{
+    m_isDown = false;
+    sendMouse(m_view.viewport(), QEvent::MouseButtonRelease, m_pointer, Qt::LeftButton, Qt::NoButton);
+}
+
+void Learner::bringIntoView(const std::string &body)
+{
+    if (!m_view.viewport()->rect().contains(onScreen(at(body)))) {
+        QTest::keyClick(&m_window, Qt::Key_0, Qt::ControlModifier);
+        settle();
+    }
+}
+
+void Learner::grab(const std::string &body)
+{
+    m_held = body;
+    bringIntoView(body);
+    const QPoint place = onScreen(at(body));
+    press(place);
+    move(place + QPoint(enoughToGrab, 0)); // a click alone holds nothing
+    const QString wanted = QString::fromStdString(body);
+    if (m_session.selected() != wanted || !m_session.isHolding())
+        throw std::runtime_error("the mouse cannot take " + body);
+}
+
+void Learner::moveHand(sim::Vec2 to)
+{
+    move(onScreen(to));
+}
+
+void Learner::letGo()
+{
+    release();
+}
+
+QPoint Learner::freePlaceNear(QPoint place) const
+{
+    const int pointed = m_view.shown().picture.look->pointed;
+    for (const QPoint &way : {QPoint(0, 0), QPoint(0, -1), QPoint(1, 0), QPoint(-1, 0), QPoint(0, 1)}) {
+        const QPoint free = place + awayFromBody * way;
+        const int body = bodyAt(free);
+        if (m_view.viewport()->rect().contains(free) && (body < 0 || body == pointed))
+            return free;
+    }
+    throw std::runtime_error("no free place to press");
+}
+
+void Learner::point(sim::Vec2 where, bool down)
+{
+    if (!m_isDown && down)
+        press(freePlaceNear(onScreen(where)));
+    move(onScreen(where));
+    if (!down && m_isDown)
+        release();
+}
+
+void Learner::target(sim::Vec2 where)
+{
+    press(freePlaceNear(onScreen(where)));
+    release();
+}
+
+}

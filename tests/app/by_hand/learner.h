@@ -1,0 +1,93 @@
+#pragma once
+
+#include "app/model/session.h"
+#include "app/ui/window/main_window.h"
+#include "tests/lessons/player.h"
+
+#include <QPoint>
+
+class QAbstractButton;
+class QMenu;
+
+namespace app {
+
+class SceneView;
+
+}
+
+namespace support {
+
+/// Lets the window paint and tidy up.
+void settle();
+
+/// A learner in the window: every deed is done with the mouse or the keys, and nothing else.
+class Learner : public Player
+{
+public:
+    explicit Learner(app::Session &session, app::MainWindow &window);
+
+    /// The thing to try of the open step that is looked at; begins the step afresh.
+    void begin(std::size_t number);
+
+    // What there is to read
+    /// Clicks a lesson in the list of lessons.
+    void openLesson(const QString &title);
+    QString narration() const;
+    /// Asks for all hints, and returns what they say.
+    QStringList hints();
+    /// Unfolds all why-boxes, and returns the answers.
+    QStringList answers();
+    /// Whether a thing to try shows its tick.
+    bool sees(std::size_t number) const;
+    void pressNext();
+
+    void play(int frames) override;
+    void grab(const std::string &body) override;
+    void moveHand(sim::Vec2 to) override;
+    void letGo() override;
+    void point(sim::Vec2 at, bool down) override;
+    void target(sim::Vec2 at) override;
+    void key(bool sim::Keys::*key, bool down) override;
+    void set(const std::string &parameter, double value) override;
+    void useMethod(const std::string &id) override;
+    void useStep(double h) override;
+    void useTolerance(double tolerance) override;
+    void useTiming(lessons::Timing timing) override;
+    void goTo(std::int64_t frame) override;
+    void stepPhases(int count) override;
+
+    bool done() const override;
+    const sim::Timeline &run() const override { return m_session.timeline(); }
+
+private:
+    QPoint onScreen(sim::Vec2 place) const;
+    int bodyAt(QPoint place) const;
+    QPoint freePlaceNear(QPoint place) const;
+    void press(QPoint place);
+    void move(QPoint place);
+    void release();
+    /// Before the mouse does something elsewhere, and after a menu or a list was open.
+    void leavePicture();
+    void comeBack();
+    void bringIntoView(const std::string &body);
+    void step(bool byPhase);
+    void playInTime(int frames);
+    void look();
+    /// Opens the menu of the button whose name begins with `name`, and lets `choose` have it.
+    void inMenu(const QString &name, const std::function<void(QMenu &)> &choose);
+    void chooseStep(double value, bool isTolerance);
+    void chooseFrom(QWidget &field, int row);
+    /// The child of the window's part `Part` that is called `name`. @throws std::runtime_error without one
+    QAbstractButton &button(const QWidget *part, const QString &name) const;
+
+    app::Session &m_session;
+    app::MainWindow &m_window;
+    app::SceneView &m_view;
+    std::size_t m_number = 0;
+    QPoint m_pointer; ///< of the mouse, in the picture
+    bool m_isDown = false;
+    sim::Keys m_keys;
+    int m_unseen = 0; ///< frames since the picture was painted
+};
+
+}

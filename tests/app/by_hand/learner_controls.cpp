@@ -1,0 +1,236 @@
+// What a learner does with keys, buttons, menus and fields.
+
+#include "app/ui/panels/number_box.h"
+#include "app/ui/panels/parameter_panel.h"
+#include "app/ui/panels/parameter_row.h"
+#include "app/ui/scene/flat_button.h"
+#include "app/ui/scene/scene_bar.h"
+#include "app/ui/scene/scene_view.h"
+#include "app/ui/time/frame_counter.h"
+#include "app/ui/time/transport_bar.h"
+#include "tests/app/by_hand/learner.h"
+
+#include <QComboBox>
+#include <QLineEdit>
+#include <QListView>
+#include <QMenu>
+#include <QScrollArea>
+#include <QTest>
+#include <QTimer>
+
+#include <cmath>
+#include <stdexcept>
+
+using namespace app;
+
+namespace support {
+
+namespace {
+
+constexpr int mostMilliseconds = 60'000; ///< that anything takes
+
+void replaceText(QWidget *field, const QString &text)
+{
+    QTest::keyClick(field, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClicks(field, text);
+    QTest::keyClick(field, Qt::Key_Return);
+}
+
+Qt::Key keyOf(bool sim::Keys::*key)
+{
+    if (key == &sim::Keys::left)
+        return Qt::Key_Left;
+    if (key == &sim::Keys::right)
+        return Qt::Key_Right;
+    return key == &sim::Keys::up ? Qt::Key_Up : Qt::Key_Down;
+}
+
+}
+
+void Learner::leavePicture()
+{
+    if (m_isDown)
+        release(); // there is but one hand
+}
+
+void Learner::comeBack()
+{
+    // Where there are no real windows, one that has closed over another leaves it inactive.
+    m_window.activateWindow();
+    if (!QTest::qWaitForWindowActive(&m_window))
+        throw std::runtime_error("the window is not active");
+}
+
+QAbstractButton &Learner::button(const QWidget *part, const QString &name) const
+{
+    if (auto *found = part->findChild<QAbstractButton *>(name))
+        return *found;
+    throw std::runtime_error("no button is called " + name.toStdString());
+}
+
+void Learner::step(bool byPhase)
+{
+    // With the mouse, unless it is busy or the picture has the keys anyway.
+    if (m_isDown || m_view.hasFocus()) {
+        QTest::keyClick(&m_view, Qt::Key_Right, byPhase ? Qt::ShiftModifier : Qt::NoModifier);
+    } else {
+        const auto *transport = m_window.findChild<TransportBar *>();
+        QTest::mouseClick(&button(transport, byPhase ? "phaseForward" : "frameForward"), Qt::LeftButton);
+    }
+    look();
+}
+
+void Learner::play(int frames)
+{
+    if (m_keys != sim::Keys{}) {
+        playInTime(frames);
+        return;
+    }
+    for (int i = 0; i < frames; ++i)
+        step(false);
+}
+
+void Learner::playInTime(int frames)
+{
+    const std::int64_t end = run().at().frame + frames;
+    const bool arrived = QTest::qWaitFor([&] { return run().at().frame >= end || done(); }, mostMilliseconds);
+    if (!arrived)
+        throw std::runtime_error("it does not play");
+}
+
+void Learner::stepPhases(int count)
+{
+    for (int i = 0; i < count; ++i)
+        step(true);
+}
+
+void Learner::key(bool sim::Keys::*key, bool down)
+{
+    const bool wasDown = m_keys != sim::Keys{};
+    m_keys.*key = down;
+    m_view.setFocus(Qt::MouseFocusReason); // as a click into the picture does
+    if (!wasDown)
+        QTest::keyClick(&m_view, Qt::Key_Space); // arrow keys steer while it plays
+    if (down)
+        QTest::keyPress(&m_view, keyOf(key));
+    else
+        QTest::keyRelease(&m_view, keyOf(key));
+    if (m_keys == sim::Keys{})
+        QTest::keyClick(&m_view, Qt::Key_Space);
+}
+
+void Learner::chooseFrom(QWidget &field, int row)
+{
+    auto &box = static_cast<QComboBox &>(field);
+    QTest::mouseClick(&box, Qt::LeftButton);
+    QTest::keyClick(box.view(), Qt::Key_Home);
+    for (int i = 0; i < row; ++i)
+        QTest::keyClick(box.view(), Qt::Key_Down);
+    QTest::keyClick(box.view(), Qt::Key_Return);
+    comeBack();
+    if (box.currentIndex() != row)
+        throw std::runtime_error("the list of choices does not follow the keys");
+}
+
+void Learner::set(const std::string &parameter, double value)
+{
+    leavePicture();
+    auto *panel = m_window.findChild<ParameterPanel *>();
+    for (ParameterRow *row : panel->findChildren<ParameterRow *>()) {
+        if (row->parameter().id != QString::fromStdString(parameter))
+            continue;
+        if (!row->isVisible())
+            QTest::mouseClick(&button(panel, "disclosure"), Qt::LeftButton);
+        settle();
+        panel->findChild<QScrollArea *>()->ensureWidgetVisible(row);
+        if (!row->parameter().choices.isEmpty()) {
+            chooseFrom(*row->findChild<QComboBox *>(), static_cast<int>(value));
+        } else {
+            auto *box = row->findChild<NumberBox *>();
+            QTest::mouseClick(box, Qt::LeftButton);
+            replaceText(box, QString::number(value, 'g', 12));
+        }
+        settle();
+        return;
+    }
+    throw std::runtime_error("no parameter is called " + parameter);
+}
+
+void Learner::inMenu(const QString &name, const std::function<void(QMenu &)> &choose)
+{
+    leavePicture();
+    for (auto *one : m_window.findChild<SceneBar *>()->findChildren<FlatButton *>()) {
+        if (!one->accessibleName().startsWith(name))
+            continue;
+        // The menu has a loop of its own, in which this happens.
+        QTimer::singleShot(0, one, [&] { choose(*one->menu()); });
+        QTest::mouseClick(one, Qt::LeftButton);
+        settle();
+        comeBack();
+        return;
+    }
+    throw std::runtime_error("no menu is called " + name.toStdString());
+}
+
+void Learner::useMethod(const std::string &id)
+{
+    inMenu(QStringLiteral("Method"), [&](QMenu &menu) {
+        for (QAction *action : menu.actions()) {
+            if (action->data().toString().toStdString() == id)
+                QTest::mouseClick(&menu, Qt::LeftButton, {}, menu.actionGeometry(action).center());
+        }
+        menu.close();
+    });
+    if (run().script().method->id() != id)
+        throw std::runtime_error("the menu does not have the method " + id);
+}
+
+void Learner::chooseStep(double value, bool isTolerance)
+{
+    inMenu(isTolerance ? QStringLiteral("Tolerance") : QStringLiteral("Step"), [&](QMenu &menu) {
+        for (QAction *action : menu.actions()) {
+            if (action->isVisible() && action->isCheckable() &&
+                std::abs(action->data().toDouble() / value - 1.0) < 1e-9) {
+                QTest::mouseClick(&menu, Qt::LeftButton, {}, menu.actionGeometry(action).center());
+                return;
+            }
+        }
+        auto *other = menu.findChild<QLineEdit *>();
+        QTest::mouseClick(other, Qt::LeftButton);
+        replaceText(other, QString::number(value, 'g', 12));
+        menu.close();
+    });
+}
+
+void Learner::useStep(double h)
+{
+    chooseStep(h, false);
+    if (run().script().step.h != h)
+        throw std::runtime_error("the menu does not have that step");
+}
+
+void Learner::useTolerance(double tolerance)
+{
+    chooseStep(tolerance, true);
+    if (run().script().step.tolerance != tolerance)
+        throw std::runtime_error("the menu does not have that tolerance");
+}
+
+void Learner::useTiming(lessons::Timing timing)
+{
+    m_session.setTiming(std::move(timing));
+}
+
+void Learner::goTo(std::int64_t frame)
+{
+    leavePicture();
+    QTest::keyClick(&m_window, Qt::Key_G, Qt::ControlModifier);
+    auto *field = m_window.findChild<FrameCounter *>()->findChild<QLineEdit *>();
+    if (!field)
+        throw std::runtime_error("no frame can be typed");
+    replaceText(field, QString::number(frame));
+    if (!QTest::qWaitFor([&] { return !m_session.goingTo(); }, mostMilliseconds))
+        throw std::runtime_error("it does not get to that frame");
+}
+
+}
