@@ -1,7 +1,7 @@
 #include "app/ui/energy/energy_plot.h"
 
-#include "app/model/numbers.h"
 #include "app/ui/energy/energy_list.h"
+#include "app/ui/plots/number_ticker.h"
 #include "app/ui/theme/plot_axes.h"
 
 #include <algorithm>
@@ -14,19 +14,6 @@ namespace {
 using sim::Account;
 
 constexpr int levels = 5; ///< of a pile
-
-/// Where the tick of a large number is short: "1.5·10⁶".
-class ShortTicker : public QCPAxisTicker
-{
-protected:
-    QString getTickLabel(double tick, const QLocale &, QChar, int) override
-    {
-        const double size = std::abs(tick);
-        if (size >= 1e5 || (size > 0.0 && size < 1e-3))
-            return roughNumber(tick);
-        return writtenNumber(tick, 0);
-    }
-};
 
 QColor faded(QColor color, int alpha)
 {
@@ -46,9 +33,8 @@ EnergyPlot::EnergyPlot(Session &session, const EnergyCourse &course, const Theme
     setCursor(Qt::PointingHandCursor);
     setAntialiasedElements(QCP::aeAll);
     setNoAntialiasingOnDrag(false);
-    for (QCPAxis *axis : {xAxis, yAxis})
-        axis->setTicker(QSharedPointer<QCPAxisTicker>(new ShortTicker));
-    yAxis->ticker()->setTickCount(4);
+    xAxis->setTicker(QSharedPointer<QCPAxisTicker>(new NumberTicker(5)));
+    yAxis->setTicker(QSharedPointer<QCPAxisTicker>(new NumberTicker(4)));
     axisRect()->setMinimumMargins({40, 8, 12, 24});
     connect(&theme, &Theme::changed, this, &EnergyPlot::dress);
     dress();
@@ -214,6 +200,14 @@ void EnergyPlot::refresh(const EnergyLines &lines)
     m_cursor->point1->setCoords(now, 0.0);
     m_cursor->point2->setCoords(now, 1.0);
     replot();
+}
+
+PlotPicture EnergyPlot::picture()
+{
+    const bool isEnergy = m_shows == Shows::energy;
+    const QString unit = isEnergy ? energyUnit(m_session.timeline().now().spin.rows() > 0) : momentumUnit();
+    return {tr("%1, %2").arg(accessibleName(), unit), isEnergy ? tr("energy") : tr("momentum"), size(),
+            [this](QCPPainter &painter) { toPainter(&painter, width(), height()); }};
 }
 
 std::int64_t EnergyPlot::frameAt(double x) const

@@ -15,6 +15,7 @@ namespace app {
 
 class OrderPlot;
 class PanelTitle;
+class PlotExport;
 class RunPlot;
 class WorkPrecisionPlot;
 
@@ -30,6 +31,8 @@ public:
     void setView(View view);
     View view() const;
     WorkPrecisionPlot &workPrecision() const { return *m_workPrecision; }
+    /// Of the plot that is seen.
+    PlotExport &exports() const { return *m_export; }
     /// What the card says, without its marks.
     QString verdict() const;
     QString remarks() const;
@@ -56,6 +59,7 @@ private:
     AccuracyStudy &m_study;
     const Theme &m_theme;
     PanelTitle *m_title;
+    PlotExport *m_export;
     QLabel *m_unstable;
     QStackedWidget *m_views;
     WorkPrecisionPlot *m_workPrecision;

@@ -147,6 +147,7 @@ void MainWindow::restore()
     m_energyDock->hide();
     m_effectsDock->hide();
     showStability(false);
+    showPlots(settings.value("plots/shown", true).toBool());
 }
 
 void MainWindow::showEvent(QShowEvent *event)

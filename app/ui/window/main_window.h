@@ -27,6 +27,7 @@ class LearnPanel;
 class Notice;
 class MeasurePanel;
 class ParameterPanel;
+class PlotsPanel;
 class SceneBar;
 class SceneView;
 class StabilityGauge;
@@ -54,6 +55,10 @@ public:
     void showEnergy(bool shown);
     /// Whether the ledger of effects is seen: below the picture, or with accuracy where that is measured.
     void showEffects(bool shown);
+    /// Whether the plots are seen: between code and parameters where there is room, else as a tab beside the code, or
+    /// beside accuracy where that is measured.
+    void showPlots(bool shown);
+    PlotsPanel &plots() const { return *m_plots; }
     const EffectsPanel &effects() const { return *m_effects; }
     const StabilityWatch &stability() const { return *m_stability; }
     const StopNotice &stopNotice() const { return *m_stopNotice; }
@@ -71,6 +76,7 @@ protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
     void closeEvent(QCloseEvent *event) override;
     void showEvent(QShowEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
 
 private:
     QAction *action(const QString &text, const QList<QKeySequence> &keys, const QString &group);
@@ -93,6 +99,10 @@ private:
     void showMeasures();
     void makeStatus();
     void makeStability();
+    void makePlots();
+    void makePlotsAction();
+    void arrangePlots();
+    bool hasRoomForPlots() const;
     void showStatus();
     void showHelp();
     void askOpen();
@@ -143,6 +153,7 @@ private:
     AccuracyPanel *m_accuracy = nullptr;
     EnergyPanel *m_energy = nullptr;
     EffectsPanel *m_effects = nullptr;
+    PlotsPanel *m_plots = nullptr;
     StabilityGauge *m_gauge = nullptr;
     StabilityPanel *m_stabilityPanel = nullptr;
     QAction *m_stabilityAction = nullptr;
@@ -151,6 +162,7 @@ private:
     QDockWidget *m_energyDock = nullptr;
     QDockWidget *m_effectsDock = nullptr;
     QDockWidget *m_codeDock = nullptr;
+    QDockWidget *m_plotsDock = nullptr;
     QDockWidget *m_parameterDock = nullptr;
     QDockWidget *m_stabilityDock = nullptr;
     QDockWidget *m_replaced = nullptr; ///< what stands aside while stability is shown
