@@ -81,6 +81,12 @@ double Meter::moving(const State &state) const
     return 0.5 * (m_mass * (state.velocity.col(0).square() + state.velocity.col(1).square())).sum();
 }
 
+double Meter::moving(const State &state, int point) const
+{
+    const Vec2 v = m_turns ? Vec2{state.spin[point], 0.0} : state.speed(point);
+    return 0.5 * m_mass[point] * (v.x * v.x + v.y * v.y);
+}
+
 Vec2 Meter::momentum(const State &state) const
 {
     if (m_turns)

@@ -39,6 +39,8 @@ public:
 
     Stock read(const State &state) const;
     double moving(const State &state) const;
+    /// Of one point alone.
+    double moving(const State &state, int point) const;
     double stored(const State &state) const;
     Vec2 momentum(const State &state) const;
 

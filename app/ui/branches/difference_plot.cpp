@@ -1,7 +1,7 @@
 #include "app/ui/branches/difference_plot.h"
 
 #include "app/model/numbers.h"
-#include "app/ui/panels/short_ticker.h"
+#include "app/ui/plots/number_ticker.h"
 #include "app/ui/theme/plot_axes.h"
 
 #include <algorithm>
@@ -27,7 +27,7 @@ DifferencePlot::DifferencePlot(Session &session, const DifferenceCourse &course,
     setAntialiasedElements(QCP::aeAll);
     setNoAntialiasingOnDrag(false);
     for (QCPAxis *axis : {xAxis, yAxis})
-        axis->setTicker(QSharedPointer<QCPAxisTicker>(new ShortTicker));
+        axis->setTicker(QSharedPointer<QCPAxisTicker>(new NumberTicker(5)));
     yAxis->ticker()->setTickCount(4);
     yAxis->setLabel(tr("px apart"));
     xAxis->setLabel(tr("frame"));

@@ -3,6 +3,7 @@
 #include "app/ui/energy/energy_list.h"
 #include "app/ui/energy/energy_plot.h"
 #include "app/ui/panels/panel_title.h"
+#include "app/ui/plots/plot_export.h"
 
 #include <QButtonGroup>
 #include <QHBoxLayout>
@@ -35,7 +36,10 @@ EnergyPanel::EnergyPanel(Session &session, const Theme &theme, QWidget *parent)
     m_reason->setContentsMargins(16, 4, 16, 8);
     m_pages->addWidget(m_ledger);
     m_pages->addWidget(m_reason);
+    m_export = new PlotExport([this] { return m_plot->picture(); }, theme, this);
+    m_export->addContextMenu(*m_plot);
     m_title->addAction(tabs());
+    m_title->addAction(m_export->makeButton(this));
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 4);
     column->setSpacing(0);

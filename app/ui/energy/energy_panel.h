@@ -15,6 +15,7 @@ namespace app {
 class EnergyList;
 class EnergyPlot;
 class PanelTitle;
+class PlotExport;
 
 /// Where energy and momentum went: a plot of the last frames, and the ledger at the cursor. Counts only while it is
 /// seen.
@@ -33,6 +34,7 @@ public:
     const std::vector<EnergyLine> &lines() const;
     const EnergyCourse &course() const { return m_course; }
     EnergyPlot &plot() const { return *m_plot; }
+    PlotExport &exports() const { return *m_export; }
 
     QSize sizeHint() const override { return {660, 290}; }
     QSize minimumSizeHint() const override { return {420, 190}; }
@@ -56,6 +58,7 @@ private:
     QWidget *m_ledger = nullptr;
     QLabel *m_reason = nullptr;
     EnergyPlot *m_plot = nullptr;
+    PlotExport *m_export = nullptr;
     EnergyList *m_list = nullptr;
     QLabel *m_unit = nullptr;
     std::vector<QToolButton *> m_tabs;

@@ -1,7 +1,7 @@
 #include "app/ui/energy/energy_plot.h"
 
 #include "app/ui/energy/energy_list.h"
-#include "app/ui/panels/short_ticker.h"
+#include "app/ui/plots/number_ticker.h"
 #include "app/ui/theme/plot_axes.h"
 
 #include <algorithm>
@@ -33,9 +33,8 @@ EnergyPlot::EnergyPlot(Session &session, const EnergyCourse &course, const Theme
     setCursor(Qt::PointingHandCursor);
     setAntialiasedElements(QCP::aeAll);
     setNoAntialiasingOnDrag(false);
-    for (QCPAxis *axis : {xAxis, yAxis})
-        axis->setTicker(QSharedPointer<QCPAxisTicker>(new ShortTicker));
-    yAxis->ticker()->setTickCount(4);
+    xAxis->setTicker(QSharedPointer<QCPAxisTicker>(new NumberTicker(5)));
+    yAxis->setTicker(QSharedPointer<QCPAxisTicker>(new NumberTicker(4)));
     axisRect()->setMinimumMargins({40, 8, 12, 24});
     connect(&theme, &Theme::changed, this, &EnergyPlot::dress);
     dress();
@@ -201,6 +200,14 @@ void EnergyPlot::refresh(const EnergyLines &lines)
     m_cursor->point1->setCoords(now, 0.0);
     m_cursor->point2->setCoords(now, 1.0);
     replot();
+}
+
+PlotPicture EnergyPlot::picture()
+{
+    const bool isEnergy = m_shows == Shows::energy;
+    const QString unit = isEnergy ? energyUnit(m_session.timeline().now().spin.rows() > 0) : momentumUnit();
+    return {tr("%1, %2").arg(accessibleName(), unit), isEnergy ? tr("energy") : tr("momentum"), size(),
+            [this](QCPPainter &painter) { toPainter(&painter, width(), height()); }};
 }
 
 std::int64_t EnergyPlot::frameAt(double x) const

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/model/energy_lines.h"
+#include "app/ui/plots/plot_export.h"
 #include "app/ui/theme/theme.h"
 
 #include <qcustomplot.h>
@@ -25,6 +26,9 @@ public:
     void refresh(const EnergyLines &lines);
     /// The frame at a place of the widget.
     std::int64_t frameAt(double x) const;
+
+    /// The plot as it is saved.
+    PlotPicture picture();
 
     /// The heights of the pile at a frame, from the ground up: springs, height, motion, what damping took, what impacts
     /// took; and how high it should be.

@@ -5,6 +5,7 @@
 #include "app/ui/measure/run_plot.h"
 #include "app/ui/measure/work_precision_plot.h"
 #include "app/ui/panels/panel_title.h"
+#include "app/ui/plots/plot_export.h"
 
 #include <QButtonGroup>
 #include <QHBoxLayout>
@@ -51,7 +52,12 @@ AccuracyPanel::AccuracyPanel(AccuracyStudy &study, const Theme &theme, QWidget *
     m_views->addWidget(m_workPrecision);
     m_views->addWidget(new RunPlot(study, theme, m_views));
     m_views->addWidget(new OrderPlot(study, theme, m_views));
+    m_export = new PlotExport([this] { return static_cast<SpotPlot *>(m_views->currentWidget())->picture(); },
+                              theme, this);
+    for (int i = 0; i < m_views->count(); ++i)
+        m_export->addContextMenu(*m_views->widget(i));
     m_title->addAction(tabs());
+    m_title->addAction(m_export->makeButton(this));
     m_unstable = textLabel("failure", Qt::PlainText, this);
     m_views->setMinimumHeight(leastPlot);
     m_remarks = textLabel("caption", Qt::PlainText, this);

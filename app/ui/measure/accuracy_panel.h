@@ -16,6 +16,7 @@ namespace app {
 
 class OrderPlot;
 class PanelTitle;
+class PlotExport;
 class RunPlot;
 class WorkPrecisionPlot;
 
@@ -31,6 +32,8 @@ public:
     void setView(View view);
     View view() const;
     WorkPrecisionPlot &workPrecision() const { return *m_workPrecision; }
+    /// Of the plot that is seen.
+    PlotExport &exports() const { return *m_export; }
     /// What the card says, without its marks.
     QString verdict() const;
     QString remarks() const;
@@ -59,6 +62,7 @@ private:
     AccuracyStudy &m_study;
     const Theme &m_theme;
     PanelTitle *m_title;
+    PlotExport *m_export;
     QLabel *m_unstable;
     QStackedWidget *m_views;
     WorkPrecisionPlot *m_workPrecision;

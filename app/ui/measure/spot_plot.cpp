@@ -171,17 +171,30 @@ void SpotPlot::drawFloor(QPainter &painter) const
         painter.drawLine(QPointF(area.left() - 4.0, edge + 2.0), QPointF(area.left() + 4.0, edge - 2.0));
 }
 
+void SpotPlot::drawAll(QPainter &painter)
+{
+    painter.setRenderHint(QPainter::Antialiasing);
+    drawFloor(painter);
+    if (!m_study.accuracy())
+        return;
+    if (std::exchange(m_isUnplaced, false))
+        placeWords();
+    draw(painter);
+}
+
+PlotPicture SpotPlot::picture()
+{
+    return {accessibleName(), accessibleName(), size(), [this](QCPPainter &painter) {
+                toPainter(&painter, width(), height());
+                drawAll(painter);
+            }};
+}
+
 void SpotPlot::paintEvent(QPaintEvent *event)
 {
     QCustomPlot::paintEvent(event);
     QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    drawFloor(painter);
-    if (m_study.accuracy()) {
-        if (std::exchange(m_isUnplaced, false))
-            placeWords();
-        draw(painter);
-    }
+    drawAll(painter);
     if (!m_ringed)
         return;
     painter.setPen(QPen(m_theme.tokens().ink, 2.0));

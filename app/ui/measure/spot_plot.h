@@ -3,6 +3,7 @@
 #include "app/model/accuracy_study.h"
 #include "app/ui/measure/error_scale.h"
 #include "app/ui/measure/spots.h"
+#include "app/ui/plots/plot_export.h"
 #include "app/ui/theme/theme.h"
 
 #include <qcustomplot.h>
@@ -27,6 +28,9 @@ public:
     const Spot *chosen() const;
     /// What is chosen, in words, for those who cannot see it.
     QString sentence() const;
+
+    /// The plot as it is saved.
+    PlotPicture picture();
 
     QSize minimumSizeHint() const override { return {320, 200}; }
     QSize sizeHint() const override { return {520, 380}; }
@@ -79,6 +83,8 @@ private:
     void dress();
     OnScreen screen() const;
     void drawFloor(QPainter &painter) const;
+    /// All but the axes, with places for names.
+    void drawAll(QPainter &painter);
     void choose(const Spot *spot);
     void walk(int along, int across);
     void showTip();

@@ -174,6 +174,7 @@ void MainWindow::makeViewActions()
             [dock = m_effectsDock, effects] { effects->setChecked(!dock->isHidden()); });
     addAction(m_effects->measureAgain());
     m_actions.push_back({m_effects->measureAgain(), window});
+    makePlotsAction();
     m_stabilityAction = add(tr("&Stability of the step"), {QKeySequence("Ctrl+L")}, window,
                             [this](bool shown) { showStability(shown); });
     m_stabilityAction->setCheckable(true);
@@ -212,6 +213,12 @@ void MainWindow::showHelp()
         m_helpPage->addGesture(tr("Time"), tr("Alt and the underlined letter"),
                                tr("where a run has stopped by itself: use what mends it"));
         m_helpPage->addGesture(tr("Experiments"), tr("Drop a file on the window"), tr("open it"));
+        const QString plots = tr("Plots");
+        m_helpPage->addGesture(plots, tr("Press or drag"), tr("go to a frame"));
+        m_helpPage->addGesture(plots, tr("+ and −, or Ctrl and the wheel"), tr("fewer or more frames"));
+        m_helpPage->addGesture(plots, tr("The names above a plot"), tr("menus of what it shows"));
+        m_helpPage->addGesture(plots, tr("Menu key, or right-click"), tr("save, copy, keep or remove it"));
+        m_helpPage->addGesture(plots, tr("Delete"), tr("remove it"));
         const QString accuracy = tr("Accuracy");
         m_helpPage->addGesture(accuracy, tr("Arrow keys"), tr("walk through the points of a plot"));
         m_helpPage->addGesture(accuracy, tr("Enter or a click"), tr("use the method and step of a point"));

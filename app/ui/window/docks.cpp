@@ -8,6 +8,7 @@
 #include "app/ui/panels/learn_panel.h"
 #include "app/ui/panels/measure_panel.h"
 #include "app/ui/panels/parameter_panel.h"
+#include "app/ui/plots/plots_panel.h"
 #include "app/ui/scene/thumbnail.h"
 #include "app/ui/window/divider.h"
 #include "app/ui/window/main_window.h"
@@ -51,6 +52,7 @@ void MainWindow::makeDocks(CostFunction cost)
 
     makeBranchesDock();
     makeCodeDock();
+    makePlots();
     makeParameterDock();
     connect(m_parameters, &ParameterPanel::wantedHeightChanged, this, &MainWindow::fitParameters);
     connect(m_measures, &MeasurePanel::contentChanged, this, &MainWindow::showMeasures);
@@ -104,7 +106,13 @@ void MainWindow::fitParameters()
     QDockWidget *above = m_codeDock->isHidden() ? m_accuracyDock : m_codeDock;
     if (m_stabilityDock && !m_stabilityDock->isHidden())
         above = m_stabilityDock;
-    resizeDocks({above, m_parameterDock}, {std::max(1, height() - wanted), wanted}, Qt::Vertical);
+    if (m_plotsDock->isHidden() || !hasRoomForPlots()) {
+        resizeDocks({above, m_parameterDock}, {std::max(1, height() - wanted), wanted}, Qt::Vertical);
+        return;
+    }
+    const int plots = std::max(m_plots->sizeHint().height(), m_plotsDock->height());
+    resizeDocks({above, m_plotsDock, m_parameterDock},
+                {std::max(1, height() - wanted - plots), plots, wanted}, Qt::Vertical);
 }
 
 }

@@ -149,6 +149,7 @@ void MainWindow::restore()
     m_branchesDock->hide();
     m_effectsDock->hide();
     showStability(false);
+    showPlots(settings.value("plots/shown", true).toBool());
 }
 
 void MainWindow::showEvent(QShowEvent *event)

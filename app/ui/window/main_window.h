@@ -33,6 +33,7 @@ class LearnPanel;
 class Notice;
 class MeasurePanel;
 class ParameterPanel;
+class PlotsPanel;
 class SceneBar;
 class SceneView;
 class StabilityGauge;
@@ -64,6 +65,10 @@ public:
     void showEffects(bool shown);
     /// Whether two runs are compared, below the picture.
     void showBranches(bool shown);
+    /// Whether the plots are seen: between code and parameters where there is room, else as a tab beside the code, or
+    /// beside accuracy where that is measured.
+    void showPlots(bool shown);
+    PlotsPanel &plots() const { return *m_plots; }
     const EffectsPanel &effects() const { return *m_effects; }
     const StabilityWatch &stability() const { return *m_stability; }
     const StopNotice &stopNotice() const { return *m_stopNotice; }
@@ -93,6 +98,7 @@ protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
     void closeEvent(QCloseEvent *event) override;
     void showEvent(QShowEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
 
 private:
     QAction *action(const QString &text, const QList<QKeySequence> &keys, const QString &group);
@@ -125,6 +131,10 @@ private:
     void makeStability();
     void makeBranchesDock();
     void makeBranchActions();
+    void makePlots();
+    void makePlotsAction();
+    void arrangePlots();
+    bool hasRoomForPlots() const;
     void showStatus();
     void showHelp();
     void makeDocument();
@@ -208,6 +218,7 @@ private:
     BranchesPanel *m_branches = nullptr;
     EnergyPanel *m_energy = nullptr;
     EffectsPanel *m_effects = nullptr;
+    PlotsPanel *m_plots = nullptr;
     StabilityGauge *m_gauge = nullptr;
     StabilityPanel *m_stabilityPanel = nullptr;
     QAction *m_stabilityAction = nullptr;
@@ -217,6 +228,7 @@ private:
     QDockWidget *m_energyDock = nullptr;
     QDockWidget *m_effectsDock = nullptr;
     QDockWidget *m_codeDock = nullptr;
+    QDockWidget *m_plotsDock = nullptr;
     QDockWidget *m_parameterDock = nullptr;
     QDockWidget *m_stabilityDock = nullptr;
     QDockWidget *m_replaced = nullptr; ///< what stands aside while stability is shown
@@ -226,7 +238,7 @@ private:
         false;              ///< whether the docks have the sizes that the learner left or that fit the window
     bool m_gaveWay = false; ///< panels went away because the screen is too small for them
     QString m_path;         ///< the experiment's file, if it has one
-        false; ///< whether the docks have the sizes that the learner left or that fit the window
+    false;                  ///< whether the docks have the sizes that the learner left or that fit the window
 };
 
 }

@@ -75,6 +75,7 @@ void MainWindow::setMode(Mode mode)
         restoreState(m_learnDocks);
         m_accuracyDock->hide();
     }
+    arrangePlots();
     fitParameters();
 }
 

@@ -1,0 +1,149 @@
+#include "app/model/number_table.h"
+
+#include "app/model/words.h"
+#include "sim/error.h"
+
+#include <QElapsedTimer>
+#include <QFileInfo>
+
+#include <charconv>
+#include <cmath>
+
+namespace app {
+
+namespace {
+
+constexpr qint64 sliceMilliseconds = 8;
+constexpr std::size_t memory = std::size_t{1} << 20; ///< of kept states: nobody goes back
+constexpr qsizetype mostText = qsizetype{1} << 18;   ///< bytes that wait to be written
+
+/// In the fewest digits, 17 at most, that are read back as the same number.
+void appendNumber(QByteArray &text, double value)
+{
+    if (!std::isfinite(value))
+        return; // an empty field
+    char digits[32];
+    const auto [end, error] = std::to_chars(digits, digits + sizeof digits, value);
+    text.append(digits, end - digits);
+}
+
+/// A field that holds any text.
+QByteArray quotedField(QString text)
+{
+    return '"' + text.replace('"', "\"\"").toUtf8() + '"';
+}
+
+}
+
+NumberTable::Way::Way(const sim::Script &script, std::int64_t last) : track(script, memory), frames(last) {}
+
+bool NumberTable::Way::goTo(std::int64_t frame)
+{
+    if (isOver || frame > frames)
+        return false;
+    if (frame > 0)
+        before = track.now();
+    track.seek({frame, 0});
+    isOver = track.at().frame != frame;
+    return !isOver;
+}
+
+void NumberTable::Way::read(const std::vector<Quantity> &quantities, std::span<double> into)
+{
+    if (reader.segment() != &track.shown())
+        reader = QuantityReader(quantities, track.shownPtr());
+    reader.read({track.now(), before ? &*before : nullptr, static_cast<double>(track.rowFrames())}, into);
+}
+
+NumberTable::NumberTable(NumberSheet sheet, const QString &path, QObject *parent)
+    : QObject(parent), m_sheet(std::move(sheet)), m_file(path)
+{
+    m_later.setSingleShot(true);
+    m_later.setInterval(0);
+    connect(&m_later, &QTimer::timeout, this, &NumberTable::writeSlice);
+    m_run = std::make_unique<Way>(m_sheet.run, m_sheet.frames);
+    if (m_sheet.old && m_sheet.old->step.rowFrames == m_sheet.run.step.rowFrames)
+        m_old = std::make_unique<Way>(*m_sheet.old, m_sheet.oldFrames);
+    m_last = std::max(m_sheet.frames, m_old ? m_sheet.oldFrames : 0);
+    writeTitles();
+    m_later.start();
+}
+
+double NumberTable::done() const
+{
+    return m_last > 0 ? std::min(1.0, static_cast<double>(m_frame) / static_cast<double>(m_last)) : 1.0;
+}
+
+void NumberTable::cancel()
+{
+    m_later.stop();
+    m_file.cancelWriting();
+    emit cancelled();
+}
+
+void NumberTable::writeTitles()
+{
+    m_text += quotedField(tr("frame"));
+    for (const QString &title : m_sheet.titles)
+        m_text += ',' + quotedField(title);
+    if (m_old) {
+        for (const QString &title : m_sheet.titles)
+            m_text += ',' + quotedField(tr("%1, %2").arg(title, m_sheet.oldName));
+    }
+    m_text += '\n';
+}
+
+void NumberTable::writeSlice()
+{
+    if (!m_file.isOpen() && !m_file.open(QIODevice::WriteOnly)) {
+        end();
+        return;
+    }
+    QElapsedTimer clock;
+    clock.start();
+    while (m_frame <= m_last && clock.elapsed() < sliceMilliseconds)
+        writeRow();
+    if (m_frame > m_last || m_text.size() >= mostText) {
+        m_file.write(m_text);
+        m_text.clear();
+    }
+    if (m_frame > m_last) {
+        end();
+        return;
+    }
+    emit progressed();
+    m_later.start();
+}
+
+void NumberTable::writeRow()
+{
+    m_text += QByteArray::number(static_cast<qlonglong>(m_frame));
+    append(*m_run);
+    if (m_old)
+        append(*m_old);
+    m_text += '\n';
+    m_frame += m_run->track.rowFrames();
+}
+
+void NumberTable::append(Way &way)
+{
+    std::vector<double> row(m_sheet.quantities.size(), std::nan(""));
+    if (way.goTo(m_frame))
+        way.read(m_sheet.quantities, row);
+    for (const double value : row) {
+        m_text += ',';
+        appendNumber(m_text, value);
+    }
+}
+
+void NumberTable::end()
+{
+    const QString path = m_file.fileName();
+    if (m_file.isOpen() && m_file.commit())
+        emit written(path);
+    else
+        emit failed(tr("The numbers were not saved as %1: %2. Choose another folder, or make room.")
+                        .arg(quoted(QFileInfo(path).fileName()), oneLine(m_file.errorString())));
+}
+
+}

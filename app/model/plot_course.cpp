@@ -1,0 +1,253 @@
+#include "app/model/plot_course.h"
+
+#include "app/model/same_run.h"
+
+#include <QElapsedTimer>
+
+#include <algorithm>
+#include <limits>
+
+namespace app {
+
+namespace {
+
+constexpr qint64 sliceMilliseconds = 4;
+constexpr std::int64_t mostComputedAgain = 200'000; ///< points times rows, for the row before the cursor
+
+bool isSame(const sim::Script &a, const sim::Script &b)
+{
+    return sameRun(a, b) && a.input == b.input;
+}
+
+}
+
+PlotCourse::PlotCourse(Session &session, QObject *parent) : QObject(parent), m_session(session)
+{
+    m_later.setSingleShot(true);
+    m_later.setInterval(0);
+    connect(&m_later, &QTimer::timeout, this, &PlotCourse::fill);
+    connect(&session, &Session::stepOpened, this, &PlotCourse::restart);
+    connect(&session, &Session::runChanged, this, &PlotCourse::dropChanged);
+    connect(&session, &Session::selectionChanged, this, &PlotCourse::changeSelection);
+    connect(&session, &Session::moved, this, &PlotCourse::follow);
+}
+
+void PlotCourse::setWatched(bool watched)
+{
+    m_watched = watched;
+    if (!watched) {
+        m_later.stop();
+        m_isStale = true;
+    } else if (m_isStale) {
+        restart();
+    }
+}
+
+void PlotCourse::setQuantities(std::vector<Quantity> quantities)
+{
+    if (quantities == m_quantities)
+        return;
+    m_quantities = std::move(quantities);
+    restart();
+}
+
+void PlotCourse::setMostRows(std::int64_t rows)
+{
+    rows = std::clamp(rows, PlotWindow::leastRows, allRows);
+    if (rows == m_mostRows)
+        return;
+    m_mostRows = rows;
+    follow();
+    tell();
+}
+
+std::size_t PlotCourse::columnOf(const Quantity &quantity) const
+{
+    const auto found = std::find(m_quantities.begin(), m_quantities.end(), quantity);
+    return static_cast<std::size_t>(found - m_quantities.begin());
+}
+
+std::vector<Quantity> PlotCourse::allBound() const
+{
+    std::vector<Quantity> all = m_quantities;
+    for (Quantity &one : all)
+        one = bound(one);
+    return all;
+}
+
+void PlotCourse::restart()
+{
+    m_isStale = !m_watched;
+    if (m_isStale)
+        return;
+    const sim::Timeline &timeline = m_session.timeline();
+    m_rowFrames = timeline.track().rowFrames();
+    m_script = withoutInput(timeline.script());
+    m_window = windowAfter(m_window, {timeline.at().frame, timeline.computed(), m_rowFrames, m_mostRows});
+    const std::int64_t stride = strideOf(m_window, m_rowFrames, mostBuckets);
+    m_run = RunSampler(allBound(), m_window.first, m_rowFrames, stride);
+    restartGhost();
+    tell();
+    fill();
+}
+
+void PlotCourse::tell()
+{
+    ++m_revision;
+    emit changed();
+}
+
+void PlotCourse::restartGhost()
+{
+    const sim::Track *ghost = m_session.timeline().ghost();
+    const bool fits = ghost && ghost->rowFrames() == m_rowFrames;
+    m_ghostScript = fits ? std::optional(ghost->script()) : std::nullopt;
+    m_ghost =
+        fits ? RunSampler(allBound(), ghostStart(), m_rowFrames, m_run.samples().stride()) : RunSampler();
+}
+
+std::int64_t PlotCourse::ghostStart() const
+{
+    // The last moment that both share, so that the two curves meet.
+    const std::int64_t wide = strideOf(m_window, m_rowFrames, mostBuckets) * m_rowFrames;
+    const std::int64_t fork = std::max<std::int64_t>(0, m_session.timeline().fork() - m_rowFrames);
+    return std::max(m_window.first, fork / wide * wide);
+}
+
+void PlotCourse::dropChanged()
+{
+    if (!m_watched) {
+        m_isStale = true;
+        return;
+    }
+    const sim::Timeline &timeline = m_session.timeline();
+    if (!sameRun(m_script, timeline.script())) {
+        restart();
+        return;
+    }
+    // A change of input concerns the rows after the cursor.
+    m_run.forgetAfter(timeline.at().frame);
+    const sim::Track *ghost = timeline.ghost();
+    if (ghost ? !m_ghostScript || !isSame(*m_ghostScript, ghost->script()) : m_ghostScript.has_value())
+        restartGhost();
+    moveWindow();
+    tell();
+    fill();
+}
+
+void PlotCourse::changeSelection()
+{
+    const auto follows = [](const Quantity &one) {
+        return aboutOf(one.what) != About::run && one.body.isEmpty();
+    };
+    if (std::any_of(m_quantities.begin(), m_quantities.end(), follows))
+        restart();
+}
+
+void PlotCourse::move(RunSampler &sampler, std::int64_t first, std::int64_t stride)
+{
+    const Samples &samples = sampler.samples();
+    const std::int64_t wide = samples.stride() * m_rowFrames;
+    const bool goesOn = first >= samples.firstFrame() && first <= samples.nextFrame() &&
+                        (first - samples.firstFrame()) % wide == 0;
+    if (!goesOn || stride < samples.stride()) {
+        sampler = RunSampler(allBound(), first, m_rowFrames, stride);
+        return;
+    }
+    sampler.forgetBefore(first);
+    while (sampler.samples().stride() < stride)
+        sampler.thin();
+}
+
+bool PlotCourse::moveWindow()
+{
+    const sim::Timeline &timeline = m_session.timeline();
+    const PlotWindow next =
+        windowAfter(m_window, {timeline.at().frame, timeline.computed(), m_rowFrames, m_mostRows});
+    if (next == m_window)
+        return false;
+    m_window = next;
+    const std::int64_t stride = strideOf(m_window, m_rowFrames, mostBuckets);
+    move(m_run, m_window.first, stride);
+    if (m_ghostScript)
+        move(m_ghost, ghostStart(), stride);
+    return true;
+}
+
+void PlotCourse::follow()
+{
+    if (!m_watched)
+        return;
+    if (moveWindow())
+        tell();
+    fill();
+}
+
+std::int64_t PlotCourse::endOf(const sim::Track &track) const
+{
+    return std::min(track.computed(), m_window.last);
+}
+
+bool PlotCourse::takeRow()
+{
+    const sim::Timeline &timeline = m_session.timeline();
+    if (m_run.samples().nextFrame() <= endOf(timeline.track())) {
+        m_run.takeRow(timeline.track());
+        return true;
+    }
+    const sim::Track *ghost = m_ghostScript ? timeline.ghost() : nullptr;
+    if (!ghost || m_ghost.samples().nextFrame() > endOf(*ghost))
+        return false;
+    m_ghost.takeRow(*ghost);
+    return true;
+}
+
+bool PlotCourse::isReading() const
+{
+    return m_later.isActive();
+}
+
+void PlotCourse::fill()
+{
+    if (!m_watched || m_quantities.empty())
+        return;
+    QElapsedTimer clock;
+    clock.start();
+    bool any = false;
+    while (takeRow()) {
+        any = true;
+        if (clock.elapsed() >= sliceMilliseconds) {
+            m_later.start();
+            break;
+        }
+    }
+    if (any)
+        tell();
+}
+
+std::vector<double> PlotCourse::now() const
+{
+    const sim::Timeline &timeline = m_session.timeline();
+    const sim::Track &track = timeline.track();
+    const std::int64_t frame = track.at().frame;
+    std::vector<double> values(m_quantities.size(), std::numeric_limits<double>::quiet_NaN());
+    const Samples &samples = run();
+    if (track.at().phase == 0 && !timeline.hasPending() && samples.stride() == 1 && !samples.isEmpty() &&
+        frame >= samples.firstFrame() && frame < samples.nextFrame()) {
+        const std::size_t bucket = samples.bucketNear(frame);
+        for (std::size_t column = 0; column < values.size(); ++column)
+            values[column] = samples.at(bucket, column).first;
+        return values;
+    }
+    std::shared_ptr<const sim::Segment> segment = track.shownPtr();
+    const sim::State state = timeline.hasPending() ? track.preview(segment) : track.now();
+    const QuantityReader reader(allBound(), segment);
+    const std::int64_t start = track.at().phase > 0 ? frame : frame - m_rowFrames;
+    std::optional<sim::State> before;
+    if (start >= 0 && (start - track.knownBefore(start)) / m_rowFrames * state.points() <= mostComputedAgain)
+        before = track.stateAt(start);
+    reader.read({state, before ? &*before : nullptr, static_cast<double>(m_rowFrames)}, values);
+    return values;
+}
+
+}

@@ -1,0 +1,134 @@
+#include "app/model/plot_list.h"
+
+#include <QSettings>
+
+#include <algorithm>
+
+namespace app {
+
+namespace {
+
+const char *const key = "plots/list";
+
+bool isOfABody(const Quantity &quantity)
+{
+    return aboutOf(quantity.what) != About::run;
+}
+
+void write(QSettings &settings, const QString &prefix, const Quantity &quantity)
+{
+    settings.setValue(prefix + "what", idOf(quantity.what));
+    settings.setValue(prefix + "body", quantity.body);
+    settings.setValue(prefix + "other", quantity.other);
+}
+
+/// Nothing where the settings hold something else: they are a file that anybody can edit.
+std::optional<Quantity> read(const QSettings &settings, const QString &prefix)
+{
+    const std::optional<Measured> what = measuredFrom(settings.value(prefix + "what").toString());
+    if (!what)
+        return std::nullopt;
+    return Quantity{*what, settings.value(prefix + "body").toString(),
+                    settings.value(prefix + "other").toString()};
+}
+
+}
+
+bool PlotSpec::isPinned() const
+{
+    return (isOfABody(up) && !up.body.isEmpty()) || (isOfABody(across) && !across.body.isEmpty());
+}
+
+PlotList::PlotList(QObject *parent) : QObject(parent)
+{
+    QSettings settings;
+    m_isChosen = settings.contains(QString::fromLatin1(key) + "/size");
+    const int count = std::min(settings.beginReadArray(key), static_cast<int>(most));
+    for (int i = 0; i < count; ++i) {
+        settings.setArrayIndex(i);
+        const std::optional<Quantity> up = read(settings, "up_"), across = read(settings, "across_");
+        if (up && across)
+            m_plots.push_back({*up, *across});
+    }
+    settings.endArray();
+}
+
+void PlotList::open(const sim::Scene &scene)
+{
+    if (m_isChosen || (m_plots.size() == 1 && m_plots.front() == firstPlot(scene)))
+        return;
+    m_plots = {firstPlot(scene)};
+    emit changed();
+}
+
+void PlotList::add(const PlotSpec &plot)
+{
+    if (isFull())
+        return;
+    m_plots.push_back(plot);
+    keep();
+}
+
+void PlotList::remove(std::size_t index)
+{
+    if (index >= m_plots.size())
+        return;
+    m_plots.erase(m_plots.begin() + static_cast<std::ptrdiff_t>(index));
+    keep();
+}
+
+void PlotList::change(std::size_t index, const PlotSpec &plot)
+{
+    if (index >= m_plots.size() || m_plots[index] == plot)
+        return;
+    m_plots[index] = plot;
+    keep();
+}
+
+std::vector<Quantity> PlotList::quantities() const
+{
+    std::vector<Quantity> all;
+    for (const PlotSpec &plot : m_plots) {
+        for (const Quantity &one : {plot.up, plot.across}) {
+            if (std::find(all.begin(), all.end(), one) == all.end())
+                all.push_back(one);
+        }
+    }
+    return all;
+}
+
+void PlotList::keep()
+{
+    m_isChosen = true;
+    QSettings settings;
+    settings.remove(key);
+    settings.beginWriteArray(key, static_cast<int>(m_plots.size()));
+    for (std::size_t i = 0; i < m_plots.size(); ++i) {
+        settings.setArrayIndex(static_cast<int>(i));
+        write(settings, "up_", m_plots[i].up);
+        write(settings, "across_", m_plots[i].across);
+    }
+    settings.endArray();
+    emit changed();
+}
+
+PlotSpec pinned(PlotSpec plot, const QString &selected)
+{
+    plot.up = boundTo(plot.up, selected);
+    plot.across = boundTo(plot.across, selected);
+    return plot;
+}
+
+PlotSpec unpinned(PlotSpec plot)
+{
+    plot.up.body.clear();
+    plot.across.body.clear();
+    return plot;
+}
+
+PlotSpec firstPlot(const sim::Scene &scene)
+{
+    return {{scene.start.angle.rows() > 0 ? Measured::angle : Measured::placeY}, {}};
+}
+
+}

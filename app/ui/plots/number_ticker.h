@@ -1,0 +1,30 @@
+#pragma once
+
+#include "app/model/numbers.h"
+
+#include <qcustomplot.h>
+
+#include <cmath>
+
+namespace app {
+
+/// Labels of an even axis: short where numbers are large or small ("1.5·10⁶"), and without the rounding that counting in
+/// tenths leaves.
+class NumberTicker : public QCPAxisTicker
+{
+public:
+    /// About `ticks` of them.
+    explicit NumberTicker(int ticks) { setTickCount(ticks); }
+
+protected:
+    QString getTickLabel(double tick, const QLocale &, QChar, int) override
+    {
+        constexpr double shortFrom = 1e5, shortBelow = 1e-3;
+        const double size = std::abs(tick);
+        if (size >= shortFrom || (size > 0.0 && size < shortBelow))
+            return roughNumber(tick);
+        return writtenNumber(QString::number(tick, 'g', 9).toDouble(), 0);
+    }
+};
+
+}

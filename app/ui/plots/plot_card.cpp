@@ -1,0 +1,214 @@
+#include "app/ui/plots/plot_card.h"
+
+#include "app/model/quantity_words.h"
+#include "app/model/sentences.h"
+#include "app/ui/plots/plot_export.h"
+#include "app/ui/plots/quantity_menu.h"
+#include "app/ui/scene/flat_button.h"
+
+#include <QContextMenuEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace app {
+
+namespace {
+
+constexpr int headerHeight = 30; ///< px
+constexpr int gap = 4;           ///< px
+
+}
+
+PlotCard::PlotCard(Session &session, const PlotCourse &course, const Theme &theme, QWidget *parent)
+    : QWidget(parent), m_session(session), m_course(course), m_theme(theme),
+      m_plot(new QuantityPlot(session, course, theme, this)),
+      m_export(new PlotExport([this] { return picture(); }, theme, this))
+{
+    setObjectName("panel");
+    setAttribute(Qt::WA_StyledBackground);
+    m_export->setNumbers([this] { return numbers(); });
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(header());
+    column->addWidget(m_plot, 1);
+    connect(m_plot, &QuantityPlot::pointedAt, this, &PlotCard::pointedAt);
+    connect(m_plot, &QuantityPlot::zoomWanted, this, &PlotCard::zoomWanted);
+    connect(m_plot, &QuantityPlot::removalWanted, this, &PlotCard::removalWanted);
+    connect(&theme, &Theme::changed, this, &PlotCard::dress);
+    dress();
+}
+
+FlatButton *PlotCard::chooser(QuantityMenu *menu, const QString &tip)
+{
+    auto *button = new FlatButton(m_theme, this);
+    button->setMenu(menu);
+    button->setToolTip(tip);
+    return button;
+}
+
+QWidget *PlotCard::header()
+{
+    auto *row = new QWidget(this);
+    row->setFixedHeight(headerHeight);
+    auto *up = new QuantityMenu(
+        m_session, QuantityMenu::Axis::up, [this] { return spec().up; }, this);
+    auto *across = new QuantityMenu(
+        m_session, QuantityMenu::Axis::across, [this] { return spec().across; }, this);
+    connect(up, &QuantityMenu::chosen, this, [this](const Quantity &one) { choose(one, true); });
+    connect(across, &QuantityMenu::chosen, this, [this](const Quantity &one) { choose(one, false); });
+    m_up = chooser(up, tr("What is plotted"));
+    m_across = chooser(across, tr("Against what: time, or another quantity"));
+    m_value = new QLabel(row);
+    m_value->setObjectName("plotValue");
+    m_value->setToolTip(tr("The number at the cursor"));
+    m_more = new QToolButton(row);
+    m_more->setObjectName("plotMenu");
+    m_more->setFocusPolicy(Qt::TabFocus);
+    m_more->setToolTip(tr("Save, copy, keep or remove this plot"));
+    m_more->setAccessibleName(tr("What can be done with this plot"));
+    m_more->setFixedSize(28, 28);
+    connect(m_more, &QToolButton::clicked, this,
+            [this] { openMenu(m_more->mapToGlobal(QPoint(0, m_more->height()))); });
+    auto *layout = new QHBoxLayout(row);
+    layout->setContentsMargins(8, 0, 8, 0);
+    layout->setSpacing(0);
+    layout->setSizeConstraint(QLayout::SetNoConstraint); // what does not fit gives way: see fitHeader()
+    layout->addWidget(m_up);
+    layout->addWidget(m_across);
+    layout->addStretch(1);
+    layout->addWidget(m_value);
+    layout->addSpacing(gap);
+    layout->addWidget(m_more);
+    return row;
+}
+
+void PlotCard::dress()
+{
+    m_more->setIcon(m_theme.icon("more"));
+    m_more->setIconSize({16, 16});
+    m_value->setFont(m_theme.mono(12));
+}
+
+void PlotCard::setSpec(const PlotSpec &spec)
+{
+    m_plot->setSpec(spec);
+}
+
+void PlotCard::refresh(const std::vector<double> &now)
+{
+    m_plot->refresh(now);
+    m_up->setTexts({}, quantityTitle(m_course.bound(spec().up)));
+    m_across->setTexts(tr("against"), quantityTitle(m_course.bound(spec().across)));
+    m_plot->setAccessibleName(m_plot->title());
+    // Of a plot without time, both numbers take too much room here: the axes tell them.
+    m_value->setText(spec().isAgainstTime() && m_plot->emptyText().isEmpty() ? m_plot->valueText()
+                                                                             : QString());
+    fitHeader();
+}
+
+void PlotCard::fitHeader()
+{
+    // What the plot shows stays; the number gives way first, then the word between.
+    const int room = width() - 16 - m_more->width() - gap;
+    const int names = m_up->fullWidth() + m_across->fullWidth();
+    m_across->setShort(names > room);
+    m_value->setVisible(names + gap + m_value->sizeHint().width() <= room);
+}
+
+void PlotCard::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    fitHeader();
+}
+
+void PlotCard::choose(const Quantity &quantity, bool isUp)
+{
+    PlotSpec wanted = spec();
+    (isUp ? wanted.up : wanted.across) = quantity;
+    emit changeWanted(wanted);
+}
+
+QMenu *PlotCard::menu()
+{
+    auto *menu = new QMenu(this);
+    menu->setToolTipsVisible(true);
+    const bool isOfABody = pinned(spec(), m_session.selected()).isPinned();
+    if (isOfABody) {
+        const QString body = spec().up.body.isEmpty() ? m_session.selected() : spec().up.body;
+        QAction *keep = menu->addAction(tr("&Keep to %1").arg(bodyTitle(body)));
+        keep->setCheckable(true);
+        keep->setChecked(spec().isPinned());
+        keep->setToolTip(tr("Off: it follows the body that is selected in the picture"));
+        connect(keep, &QAction::triggered, this, [this](bool on) {
+            emit changeWanted(on ? pinned(spec(), m_session.selected()) : unpinned(spec()));
+        });
+        menu->addSeparator();
+    }
+    m_export->addTo(*menu);
+    menu->addSeparator();
+    const auto add = [&](const QString &text, auto slot) {
+        connect(menu->addAction(text), &QAction::triggered, this, slot);
+    };
+    add(tr("&Fewer frames\t+"), [this] { emit zoomWanted(1); });
+    add(tr("&More frames\t−"), [this] { emit zoomWanted(-1); });
+    menu->addSeparator();
+    add(tr("&Remove this plot\tDel"), [this] { emit removalWanted(); });
+    return menu;
+}
+
+void PlotCard::openMenu(const QPoint &place)
+{
+    QMenu *opened = menu();
+    opened->setAttribute(Qt::WA_DeleteOnClose);
+    opened->popup(place);
+}
+
+void PlotCard::contextMenuEvent(QContextMenuEvent *event)
+{
+    openMenu(event->globalPos());
+}
+
+PlotPicture PlotCard::picture() const
+{
+    QString name = quantityName(m_course.bound(spec().up));
+    if (!spec().isAgainstTime())
+        name += QStringLiteral(" against ") + quantityName(m_course.bound(spec().across));
+    for (QChar &c : name) { // names of bodies may hold anything; names of files may not
+        if (!c.isLetterOrNumber() && c != '_' && c != ' ')
+            c = '-';
+    }
+    return {m_plot->title(), name, m_plot->size(),
+            [this](QCPPainter &painter) { m_plot->paintPicture(painter); }};
+}
+
+std::optional<NumberSheet> PlotCard::numbers() const
+{
+    if (!m_plot->emptyText().isEmpty())
+        return std::nullopt;
+    const sim::Timeline &timeline = m_session.timeline();
+    NumberSheet sheet;
+    const bool turns = timeline.now().spin.rows() > 0;
+    for (const Quantity &one : {spec().across, spec().up}) {
+        if (one.what == Measured::time)
+            continue;
+        sheet.quantities.push_back(m_course.bound(one));
+        sheet.titles << QStringLiteral("%1 [%2]").arg(quantityName(sheet.quantities.back()),
+                                                      unitOf(one.what, turns));
+    }
+    sheet.run = timeline.script();
+    sheet.frames = timeline.computed();
+    if (const sim::Track *ghost = timeline.ghost()) {
+        sheet.old = ghost->script();
+        sheet.oldFrames = ghost->computed();
+        sheet.oldName = m_session.ghostName();
+    }
+    return sheet;
+}
+
+}

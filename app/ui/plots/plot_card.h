@@ -1,0 +1,64 @@
+#pragma once
+
+#include "app/ui/plots/plot_export.h"
+#include "app/ui/plots/quantity_plot.h"
+
+#include <QWidget>
+
+class QLabel;
+class QToolButton;
+
+namespace app {
+
+class FlatButton;
+class QuantityMenu;
+
+/// A plot with what is above it: what it shows, the number at the cursor, and what can be done with it.
+class PlotCard : public QWidget
+{
+    Q_OBJECT
+
+public:
+    PlotCard(Session &session, const PlotCourse &course, const Theme &theme, QWidget *parent = nullptr);
+
+    void setSpec(const PlotSpec &spec);
+    const PlotSpec &spec() const { return m_plot->spec(); }
+    void refresh(const std::vector<double> &now);
+    QuantityPlot &plot() const { return *m_plot; }
+    PlotExport &exports() const { return *m_export; }
+    /// What can be done with it; the caller owns it.
+    QMenu *menu();
+
+signals:
+    /// The learner wants it to show this.
+    void changeWanted(const app::PlotSpec &spec);
+    void removalWanted();
+    void pointedAt(std::optional<std::int64_t> frame);
+    void zoomWanted(int steps);
+
+protected:
+    void contextMenuEvent(QContextMenuEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
+
+private:
+    QWidget *header();
+    FlatButton *chooser(QuantityMenu *menu, const QString &tip);
+    void dress();
+    void fitHeader();
+    void openMenu(const QPoint &place);
+    void choose(const Quantity &quantity, bool isUp);
+    std::optional<NumberSheet> numbers() const;
+    PlotPicture picture() const;
+
+    Session &m_session;
+    const PlotCourse &m_course;
+    const Theme &m_theme;
+    QuantityPlot *m_plot;
+    PlotExport *m_export;
+    FlatButton *m_up = nullptr;
+    FlatButton *m_across = nullptr;
+    QLabel *m_value = nullptr;
+    QToolButton *m_more = nullptr;
+};
+
+}

@@ -1,0 +1,225 @@
+#include "app/ui/plots/plot_export.h"
+
+#include "app/model/words.h"
+
+#include <qcustomplot.h>
+
+#include <QAction>
+#include <QClipboard>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QGuiApplication>
+#include <QMenu>
+#include <QPdfWriter>
+#include <QSaveFile>
+#include <QSvgGenerator>
+#include <QToolButton>
+
+namespace app {
+
+namespace {
+
+constexpr int titleHeight = 32;   ///< px, over the plot
+constexpr int titleLeft = 12;     ///< px
+constexpr double sharpness = 2.0; ///< pixels of a picture a px of the screen, each way
+constexpr int dotsPerInch = 96;   ///< of a px, for pages
+
+QSize wholeSize(const PlotPicture &picture)
+{
+    return picture.size + QSize(0, titleHeight);
+}
+
+}
+
+PlotExport::PlotExport(MakePicture picture, const Theme &theme, QWidget *parent)
+    : QObject(parent), m_picture(std::move(picture)), m_theme(theme),
+      m_savePicture(new QAction(tr("Save the &picture…"), this)),
+      m_copyPicture(new QAction(tr("&Copy the picture"), this))
+{
+    m_savePicture->setToolTip(tr("As PNG, SVG or PDF"));
+    connect(m_savePicture, &QAction::triggered, this, &PlotExport::askPicture);
+    connect(m_copyPicture, &QAction::triggered, this, &PlotExport::copyPicture);
+}
+
+void PlotExport::setNumbers(MakeNumbers numbers)
+{
+    m_numbers = std::move(numbers);
+    m_saveNumbers = new QAction(tr("Save the &numbers as CSV…"), this);
+    m_saveNumbers->setToolTip(tr("Every frame of the run, with all digits"));
+    connect(m_saveNumbers, &QAction::triggered, this, &PlotExport::askNumbers);
+}
+
+void PlotExport::addTo(QMenu &menu)
+{
+    if (m_saveNumbers)
+        menu.addAction(m_saveNumbers);
+    menu.addActions({m_savePicture, m_copyPicture});
+}
+
+void PlotExport::addContextMenu(QWidget &plot)
+{
+    plot.setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(&plot, &QWidget::customContextMenuRequested, this, [this, shown = &plot](const QPoint &place) {
+        auto *menu = new QMenu(shown);
+        menu->setAttribute(Qt::WA_DeleteOnClose);
+        menu->setToolTipsVisible(true);
+        addTo(*menu);
+        menu->popup(shown->mapToGlobal(place));
+    });
+}
+
+QToolButton *PlotExport::makeButton(QWidget *parent)
+{
+    auto *button = new QToolButton(parent);
+    auto *menu = new QMenu(button);
+    menu->setToolTipsVisible(true);
+    addTo(*menu);
+    button->setObjectName("plotMenu");
+    button->setMenu(menu);
+    button->setPopupMode(QToolButton::InstantPopup);
+    button->setFocusPolicy(Qt::TabFocus);
+    button->setFixedSize(28, 28);
+    button->setToolTip(tr("Save or copy this plot"));
+    button->setAccessibleName(tr("Save or copy this plot"));
+    const auto dress = [this, button] {
+        button->setIcon(m_theme.icon("more"));
+        button->setIconSize({16, 16});
+    };
+    dress();
+    connect(&m_theme, &Theme::changed, button, dress);
+    return button;
+}
+
+QWidget *PlotExport::window() const
+{
+    return static_cast<QWidget *>(parent())->window();
+}
+
+void PlotExport::paint(QCPPainter &painter, const PlotPicture &picture) const
+{
+    const Tokens &t = m_theme.tokens();
+    painter.fillRect(QRect({0, 0}, wholeSize(picture)), t.panel);
+    painter.setFont(m_theme.ui(13, QFont::DemiBold));
+    painter.setPen(t.ink);
+    const QRect title(titleLeft, 0, picture.size.width() - 2 * titleLeft, titleHeight);
+    painter.drawText(title, Qt::AlignLeft | Qt::AlignVCenter,
+                     painter.fontMetrics().elidedText(picture.title, Qt::ElideRight, title.width()));
+    painter.translate(0, titleHeight);
+    picture.draw(painter);
+}
+
+QImage PlotExport::image() const
+{
+    const PlotPicture picture = m_picture();
+    QImage image(wholeSize(picture) * sharpness, QImage::Format_RGB32);
+    image.setDevicePixelRatio(sharpness);
+    QCPPainter painter(&image);
+    painter.setRenderHint(QPainter::Antialiasing);
+    paint(painter, picture);
+    return image;
+}
+
+bool PlotExport::write(QIODevice &file, const QString &suffix) const
+{
+    if (suffix == "png")
+        return image().save(&file, "PNG");
+    const PlotPicture picture = m_picture();
+    const QSize size = wholeSize(picture);
+    QSvgGenerator svg;
+    QPdfWriter pdf(&file);
+    const bool isPdf = suffix == "pdf";
+    if (isPdf) {
+        pdf.setTitle(picture.title);
+        pdf.setCreator(QStringLiteral("Springstep"));
+        pdf.setResolution(dotsPerInch);
+        pdf.setPageSize(QPageSize(QSizeF(size) / dotsPerInch, QPageSize::Inch));
+        pdf.setPageMargins({});
+    } else {
+        svg.setOutputDevice(&file);
+        svg.setTitle(picture.title);
+        svg.setSize(size);
+        svg.setViewBox(QRect({0, 0}, size));
+        svg.setResolution(dotsPerInch);
+    }
+    QCPPainter painter(isPdf ? static_cast<QPaintDevice *>(&pdf) : &svg);
+    if (!painter.isActive())
+        return false;
+    painter.setMode(QCPPainter::pmVectorized);
+    painter.setMode(QCPPainter::pmNonCosmetic);
+    paint(painter, picture);
+    return painter.end();
+}
+
+bool PlotExport::savePicture(QString path)
+{
+    QString suffix = QFileInfo(path).suffix().toLower();
+    if (suffix != "png" && suffix != "svg" && suffix != "pdf") {
+        suffix = QStringLiteral("png");
+        path += ".png";
+    }
+    const QString name = quoted(QFileInfo(path).fileName());
+    QSaveFile file(path);
+    if (file.open(QIODevice::WriteOnly) && write(file, suffix) && file.commit()) {
+        emit said(tr("Saved as %1.").arg(name));
+        return true;
+    }
+    emit failed(tr("The picture was not saved as %1: %2. Choose another folder, or make room.")
+                    .arg(name, oneLine(file.errorString())));
+    return false;
+}
+
+void PlotExport::copyPicture()
+{
+    QGuiApplication::clipboard()->setImage(image());
+    emit said(tr("The picture is copied: paste it anywhere."));
+}
+
+void PlotExport::askPicture()
+{
+    const QString path = QFileDialog::getSaveFileName(
+        window(), tr("Save the picture"), m_picture().fileName + ".png", tr("Pictures (*.png *.svg *.pdf)"));
+    if (!path.isEmpty())
+        savePicture(path);
+}
+
+void PlotExport::askNumbers()
+{
+    const QString path = QFileDialog::getSaveFileName(window(), tr("Save the numbers"),
+                                                      m_picture().fileName + ".csv", tr("Tables (*.csv)"));
+    if (!path.isEmpty())
+        saveNumbers(path);
+}
+
+void PlotExport::saveNumbers(const QString &path)
+{
+    std::optional<NumberSheet> sheet = m_numbers ? m_numbers() : std::nullopt;
+    if (!sheet) {
+        emit failed(tr("There are no numbers to save: this plot shows nothing here."));
+        return;
+    }
+    if (m_table)
+        m_table->cancel();
+    m_table = new NumberTable(std::move(*sheet), path, this);
+    NumberTable *table = m_table;
+    const auto finish = [this, table] {
+        table->deleteLater();
+        if (m_table == table)
+            m_table.clear();
+        emit tableChanged();
+    };
+    connect(table, &NumberTable::written, this, [this, finish](const QString &file) {
+        emit said(tr("Saved as %1.").arg(quoted(QFileInfo(file).fileName())));
+        finish();
+    });
+    connect(table, &NumberTable::failed, this, [this, finish](const QString &sentence) {
+        emit failed(sentence);
+        finish();
+    });
+    connect(table, &NumberTable::cancelled, this, [this, finish] {
+        emit said(tr("Left off: nothing was saved."));
+        finish();
+    });
+    emit tableChanged();
+}
+
+}

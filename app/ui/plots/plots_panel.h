@@ -1,0 +1,95 @@
+#pragma once
+
+#include "app/model/plot_course.h"
+#include "app/model/plot_list.h"
+#include "app/ui/theme/theme.h"
+
+#include <QTimer>
+#include <QWidget>
+
+#include <vector>
+
+class QLabel;
+class QProgressBar;
+class QScrollArea;
+class QStackedWidget;
+class QVBoxLayout;
+
+namespace app {
+
+class FlatButton;
+class NumberTable;
+class PanelTitle;
+class PlotCard;
+class PlotExport;
+
+/// The plots of a learner, one below the other, with one time. Reads the run only while it is seen.
+class PlotsPanel : public QWidget
+{
+    Q_OBJECT
+
+public:
+    PlotsPanel(Session &session, const Theme &theme, QWidget *parent = nullptr);
+
+    const std::vector<PlotCard *> &cards() const { return m_cards; }
+    PlotList &list() { return m_list; }
+    PlotCourse &course() { return m_course; }
+    /// Whether all that is computed of what is shown is drawn.
+    bool isSettled() const { return !m_course.isReading() && !m_soon.isActive(); }
+    /// The button that adds plots.
+    FlatButton &addButton() const { return *m_add; }
+    /// Adds a plot as the button's menu does.
+    void add(const PlotSpec &plot);
+
+    /// While another tab covers it, it reads and draws nothing.
+    void setCovered(bool covered);
+    bool isCovered() const { return m_isCovered; }
+
+    QSize sizeHint() const override { return {400, 250}; }
+    QSize minimumSizeHint() const override { return {260, 170}; }
+
+signals:
+    void said(const QString &sentence);
+    void failed(const QString &sentence);
+
+protected:
+    void showEvent(QShowEvent *event) override;
+    void hideEvent(QHideEvent *event) override;
+
+private:
+    QMenu *addMenu();
+    QWidget *emptyPage();
+    QWidget *saving();
+    void fillAddMenu(QMenu &menu);
+    void open();
+    void rebuild();
+    PlotCard *makeCard();
+    void removeCard(PlotCard &card);
+    std::size_t indexOf(const PlotCard &card) const;
+    void refreshSoon();
+    void watch();
+    void refresh();
+    void hover(std::optional<std::int64_t> frame);
+    void zoom(int steps);
+    void writeCaption();
+    void showSaving();
+    NumberTable *table() const;
+
+    Session &m_session;
+    const Theme &m_theme;
+    PlotCourse m_course;
+    PlotList m_list;
+    PanelTitle *m_title;
+    FlatButton *m_add;
+    QStackedWidget *m_pages;
+    QScrollArea *m_scroll = nullptr;
+    QVBoxLayout *m_column = nullptr;
+    std::vector<PlotCard *> m_cards;
+    QWidget *m_saving = nullptr;
+    QProgressBar *m_progress = nullptr;
+    bool m_isCovered = false;
+    QTimer m_soon;     ///< all that changes together is drawn together
+    QTimer m_patience; ///< what takes longer shows how far it is
+};
+
+}

@@ -1,0 +1,261 @@
+#include "app/ui/plots/quantity_plot.h"
+
+#include "app/model/quantity_words.h"
+#include "app/ui/plots/number_ticker.h"
+#include "app/ui/plots/quantity_access.h"
+#include "app/ui/theme/plot_axes.h"
+
+#include <QAccessible>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace app {
+
+namespace {
+
+constexpr double curveWidth = 1.8;  ///< px
+constexpr double paleFuture = 0.35; ///< how much of its colour a curve has after the cursor
+const QMargins besideTime(54, 22, 14, 24);
+const QMargins besideQuantity(54, 22, 16, 42); ///< with a name below the axis
+const char *const curveLayer = "curves";
+
+}
+
+QuantityPlot::QuantityPlot(Session &session, const PlotCourse &course, const Theme &theme, QWidget *parent)
+    : QCustomPlot(parent), m_session(session), m_course(course), m_theme(theme)
+{
+    setObjectName("quantityPlot");
+    installQuantityAccess();
+    setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
+    setCursor(Qt::PointingHandCursor);
+    setAntialiasedElements(QCP::aeAll);
+    setNoAntialiasingOnDrag(false);
+    setPlottingHint(QCP::phImmediateRefresh, false); // it is painted together with all else that has changed
+    addLayer(curveLayer, layer("main"), limAbove);
+    layer(curveLayer)->setMode(QCPLayer::lmBuffered);
+    xAxis->setTicker(QSharedPointer<QCPAxisTicker>(new NumberTicker(5)));
+    yAxis->setTicker(QSharedPointer<QCPAxisTicker>(new NumberTicker(4)));
+    axisRect()->setAutoMargins(QCP::msNone);
+    m_ghost = makeCurve();
+    m_future = makeCurve();
+    m_past = makeCurve();
+    connect(&theme, &Theme::changed, this, &QuantityPlot::dress);
+    dress();
+}
+
+QuantityPlot::Curve QuantityPlot::makeCurve()
+{
+    Curve made;
+    made.graph = addGraph();
+    made.curve = new QCPCurve(xAxis, yAxis);
+    made.graph->setLayer(curveLayer);
+    made.curve->setLayer(curveLayer);
+    return made;
+}
+
+void QuantityPlot::setPen(const Curve &curve, const QPen &pen)
+{
+    curve.graph->setPen(pen);
+    curve.curve->setPen(pen);
+}
+
+void QuantityPlot::dress()
+{
+    const Tokens &t = m_theme.tokens();
+    setBackground(t.panel);
+    dressAxis(*xAxis, m_theme);
+    dressAxis(*yAxis, m_theme);
+    QPen pen(t.body, curveWidth, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
+    setPen(m_past, pen);
+    QColor pale = t.body;
+    pale.setAlphaF(static_cast<float>(paleFuture));
+    pen.setColor(pale);
+    setPen(m_future, pen);
+    QPen dashed(t.ghost, 1.5, Qt::CustomDashLine, Qt::FlatCap);
+    dashed.setDashPattern({3.0, 3.0});
+    setPen(m_ghost, dashed);
+    m_axesAreOld = true;
+    update();
+}
+
+void QuantityPlot::setSpec(const PlotSpec &spec)
+{
+    if (spec == m_spec && !m_axesAreOld)
+        return;
+    m_spec = spec;
+    axisRect()->setMargins(spec.isAgainstTime() ? besideTime : besideQuantity);
+    xAxis->setRangeReversed(pointsDown(spec.across.what));
+    yAxis->setRangeReversed(pointsDown(spec.up.what));
+    m_upRange = m_acrossRange = {};
+    m_axesAreOld = true;
+}
+
+QString QuantityPlot::unit(const Quantity &quantity) const
+{
+    return unitOf(quantity.what, m_session.timeline().now().spin.rows() > 0);
+}
+
+QString QuantityPlot::title() const
+{
+    return tr("%1 against %2")
+        .arg(quantityTitle(m_course.bound(m_spec.up)), quantityTitle(m_course.bound(m_spec.across)));
+}
+
+QString QuantityPlot::readout(double up, double across) const
+{
+    const QString first = valueWords(up, unit(m_spec.up));
+    if (m_spec.isAgainstTime())
+        return first;
+    return tr("%1 at %2").arg(first, valueWords(across, unit(m_spec.across)));
+}
+
+QString QuantityPlot::valueText() const
+{
+    return m_empty.isEmpty() || std::isfinite(m_nowUp) ? readout(m_nowUp, m_nowAcross) : QString();
+}
+
+QString QuantityPlot::sentence() const
+{
+    if (!m_empty.isEmpty())
+        return tr("%1. %2").arg(title(), m_empty);
+    return tr("%1: %2 at frame %3").arg(title(), valueText()).arg(m_session.timeline().at().frame);
+}
+
+QString QuantityPlot::whyEmpty() const
+{
+    const sim::Scene &scene = m_session.timeline().track().shown().scene;
+    for (const Quantity &one : {m_course.bound(m_spec.up), m_course.bound(m_spec.across)}) {
+        if (const std::optional<NoValue> why = whyNot(one, scene))
+            return noValueWords(one, scene, *why);
+    }
+    if (m_session.timeline().computed() == 0)
+        return tr("Play, or step a frame: then a curve begins here.");
+    return {};
+}
+
+void QuantityPlot::refresh(const std::vector<double> &now)
+{
+    m_up = m_course.columnOf(m_spec.up);
+    m_across = m_course.columnOf(m_spec.across);
+    const auto valueAt = [&now](std::size_t column) {
+        return column < now.size() ? now[column] : std::numeric_limits<double>::quiet_NaN();
+    };
+    m_nowUp = valueAt(m_up);
+    m_nowAcross = valueAt(m_across);
+    m_empty = whyEmpty();
+    const std::int64_t at = m_session.timeline().at().frame;
+    const bool isChanged = m_drawn != m_course.revision() || m_drawnAt != at;
+    m_drawn = m_course.revision();
+    m_drawnAt = at;
+    if (isChanged || m_axesAreOld)
+        fillCurves();
+    const bool isRescaled = fitAxes();
+    if (std::exchange(m_axesAreOld, false) || isRescaled) {
+        replot(QCustomPlot::rpQueuedRefresh);
+        ++m_axesPainted;
+        ++m_curvesPainted;
+    } else if (isChanged) {
+        layer(curveLayer)->replot();
+        ++m_curvesPainted;
+    } else {
+        update();
+    }
+    announce();
+}
+
+void QuantityPlot::announce()
+{
+    if (m_session.isPlaying() || !QAccessible::isActive())
+        return;
+    QAccessibleValueChangeEvent event(this, sentence());
+    QAccessible::updateAccessibility(&event);
+}
+
+void QuantityPlot::fitAxis(QCPAxis &axis, PlotRange &range, std::size_t column)
+{
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    const auto take = [&](double least, double most) {
+        low = std::fmin(low, least);
+        high = std::fmax(high, most);
+    };
+    for (const Samples *samples : {&m_course.run(), &m_course.ghost()}) {
+        for (std::size_t i = 0; column < samples->columns() && i < samples->size(); ++i)
+            take(samples->at(i, column).low, samples->at(i, column).high);
+    }
+    const double now = column == m_up ? m_nowUp : m_nowAcross;
+    if (std::isfinite(now))
+        take(now, now);
+    if (!(low <= high) || !std::isfinite(high - low))
+        return;
+    range = rangeAfter(range, low, high);
+    axis.setRange(range.low, range.high);
+}
+
+bool QuantityPlot::fitAxes()
+{
+    const QCPRange across = xAxis->range(), up = yAxis->range();
+    fitAxis(*yAxis, m_upRange, m_up);
+    if (m_spec.isAgainstTime())
+        xAxis->setRange(static_cast<double>(m_course.window().first),
+                        static_cast<double>(m_course.window().last));
+    else
+        fitAxis(*xAxis, m_acrossRange, m_across);
+    keepShape();
+    return xAxis->range() != across || yAxis->range() != up;
+}
+
+/// A path is seen as it is in the picture: as many px up as across.
+void QuantityPlot::keepShape()
+{
+    const bool isPath = m_spec.up.what == Measured::placeY && m_spec.across.what == Measured::placeX;
+    const QRect area = axisRect()->rect();
+    if (!isPath || area.isEmpty())
+        return;
+    const double upScale = m_upRange.high - m_upRange.low,
+                 acrossScale = m_acrossRange.high - m_acrossRange.low;
+    const double scale = std::max(upScale / area.height(), acrossScale / area.width());
+    const auto widen = [scale](QCPAxis &axis, const PlotRange &range, int pixels) {
+        const double middle = 0.5 * (range.low + range.high), half = 0.5 * scale * pixels;
+        axis.setRange(middle - half, middle + half);
+    };
+    widen(*xAxis, m_acrossRange, area.width());
+    widen(*yAxis, m_upRange, area.height());
+}
+
+void QuantityPlot::fill(const Curve &curve, const Samples &samples, std::size_t first, std::size_t last)
+{
+    const bool isGraph = m_spec.isAgainstTime();
+    QVector<QCPGraphData> points;
+    QVector<QCPCurveData> places;
+    const bool isThere = m_empty.isEmpty() && m_up < samples.columns() && m_across < samples.columns();
+    for (std::size_t i = first; isThere && i <= last && i < samples.size(); ++i) {
+        const auto frame = static_cast<double>(samples.frameOf(i));
+        const Samples::Bucket &up = samples.at(i, m_up);
+        if (!isGraph) {
+            places.append({frame, samples.at(i, m_across).first, up.first});
+            continue;
+        }
+        points.append({frame, samples.stride() > 1 ? up.low : up.first});
+        if (samples.stride() > 1)
+            points.append({frame, up.high});
+    }
+    curve.graph->data()->set(points, true);
+    curve.curve->data()->set(places, true);
+}
+
+void QuantityPlot::fillCurves()
+{
+    const Samples &run = m_course.run(), &ghost = m_course.ghost();
+    const std::size_t end = run.isEmpty() ? 0 : run.size() - 1;
+    const std::int64_t at = m_session.timeline().at().frame;
+    const std::size_t here = run.isEmpty() || at < run.firstFrame() ? 0 : run.bucketNear(at);
+    fill(m_past, run, 0, here);
+    fill(m_future, run, here, here < end ? end : 0);
+    fill(m_ghost, ghost, 0, ghost.isEmpty() ? 0 : ghost.size() - 1);
+}
+
+}

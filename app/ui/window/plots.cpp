@@ -1,0 +1,97 @@
+// The plots of the window: where they stand, and who hears what they say.
+
+#include "app/ui/energy/energy_panel.h"
+#include "app/ui/measure/accuracy_panel.h"
+#include "app/ui/plots/plot_export.h"
+#include "app/ui/plots/plots_panel.h"
+#include "app/ui/window/main_window.h"
+#include "app/ui/window/notice.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QMenu>
+#include <QResizeEvent>
+#include <QSettings>
+
+namespace app {
+
+namespace {
+
+const char *const shownKey = "plots/shown";
+constexpr int wide = 1600; ///< px, from here on
+constexpr int high = 900;  ///< and here, plots fit between code and parameters
+
+}
+
+void MainWindow::makePlots()
+{
+    m_plots = new PlotsPanel(m_session, m_theme, this);
+    m_plotsDock = dock("plots", new QWidget(this), m_plots, Qt::RightDockWidgetArea);
+    m_plotsDock->setWindowTitle(tr("Plots")); // its tab, where docks are tabs
+    m_codeDock->setWindowTitle(tr("Code"));
+    connect(m_plots, &PlotsPanel::said, &m_session, &Session::said);
+    connect(m_plots, &PlotsPanel::failed, m_notice, &Notice::say);
+    for (const PlotExport *exports : {&m_energy->exports(), &m_accuracy->exports()}) {
+        connect(exports, &PlotExport::said, &m_session, &Session::said);
+        connect(exports, &PlotExport::failed, m_notice, &Notice::say);
+    }
+    connect(m_plotsDock, &QDockWidget::visibilityChanged, m_plots,
+            [plots = m_plots](bool seen) { plots->setCovered(!seen); });
+}
+
+void MainWindow::makePlotsAction()
+{
+    QAction *made = action(tr("&Plots"), {QKeySequence("Ctrl+5")}, tr("Window"));
+    made->setObjectName("showPlots");
+    made->setToolTip(tr("Curves of any quantity of any body (Ctrl+5)"));
+    made->setCheckable(true);
+    m_view->addAction(made);
+    connect(made, &QAction::triggered, this,
+            [this](bool shown) { showPlots(shown || m_plots->isCovered()); });
+    connect(m_plotsDock, &QDockWidget::visibilityChanged, made,
+            [made, dock = m_plotsDock] { made->setChecked(!dock->isHidden()); });
+}
+
+bool MainWindow::hasRoomForPlots() const
+{
+    return width() >= wide && height() >= high;
+}
+
+void MainWindow::showPlots(bool shown)
+{
+    QSettings().setValue(shownKey, shown);
+    m_plotsDock->setVisible(shown);
+    if (shown) {
+        arrangePlots();
+        m_plotsDock->raise();
+    }
+    fitParameters();
+}
+
+void MainWindow::arrangePlots()
+{
+    const bool shown = QSettings().value(shownKey, true).toBool();
+    removeDockWidget(m_plotsDock); // a dock leaves its tabs only so
+    if (hasRoomForPlots()) {
+        addDockWidget(Qt::RightDockWidgetArea, m_plotsDock);
+        splitDockWidget(m_codeDock, m_plotsDock, Qt::Vertical);
+    } else {
+        QDockWidget *beside = m_mode == Mode::measure ? m_accuracyDock : m_codeDock;
+        addDockWidget(Qt::RightDockWidgetArea, m_plotsDock);
+        tabifyDockWidget(beside, m_plotsDock);
+        beside->raise();
+    }
+    m_plotsDock->setVisible(shown);
+}
+
+void MainWindow::resizeEvent(QResizeEvent *event)
+{
+    QMainWindow::resizeEvent(event);
+    const auto hasRoom = [](QSize size) { return size.width() >= wide && size.height() >= high; };
+    if (event->oldSize().isValid() && hasRoom(event->oldSize()) == hasRoom(event->size()))
+        return;
+    arrangePlots();
+    fitParameters();
+}
+
+}
