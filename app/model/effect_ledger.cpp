@@ -1,5 +1,9 @@
 #include "app/model/effect_ledger.h"
 
+#include "app/model/workshop.h"
+
+#include <algorithm>
+
 namespace app {
 
 EffectLedger::EffectLedger(Session &session, CostFunction function, QObject *parent)
@@ -56,6 +60,7 @@ std::vector<EffectLine> EffectLedger::lines() const
     facts.leftOut = m_session.timeline().track().next()->pipeline.leftOut;
     facts.cost = m_costs.cost();
     facts.known = m_known;
+    facts.offered = m_session.step().catalogue;
     return effectLines(facts);
 }
 
@@ -74,7 +79,13 @@ QString EffectLedger::caption() const
 
 void EffectLedger::switchEffect(const QString &id, bool on)
 {
-    m_session.setEffect(id, on);
+    const std::vector<sim::EffectPtr> &now = listed();
+    const bool isThere = std::any_of(
+        now.begin(), now.end(), [&](const sim::EffectPtr &one) { return one->id() == id.toStdString(); });
+    if (isThere)
+        m_session.setEffect(id, on);
+    else
+        setBuiltEffect(m_session, id, on);
 }
 
 }

@@ -123,6 +123,8 @@ QString helpFor(const EffectLine &line, const std::string &purpose)
         help << Text::tr("As it is set it can change nothing, so no frame computes it: 0 ns.");
     if (line.role == EffectRole::off)
         help << Text::tr("Switched off: it costs nothing.");
+    if (line.role == EffectRole::offered)
+        help << Text::tr("Not in this scene, so it costs nothing.");
     help << (line.isOn() ? Text::tr("Space or a click on the switch takes it out of the scene.")
                          : Text::tr("Space or a click on the switch puts it back."));
     return help.join('\n');
@@ -150,6 +152,26 @@ EffectLine listedLine(const EffectFacts &facts, const sim::Effect &effect)
     return line;
 }
 
+/// Whether the scene lists an effect with the id of `effect`.
+bool isListed(const EffectFacts &facts, const sim::Effect &effect)
+{
+    return std::any_of(facts.listed.begin(), facts.listed.end(),
+                       [&](const sim::EffectPtr &one) { return one->id() == effect.id(); });
+}
+
+EffectLine offeredLine(const sim::Effect &effect)
+{
+    EffectLine line;
+    line.id = QString::fromStdString(effect.id());
+    line.title = capitalised(phrase(effect.title()));
+    line.kind = effect.kind();
+    line.role = EffectRole::offered;
+    line.frame = QStringLiteral("0");
+    line.note = Text::tr("not in this scene");
+    line.help = helpFor(line, sim::purposeOf(effect));
+    return line;
+}
+
 EffectLine restLine(const sim::FrameCost *cost)
 {
     EffectLine line;
@@ -171,9 +193,11 @@ EffectLine restLine(const sim::FrameCost *cost)
 std::optional<EffectLine> absentLine(const EffectFacts &facts, sim::Kind kind)
 {
     const auto isListed = [&](const KnownEffect &known) {
-        return std::any_of(facts.listed.begin(), facts.listed.end(), [&](const sim::EffectPtr &one) {
+        const auto isIt = [&](const sim::EffectPtr &one) {
             return one->kind() == kind && one->title() == known.title;
-        });
+        };
+        return std::any_of(facts.listed.begin(), facts.listed.end(), isIt) ||
+               std::any_of(facts.offered.begin(), facts.offered.end(), isIt);
     };
     QStringList titles, help;
     for (const KnownEffect &known : facts.known) {
@@ -224,6 +248,10 @@ std::vector<EffectLine> effectLines(const EffectFacts &facts)
             continue;
         ids.push_back(effect->id());
         lines.push_back(listedLine(facts, *effect));
+    }
+    for (const sim::EffectPtr &effect : facts.offered) {
+        if (!isListed(facts, *effect))
+            lines.push_back(offeredLine(*effect));
     }
     lines.push_back(restLine(facts.cost));
     std::vector<sim::Kind> kinds;

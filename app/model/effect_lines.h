@@ -10,10 +10,11 @@ namespace app {
 /// What a line of it is about.
 enum class EffectRole {
     acts,
-    idle,   ///< listed, but set so that it changes nothing: left out
-    off,    ///< listed, but switched off
-    rest,   ///< what no effect takes of the frame
-    absent, ///< not listed here; other lessons know it
+    idle,    ///< listed, but set so that it changes nothing: left out
+    off,     ///< listed, but switched off
+    offered, ///< not listed, but the scene is built and can have it
+    rest,    ///< what no effect takes of the frame
+    absent,  ///< not listed here; other lessons know it
 };
 
 /// One line of the ledger.
@@ -48,9 +49,10 @@ struct EffectFacts
     std::vector<sim::EffectPtr> leftOut;
     const sim::FrameCost *cost = nullptr; ///< null: not measured yet
     std::vector<KnownEffect> known;
+    std::vector<sim::EffectPtr> offered = {}; ///< what a scene that is built can have
 };
 
-/// A line for each id that is listed, then the rest of the frame, then one for each kind that has absent effects.
+/// A line for each id that is listed, then for each that is offered, then the rest of the frame, then one for each kind that has absent effects.
 std::vector<EffectLine> effectLines(const EffectFacts &facts);
 
 /// "46\u2009ns a frame, ±2".

@@ -50,8 +50,8 @@ QByteArray readFile(const QString &path)
 QString lessonIds(const LessonLibrary &library)
 {
     QStringList ids;
-    for (const LessonEntry &lesson : library.lessons)
-        ids.push_back(lesson.id);
+    for (std::size_t i = 0; i < library.entries(); ++i)
+        ids.push_back(library.entry(i).id);
     return quotedList(ids);
 }
 

@@ -1,5 +1,6 @@
 #include "app/model/experiment.h"
 
+#include "app/model/blueprint_reader.h"
 #include "app/model/experiment_input.h"
 #include "app/model/experiment_method.h"
 #include "app/model/experiment_points.h"
@@ -38,6 +39,7 @@ public:
         refuseWhatNoStepHas();
         readMethod(m_file, m_fields, script());
         readParameters();
+        readScene();
         openRun();
         readPoints();
         if (const JsonValue *frames = m_fields.find("frames"))
@@ -50,6 +52,7 @@ public:
         walk();
         readEffects();
         readBodies();
+        moveBuiltBodies();
         composeAll();
         return m_experiment;
     }
@@ -89,12 +92,17 @@ private:
 
     void refuseWhatNoStepHas() const
     {
-        if (const JsonValue *scene = m_fields.find("scene"))
+        const bool isBuilt = m_step->points == lessons::Points::scene;
+        if (const JsonValue *scene = m_fields.find("scene"); scene && !isBuilt)
             refuse(m_file, scene->line,
                    tr("\"scene\" does not go with a lesson's step, which has its own; remove it, and change "
                       "that "
                       "one by \"parameters\", \"bodies\" and \"effects\"."));
         const JsonValue *links = m_fields.find("links");
+        if (links && isBuilt)
+            refuse(m_file, links->line,
+                   tr("the step %1 has its sticks in \"scene\"; move \"links\" there and call it \"sticks\".")
+                       .arg(quoted(m_step->id)));
         if (links && m_step->points != lessons::Points::files && !listOf(m_file, *links, "links").empty())
             refuse(m_file, links->line,
                    tr("the step %1 has no sticks; remove \"links\".").arg(quoted(m_step->id)));
@@ -125,6 +133,14 @@ private:
         script().input = m_fields.find("input") ? std::vector<sim::Event>() : std::move(opened.input);
         for (const sim::Event &event : script().input)
             m_events.push_back({event, m_fields.line()});
+    }
+
+    /// The whole scene, where the step takes one.
+    void readScene()
+    {
+        if (const JsonValue *scene = m_fields.find("scene"))
+            script().values.blueprint =
+                std::make_shared<const sim::Blueprint>(readBlueprint(m_file, *scene, *m_step));
     }
 
     /// Points and sticks of the file's own, where the step takes them: scenes are made from them.
@@ -210,6 +226,23 @@ private:
                 start.v = {hasX ? body.number("vx") : 0.0, hasY ? body.number("vy") : 0.0};
             script().bodies[name.toStdString()] = start;
         }
+    }
+
+    /// Where "bodies" starts a body of a built scene, it is built there: then the learner can move it.
+    void moveBuiltBodies()
+    {
+        if (!script().values.blueprint)
+            return;
+        sim::Blueprint plan = *script().values.blueprint;
+        for (sim::BuiltPoint &point : plan.points) {
+            const auto start = script().bodies.find(point.name);
+            if (start == script().bodies.end())
+                continue;
+            point.x = start->second.x;
+            point.v = start->second.v.value_or(point.v);
+        }
+        script().values.blueprint = std::make_shared<const sim::Blueprint>(std::move(plan));
+        script().bodies.clear();
     }
 
     /// Composes the scene of every stretch of the run, so that none is refused in the middle of it.

@@ -1,5 +1,6 @@
 #include "app/model/experiment.h"
 
+#include "app/model/blueprint_writer.h"
 #include "app/model/experiment_events.h"
 #include "app/model/input_walk.h"
 #include "app/model/parameter_value.h"
@@ -211,6 +212,8 @@ QByteArray experimentText(const Experiment &experiment, const LessonLibrary &lib
     if (!effects.isEmpty())
         writer.field("effects", '[' + effects.join(", ") + ']');
     writer.block("parameters", "{}", parameterEntries(script, *step));
+    if (script.values.blueprint)
+        writer.field("scene", blueprintText(*script.values.blueprint));
     writer.block("bodies", "{}", bodyEntries(script));
     if (script.values.sticks && script.values.sticks->empty())
         writer.field("links", "[]");

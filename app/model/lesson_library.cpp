@@ -32,6 +32,11 @@ QStringList librariesIn(const QString &folder)
     return files;
 }
 
+bool isWorkshop(const LessonEntry &entry)
+{
+    return entry.steps.front().points == lessons::Points::scene;
+}
+
 }
 
 const lessons::Step *LessonEntry::step(const QString &wanted) const
@@ -43,9 +48,11 @@ const lessons::Step *LessonEntry::step(const QString &wanted) const
 
 const LessonEntry *LessonLibrary::lesson(const QString &wanted) const
 {
-    const auto found = std::find_if(lessons.begin(), lessons.end(),
-                                    [&wanted](const LessonEntry &entry) { return entry.id == wanted; });
-    return found == lessons.end() ? nullptr : &*found;
+    for (std::size_t i = 0; i < entries(); ++i) {
+        if (entry(i).id == wanted)
+            return &entry(i);
+    }
+    return nullptr;
 }
 
 LessonLibrary LessonLibrary::load(const QStringList &folders, Language *language)
@@ -61,15 +68,17 @@ LessonLibrary LessonLibrary::load(const QStringList &folders, Language *language
             try {
                 LessonEntry entry = loadLesson(file, language);
                 if (!library.lesson(entry.id))
-                    library.lessons.push_back(std::move(entry));
+                    (isWorkshop(entry) ? library.workshops : library.lessons).push_back(std::move(entry));
             } catch (const Refusal &refusal) {
                 library.problems.push_back({file, refusal.sentence()});
             }
         }
     }
-    std::sort(library.lessons.begin(), library.lessons.end(), [](const LessonEntry &a, const LessonEntry &b) {
-        return std::tie(a.order, a.id) < std::tie(b.order, b.id);
-    });
+    for (std::vector<LessonEntry> *all : {&library.lessons, &library.workshops}) {
+        std::sort(all->begin(), all->end(), [](const LessonEntry &a, const LessonEntry &b) {
+            return std::tie(a.order, a.id) < std::tie(b.order, b.id);
+        });
+    }
     return library;
 }
 

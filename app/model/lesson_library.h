@@ -35,9 +35,17 @@ struct LessonProblem
 struct LessonLibrary
 {
     std::vector<LessonEntry> lessons;
+    std::vector<LessonEntry> workshops; ///< in them a learner builds the scene: their steps take a file's scene
     std::vector<LessonProblem> problems;
 
+    /// The lesson or workshop called `id`, or null.
     const LessonEntry *lesson(const QString &id) const;
+    /// All of them by number: the lessons, then the workshops.
+    std::size_t entries() const { return lessons.size() + workshops.size(); }
+    const LessonEntry &entry(std::size_t number) const
+    {
+        return number < lessons.size() ? lessons[number] : workshops[number - lessons.size()];
+    }
 
     /// Loads the plugins in `folders`, in that order; of two with one id the first counts. Their texts are in
     /// `language`, which learns what they bring; in English without one.

@@ -104,6 +104,10 @@ QString sentenceFor(const sim::Error &error)
         return Text::tr(
                    "Stick %1 ends at p%2, and there is no such point: there are %3, and the first is p0.")
             .arg(value(error, "stick"), value(error, "end"), value(error, "points"));
+    if (error.id() == "spring-without-end")
+        return Text::tr(
+                   "Spring %1 ends at p%2, and there is no such point: there are %3, and the first is p0.")
+            .arg(value(error, "spring"), value(error, "end"), value(error, "points"));
     if (error.id() == "input-not-finite")
         return Text::tr(
                    "The event %1 before frame %2 has a number that is infinite or none at all: give it a "

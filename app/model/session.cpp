@@ -34,7 +34,7 @@ const lessons::Step *Session::preceding() const
 {
     if (m_step > 0)
         return &lesson().steps[m_step - 1];
-    return m_lesson > 0 ? &m_library.lessons[m_lesson - 1].steps.back() : nullptr;
+    return m_lesson > 0 && !isWorkshop() ? &m_library.lessons[m_lesson - 1].steps.back() : nullptr;
 }
 
 bool Session::isStepDone(const LessonEntry &lesson, const lessons::Step &step) const
@@ -48,8 +48,8 @@ bool Session::isStepDone(const LessonEntry &lesson, const lessons::Step &step) c
 
 void Session::openStep(const QString &lessonId, const QString &stepId)
 {
-    for (std::size_t i = 0; i < m_library.lessons.size(); ++i) {
-        const LessonEntry &entry = m_library.lessons[i];
+    for (std::size_t i = 0; i < m_library.entries(); ++i) {
+        const LessonEntry &entry = m_library.entry(i);
         for (std::size_t j = 0; j < entry.steps.size(); ++j) {
             if (entry.id != lessonId || entry.steps[j].id != stepId)
                 continue;

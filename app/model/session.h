@@ -35,7 +35,7 @@ public:
 
     // What is open
     const LessonLibrary &library() const { return m_library; }
-    const LessonEntry &lesson() const { return m_library.lessons[m_lesson]; }
+    const LessonEntry &lesson() const { return m_library.entry(m_lesson); }
     const lessons::Step &step() const { return lesson().steps[m_step]; }
     /// The step after this one, in this lesson or the next; null after the last.
     const lessons::Step *following() const;
@@ -120,6 +120,17 @@ public:
     void letUp();
     /// The step as it was when it was first opened, with a preset's values. Goes on playing if it played.
     void startWith(const lessons::Preset &preset);
+
+    // A scene that the learner builds
+    /// Whether the open step takes a scene that is built.
+    bool isWorkshop() const { return step().points == lessons::Points::scene; }
+    /// What the scene is built from; null where a lesson sets it up.
+    std::shared_ptr<const sim::Blueprint> blueprint() const { return m_timeline->script().values.blueprint; }
+    /// Puts another blueprint in its place, and goes to the start of the run. A scene that cannot be is refused in a
+    /// sentence, and nothing changes. Returns whether it was built.
+    bool build(const Deed &deed, sim::Blueprint blueprint);
+    /// The same for all of a run: another experiment of the open step.
+    bool takeUp(const Deed &deed, const sim::Script &script);
 
     // Undo: all that was changed since the step was opened, and comes back with the very bits it had
     const QUndoStack &deeds() const { return m_deeds; }

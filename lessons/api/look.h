@@ -22,6 +22,7 @@ struct BodyLook
     };
     Shape shape = Shape::foot;
     double radius = 5.0; ///< px
+    bool fixed = false;  ///< nailed where it is: drawn with a nail
 };
 
 /// A leg between two points.
@@ -40,6 +41,14 @@ struct StickLook
     int b = 0;
     double length = 0.0; ///< px
     double width = 3.0;  ///< px
+};
+
+/// A spring, drawn as a coil that gets longer and shorter.
+struct SpringLook
+{
+    int a = 0;
+    int b = 0;
+    double length = 0.0; ///< px, at rest
 };
 
 /// A thick round limb under the sticks.
@@ -78,6 +87,7 @@ struct Look
     std::vector<BodyLook> bodies; ///< one a point
     std::vector<LegLook> legs;
     std::vector<StickLook> sticks;
+    std::vector<SpringLook> springs;
     std::vector<LimbLook> limbs;
     std::vector<ChainLook> chains;
     std::vector<SkinLook> skins;

@@ -40,6 +40,9 @@ struct Parameter
     /// Another value is another experiment: the run begins anew with it, as Step::opening has it.
     bool opens = false;
     Scale scale = Scale::even;
+    /// Ids of the effects that read it, where a learner chooses effects: it is offered while one of them is in the scene.
+    /// Empty: always.
+    QStringList effects = {};
 
     bool isWhole() const { return whole; }
 };

@@ -69,6 +69,15 @@ enum class Columns { placeAndVelocity, place, placeAndAngle };
 enum class Points {
     stepsOwn,
     files, ///< a file's bodies p0, p1... are all the points there are, and its links all the sticks
+    scene, ///< a file's scene is all there is: Values::blueprint
+};
+
+/// An experiment that comes with a step.
+struct Example
+{
+    QString title;
+    QString help; ///< one sentence: what to see, and to try
+    QString file; ///< an embedded experiment file of this step
 };
 
 /// A second run of the same script, to compare with: its figure is drawn beside that of the run.
@@ -113,6 +122,10 @@ struct Step
     std::vector<Measure> measures;
     /// Offered as a gallery; may be empty.
     std::vector<Preset> presetGallery;
+    /// Offered as a gallery where a learner builds the scene; may be empty.
+    std::vector<Example> examples = {};
+    /// Where a learner builds the scene: the effects that it can have besides those of its springs, sticks and feet.
+    std::vector<sim::EffectPtr> catalogue = {};
     /// Whether one of look().feet stands on the ground; needed where there are any.
     std::function<bool(const sim::Scene &, const sim::State &, const sim::Values &, int point)> stands;
     std::vector<Does> does = {Does::hand};

@@ -27,6 +27,9 @@ public:
     bool balances(const State &state) const override;
     std::vector<Live> explain(const State &state, int mover, Directions directions) const override;
 
+    const std::vector<Link> &links() const { return m_links.list(); }
+    double k() const { return m_k; }
+
 private:
     Links m_links;
     double m_k;

@@ -25,6 +25,8 @@ public:
     std::optional<double> energy(const State &state) const override;
     std::vector<Live> explain(const State &state, int mover, Directions directions) const override;
 
+    double gravity() const { return m_gravity; }
+
 private:
     double m_gravity;
 };

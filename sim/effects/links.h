@@ -76,6 +76,7 @@ public:
     }
 
     const LinkRuns &runs() const { return m_runs; }
+    const std::vector<Link> &list() const { return m_links; }
 
 private:
     std::vector<Link> m_links;

@@ -25,6 +25,10 @@ public:
     std::optional<double> energy(const State &state) const override;
     std::vector<Live> explain(const State &state, int mover, Directions directions) const override;
 
+    int mover() const { return m_mover; }
+    Vec2 centre() const { return m_centre; }
+    double k() const { return m_k; }
+
 private:
     int m_mover;
     Vec2 m_centre;

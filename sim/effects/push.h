@@ -63,6 +63,10 @@ public:
     bool balances(const State &state) const override;
     std::vector<Live> explain(const State &state, int mover, Directions directions) const override;
 
+    const std::vector<int> &points() const { return m_points; }
+    double k() const { return m_k; }
+    double distance() const { return m_distance; }
+
 private:
     template <class Visit>
     void forEach(const State &state, Points movers, Visit &&visit) const;

@@ -62,6 +62,10 @@ public:
     bool balances(const State &state) const override;
     std::vector<Live> explain(const State &state, int mover, Directions directions) const override;
 
+    const std::vector<Link> &links() const { return m_links.list(); }
+    double k() const { return m_k; }
+    double radius() const { return m_radius; }
+
 private:
     template <class HeadingOf>
     Vec2 pullOf(const State &state, const Link &link, HeadingOf direction) const;

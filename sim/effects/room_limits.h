@@ -78,6 +78,9 @@ public:
     void enforce(State &state, Points points, Directions directions, double h) const override;
     std::vector<Live> explain(const State &before, const State &after, int point) const override;
 
+    const Room &room() const { return m_room; }
+    double friction() const { return m_friction; }
+
 private:
     Room m_room;
     Eigen::ArrayXd m_half;

@@ -28,6 +28,7 @@ public:
     std::vector<Live> explain(const State &before, const State &after, int point) const override;
 
     const std::vector<Stick> &list() const { return m_sticks; }
+    int iterations() const { return m_iterations; }
 
 private:
     template <class Visit>

@@ -48,6 +48,8 @@ public:
     void drive(State &state, double h) const override;
     std::vector<Live> explain(const State &before, const State &after, int point) const override;
 
+    const Room &room() const { return m_room; }
+
 private:
     int clockOf(int point) const { return m_clockOf.at(static_cast<std::size_t>(point)); }
 

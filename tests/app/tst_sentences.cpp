@@ -56,6 +56,9 @@ private slots:
         QTest::newRow("a stick without an end")
             << "stick-without-end" << QStringList{"stick", "4", "end", "7", "points", "5"}
             << "Stick 4 ends at p7, and there is no such point: there are 5, and the first is p0.";
+        QTest::newRow("a spring without an end")
+            << "spring-without-end" << QStringList{"spring", "1", "end", "9", "points", "3"}
+            << "Spring 1 ends at p9, and there is no such point: there are 3, and the first is p0.";
     }
     void refusals()
     {

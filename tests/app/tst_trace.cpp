@@ -57,6 +57,31 @@ private slots:
         }
     }
 
+    void aBuiltSceneIsTraced()
+    {
+        QTemporaryDir folder;
+        QFile file(folder.filePath("built.json"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(
+            "{ \"format\": \"springstep-experiment/1\", \"lesson\": \"sandbox\", \"step\": \"build\",\n"
+            "\"frames\": 40, \"parameters\": { \"gravity\": 0.25 },\n"
+            "\"scene\": { \"bodies\": { \"stone\": { \"x\": 7, \"y\": 3, \"vx\": 2, \"mass\": 5 } },\n"
+            "\"effects\": [\"gravity\"] } }");
+        file.close();
+        const Answer answer = springstep({"trace", file.fileName()});
+        QCOMPARE(answer.err, QString());
+        QCOMPARE(answer.code, 0);
+        const QStringList rows = answer.out.trimmed().split('\n');
+        QCOMPARE(rows.size(), qsizetype(42));
+        QCOMPARE(rows.first(), QString("frame,body,x,y,vx,vy"));
+        for (int n = 0; n <= 40; ++n) // the sum of the speeds 1 g, 2 g ... n g
+            QCOMPARE(rows[n + 1], QStringLiteral("%1,stone,%2,%3,2,%4")
+                                      .arg(n)
+                                      .arg(7 + 2 * n)
+                                      .arg(3 + 0.25 * n * (n + 1) / 2)
+                                      .arg(0.25 * n));
+    }
+
     void rowsStandAtMultiplesOfTheStep_data()
     {
         QTest::addColumn<QString>("fields");

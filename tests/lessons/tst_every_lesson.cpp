@@ -189,7 +189,8 @@ private slots:
         QVERIFY(!all.contains(u'!'));
         QVERIFY2(!all.contains(QRegularExpression(u"\\d (px|rad|°|frames?)\\b"_qs)),
                  "a thin space belongs before a unit");
-        QVERIFY(step.tries.size() >= 2 && step.tries.size() <= 4);
+        const bool isBuilt = step.points == lessons::Points::scene; // there the learner finds things to try
+        QVERIFY(isBuilt || (step.tries.size() >= 2 && step.tries.size() <= 4));
     }
 
     void everyThingToTryHasAHint_data() { addStepRows(); }

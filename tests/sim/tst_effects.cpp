@@ -3,12 +3,15 @@
 #include "support.h"
 
 #include "sim/effects/body_spring.h"
+#include "sim/effects/breeze.h"
 #include "sim/effects/damping.h"
 #include "sim/effects/gravity.h"
 #include "sim/effects/offset_spring.h"
 #include "sim/effects/point_spring.h"
 #include "sim/effects/radial_spring.h"
+#include "sim/effects/springs.h"
 #include "sim/effects/walls.h"
+#include "sim/error.h"
 
 #include <QTest>
 
@@ -70,6 +73,8 @@ private:
             {"radial spring without a length",
              std::make_shared<RadialSpring>(std::vector<Link>{{2, 1}}, k, 0)},
             {"gravity", std::make_shared<Gravity>(0.5)},
+            {"springs of their own",
+             std::make_shared<Springs>(std::vector<Spring>{{0, 1, k, 50}, {2, 1, 0.4 * k, 20}}, feet + 1)},
         };
         for (const auto &[name, force] : forces) {
             QTest::addRow("%s, apart", name) << force << Directions::apart;
@@ -142,6 +147,62 @@ private slots:
             const Eigen::ArrayX2d b = added(force, state, 1.0, Directions::published);
             QVERIFY(((a - b).abs() < 1e-10).all());
         }
+    }
+
+    void springsOfTheirOwnAreRadialSpringsThatPullBothEnds()
+    {
+        Dice dice(31);
+        for (int run = 0; run < 2000; ++run) {
+            const double one = dice.real(0, 200), other = dice.real(0, 200);
+            const Springs springs({{0, 1, k, one}, {1, 2, 0.4 * k, other}}, feet + 1);
+            const RadialSpring first({{0, 1}, {1, 0}}, k, one);
+            const RadialSpring second({{1, 2}, {2, 1}}, 0.4 * k, other);
+            const State state = randomState(dice);
+            const Eigen::ArrayX2d sum =
+                added(first, state, 1.0, Directions::apart) + added(second, state, 1.0, Directions::apart);
+            QVERIFY(((added(springs, state, 1.0, Directions::apart) - sum).abs() < 1e-10).all());
+            QCOMPARE(*springs.energy(state) > 0.0, state.feels(0) || state.feels(1) || state.feels(2));
+        }
+    }
+
+    void aSpringWithoutAnEndIsRefused()
+    {
+        QVERIFY_EXCEPTION_THROWN(Springs({{0, 4, k, 1.0}}, 4), Error);
+        QVERIFY_EXCEPTION_THROWN(Springs({{-1, 0, k, 1.0}}, 4), Error);
+    }
+
+    void theWindIsTheGradientOfWhatItStores()
+    {
+        Dice dice(32);
+        const Breeze wind({0.3, 0.8}, Eigen::ArrayXd::LinSpaced(feet + 1, 5, 40), 0);
+        for (int run = 0; run < 500; ++run) {
+            State state = randomState(dice);
+            state.gait.setConstant(1, dice.real(0, 7));
+            const Eigen::ArrayX2d pull = added(wind, state, 1.0, Directions::apart);
+            for (int i = 0; i <= feet; ++i) {
+                const double at = state.position(i, 0);
+                constexpr double step = 0.05;
+                state.position(i, 0) = at + step;
+                const double right = *wind.energy(state);
+                state.position(i, 0) = at - step;
+                const double left = *wind.energy(state);
+                state.position(i, 0) = at;
+                const double force = (left - right) / (2 * step);
+                QVERIFY(std::abs(pull(i, 0) - force * state.inverseMass[i]) < 1e-6);
+                QCOMPARE(pull(i, 1), 0.0);
+            }
+        }
+    }
+
+    void aSteadyWindPushesAsWideAsABodyIs()
+    {
+        State state = State::ofPoints(2);
+        state.gait.setZero(1);
+        state.inverseMass << 1.0, 0.5;
+        const Eigen::ArrayXd width = Eigen::ArrayXd::LinSpaced(2, 10.0, 40.0);
+        const Eigen::ArrayX2d pull = added(Breeze({0.2, 0.0}, width, 0), state, 1.0, Directions::apart);
+        QCOMPARE(pull(0, 0), 0.2);
+        QCOMPARE(pull(1, 0), 0.4); // four times as wide, twice as heavy
     }
 
     void gravityIsTheSameForEveryMass()

@@ -3,6 +3,7 @@
 #include "support.h"
 
 #include "sim/effects/body_spring.h"
+#include "sim/effects/breeze.h"
 #include "sim/effects/damping.h"
 #include "sim/effects/gravity.h"
 #include "sim/effects/ground.h"
@@ -13,6 +14,7 @@
 #include "sim/effects/push.h"
 #include "sim/effects/radial_spring.h"
 #include "sim/effects/return_to_rest.h"
+#include "sim/effects/springs.h"
 #include "sim/effects/torsion.h"
 #include "sim/effects/turn_round.h"
 #include "sim/effects/walls.h"
@@ -89,6 +91,9 @@ std::vector<Case> cases()
     add("offset_spring", both<OffsetSpring>(oneWay, 0.0, 50.0),
         make_shared<OffsetSpring>(oneWay, 1e-9, 50.0));
     add("radial_spring", both<RadialSpring>(links, 0.0, 50.0), make_shared<RadialSpring>(links, 1e-9, 50.0));
+    add("springs", both<Springs>(std::vector<Spring>{{0, feet, 0.0, 9.0}}, feet + 1),
+        make_shared<Springs>(std::vector<Spring>{{0, feet, 1e-9, 9.0}}, feet + 1));
+    add("breeze", both<Breeze>(Air{0.0, 0.5}, half, 0), make_shared<Breeze>(Air{1e-9, 0.5}, half, 0));
     add("point_spring", both<PointSpring>(1, Vec2{90, 90}, 0.0),
         make_shared<PointSpring>(1, Vec2{90, 90}, 1e-9));
     add("leg_spring", both<LegSpring>(legs, legRule(0.0)), make_shared<LegSpring>(legs, legRule(1e-9)));

@@ -3,6 +3,7 @@
 #include "support.h"
 
 #include "sim/effects/body_spring.h"
+#include "sim/effects/breeze.h"
 #include "sim/effects/gravity.h"
 #include "sim/effects/joints.h"
 #include "sim/effects/leg_spring.h"
@@ -11,6 +12,7 @@
 #include "sim/effects/point_spring.h"
 #include "sim/effects/push.h"
 #include "sim/effects/radial_spring.h"
+#include "sim/effects/springs.h"
 #include "sim/effects/torsion.h"
 #include "sim/effects/wind_torque.h"
 #include "sim/error.h"
@@ -169,6 +171,9 @@ private:
             {"push and reaction",
              std::make_shared<Push>(std::vector<int>{0, 1, 3}, k, reach, Reaction::equal)},
             {"motor", std::make_shared<Motor>(2, k, 0.25)},
+            {"springs of their own",
+             std::make_shared<Springs>(std::vector<Spring>{{0, feet, k, 50}, {1, 2, 0.4 * k, 20}}, feet + 1)},
+            {"wind", std::make_shared<Breeze>(Air{0.4, 0.7}, Eigen::ArrayXd::LinSpaced(feet + 1, 5, 30), 0)},
         };
         for (const auto &[name, force] : forces) {
             QTest::addRow("%s, apart", name) << force << Directions::apart;

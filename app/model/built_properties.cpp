@@ -1,0 +1,326 @@
+#include "app/model/built_properties.h"
+
+#include "app/model/blueprint_limits.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace app {
+
+namespace {
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(BuiltProperties)
+};
+
+/// What a property is called, and what it can be.
+struct Named
+{
+    const char *id;
+    QString name;
+    QString unit;
+    QString help;
+    Span span;
+    int decimals;
+};
+
+lessons::Parameter parameterOf(const Named &named, double preset)
+{
+    lessons::Parameter parameter;
+    parameter.id = QString::fromLatin1(named.id);
+    parameter.name = named.name;
+    parameter.unit = named.unit;
+    parameter.help = named.help;
+    parameter.preset = preset;
+    parameter.min = parameter.sliderMin = named.span.min;
+    parameter.max = parameter.sliderMax = named.span.max;
+    parameter.decimals = named.decimals;
+    return parameter;
+}
+
+/// A property of all chosen parts of one list: `parts(plan)` is the list, `numbers(chosen)` which of it are chosen, and
+/// `field(part)` the number.
+template <class Parts, class Numbers, class Field>
+BuiltProperty propertyOf(const Named &named, Parts parts, Numbers numbers, Field field)
+{
+    BuiltProperty property;
+    property.about = parameterOf(named, 0.0);
+    property.get = [=](const sim::Blueprint &plan, const Chosen &chosen) -> std::optional<double> {
+        std::optional<double> common;
+        for (const int one : numbers(chosen)) {
+            auto part = parts(plan)[std::size_t(one)];
+            const double value = static_cast<double>(field(part));
+            if (common && *common != value)
+                return {};
+            common = value;
+        }
+        return common;
+    };
+    property.set = [=](sim::Blueprint &plan, const Chosen &chosen, double value) {
+        for (const int one : numbers(chosen)) {
+            auto &number = field(parts(plan)[std::size_t(one)]);
+            number = static_cast<std::remove_reference_t<decltype(number)>>(value);
+        }
+    };
+    return property;
+}
+
+const auto pointsOf = [](auto &plan) -> auto &
+{
+    return plan.points;
+};
+const auto springsOf = [](auto &plan) -> auto &
+{
+    return plan.springs;
+};
+const auto sticksOf = [](auto &plan) -> auto &
+{
+    return plan.sticks;
+};
+const auto feetOf = [](auto &plan) -> auto &
+{
+    return plan.feet;
+};
+const auto gaitsOf = [](auto &plan) -> auto &
+{
+    return plan.gaits;
+};
+const auto chosenPoints = [](const Chosen &chosen) { return chosen.points; };
+const auto chosenSprings = [](const Chosen &chosen) { return chosen.springs; };
+const auto chosenSticks = [](const Chosen &chosen) { return chosen.sticks; };
+
+Named x()
+{
+    return {"x", Text::tr("x"), Text::tr("px"), Text::tr("How far to the right it starts."), built::place, 0};
+}
+Named y()
+{
+    return {"y", Text::tr("y"), Text::tr("px"), Text::tr("How far down it starts."), built::place, 0};
+}
+Named vx()
+{
+    return {"vx",
+            Text::tr("Speed x"),
+            Text::tr("px/frame"),
+            Text::tr("How fast it starts to the right."),
+            built::speed,
+            1};
+}
+Named vy()
+{
+    return {"vy",
+            Text::tr("Speed y"),
+            Text::tr("px/frame"),
+            Text::tr("How fast it starts downwards."),
+            built::speed,
+            1};
+}
+Named mass()
+{
+    return {"mass",      Text::tr("Mass"),
+            {},          Text::tr("How much it takes to move it; a usual body has 1."),
+            built::mass, 2};
+}
+Named size()
+{
+    return {"size",         Text::tr("Size"),
+            Text::tr("px"), Text::tr("Its width: walls stop its edge, and wind takes hold of it."),
+            built::size,    0};
+}
+Named fixed()
+{
+    return {"fixed", Text::tr("Nailed"), {}, Text::tr("Whether it stays where it is."), {0.0, 1.0}, 0};
+}
+Named stiffness()
+{
+    return {"k",
+            Text::tr("Stiffness"),
+            Text::tr("1/frame²"),
+            Text::tr("How hard it pulls a usual body: this share of the missing distance, each frame."),
+            built::stiffness,
+            2};
+}
+Named length()
+{
+    return {"length",       Text::tr("Length"),
+            Text::tr("px"), Text::tr("How far apart it wants its two ends."),
+            built::length,  0};
+}
+Named share()
+{
+    return {
+        "share",
+        Text::tr("Share"),
+        {},
+        Text::tr("The part of a wrong length that its first end makes good; the other end does the rest."),
+        built::share,
+        2};
+}
+Named angle()
+{
+    return {
+        "angle",       Text::tr("Angle"),
+        Text::tr("°"), Text::tr("Where the foot belongs, seen from its body: 0 is left of it, 90 above it."),
+        built::angle,  0};
+}
+Named leg()
+{
+    return {"leg",          Text::tr("Leg"),
+            Text::tr("px"), Text::tr("How long the legs of this gait group are."),
+            built::length,  0};
+}
+Named drop()
+{
+    return {"drop",         Text::tr("Drop"),
+            Text::tr("px"), Text::tr("How far below the body the legs of this gait group end."),
+            built::drop,    0};
+}
+Named gaitSpeed()
+{
+    return {"speed",
+            Text::tr("Swing"),
+            Text::tr("rad/frame"),
+            Text::tr("How fast the clock of this gait group turns its legs. 0: they stand still."),
+            built::gaitSpeed,
+            3};
+}
+Named gaitStart()
+{
+    return {"start",          Text::tr("Begin"),
+            Text::tr("rad"),  Text::tr("Where that clock begins: groups that begin apart step in turn."),
+            built::gaitStart, 2};
+}
+Named pullsBody()
+{
+    return {"pulls_body", Text::tr("Carries"),
+            {},           Text::tr("Whether the body feels its feet: without that they do not carry it."),
+            {0.0, 1.0},   0};
+}
+
+/// Adds properties with a section of their own.
+class Collector
+{
+public:
+    void begin(const QString &section) { m_section = section; }
+    void add(BuiltProperty property)
+    {
+        property.section = m_section;
+        m_all.push_back(std::move(property));
+    }
+    void addTruth(BuiltProperty property)
+    {
+        property.isTruth = true;
+        add(std::move(property));
+    }
+    std::vector<BuiltProperty> take() { return std::move(m_all); }
+
+private:
+    QString m_section;
+    std::vector<BuiltProperty> m_all;
+};
+
+void addPoints(Collector &all, const sim::Blueprint &plan, const Chosen &chosen)
+{
+    const auto of = [](const Named &named, auto field) {
+        return propertyOf(named, pointsOf, chosenPoints, field);
+    };
+    const std::size_t count = chosen.points.size();
+    all.begin(count == 1
+                  ? Text::tr("Point %1")
+                        .arg(QString::fromStdString(plan.points[std::size_t(chosen.points.front())].name))
+                  : Text::tr("%1 points").arg(count));
+    all.add(of(
+        x(), [](auto &point) -> auto & { return point.x.x; }));
+    all.add(of(
+        y(), [](auto &point) -> auto & { return point.x.y; }));
+    all.add(of(
+        mass(), [](auto &point) -> auto & { return point.mass; }));
+    all.add(of(
+        size(), [](auto &point) -> auto & { return point.size; }));
+    all.addTruth(of(
+        fixed(), [](auto &point) -> auto & { return point.fixed; }));
+    all.add(of(
+        vx(), [](auto &point) -> auto & { return point.v.x; }));
+    all.add(of(
+        vy(), [](auto &point) -> auto & { return point.v.y; }));
+}
+
+void addSprings(Collector &all, const Chosen &chosen)
+{
+    const std::size_t count = chosen.springs.size();
+    all.begin(count == 1 ? Text::tr("Spring") : Text::tr("%1 springs").arg(count));
+    all.add(propertyOf(
+        stiffness(), springsOf, chosenSprings, [](auto &one) -> auto & { return one.k; }));
+    all.add(propertyOf(
+        length(), springsOf, chosenSprings, [](auto &one) -> auto & { return one.length; }));
+}
+
+void addSticks(Collector &all, const Chosen &chosen)
+{
+    const std::size_t count = chosen.sticks.size();
+    all.begin(count == 1 ? Text::tr("Stick") : Text::tr("%1 sticks").arg(count));
+    all.add(propertyOf(
+        length(), sticksOf, chosenSticks, [](auto &one) -> auto & { return one.length; }));
+    all.add(propertyOf(
+        share(), sticksOf, chosenSticks, [](auto &one) -> auto & { return one.share; }));
+}
+
+void addFootOf(Collector &all, const sim::Blueprint &plan, int foot)
+{
+    const sim::BuiltFoot &one = plan.feet[std::size_t(foot)];
+    const auto theFoot = [foot](const Chosen &) { return std::vector<int>{foot}; };
+    const int gait = one.gait;
+    const auto theGait = [gait](const Chosen &) { return std::vector<int>{gait}; };
+    const auto ofGait = [&](const Named &named, auto field) {
+        return propertyOf(named, gaitsOf, theGait, field);
+    };
+    all.begin(Text::tr("Foot of %1").arg(QString::fromStdString(plan.points[std::size_t(one.body)].name)));
+    all.add(propertyOf(
+        angle(), feetOf, theFoot, [](auto &leg) -> auto & { return leg.angle; }));
+    const double last = double(plan.gaits.size()) - 1.0;
+    BuiltProperty group = propertyOf(
+        {"gait",
+         Text::tr("Group"),
+         {},
+         Text::tr("The gait group: its feet swing to one clock."),
+         {0.0, last},
+         0},
+        feetOf, theFoot, [](auto &leg) -> auto & { return leg.gait; });
+    group.about.whole = true;
+    all.add(std::move(group));
+    all.begin(Text::tr("Gait group %1").arg(gait));
+    all.add(ofGait(
+        stiffness(), [](auto &of) -> auto & { return of.k; }));
+    all.add(ofGait(
+        leg(), [](auto &of) -> auto & { return of.leg; }));
+    all.add(ofGait(
+        drop(), [](auto &of) -> auto & { return of.drop; }));
+    all.add(ofGait(
+        gaitSpeed(), [](auto &of) -> auto & { return of.speed; }));
+    all.add(ofGait(
+        gaitStart(), [](auto &of) -> auto & { return of.start; }));
+    all.addTruth(ofGait(
+        pullsBody(), [](auto &of) -> auto & { return of.pullsBody; }));
+}
+
+}
+
+std::vector<BuiltProperty> propertiesOf(const sim::Blueprint &plan, const Chosen &chosen)
+{
+    Collector all;
+    if (!chosen.points.empty())
+        addPoints(all, plan, chosen);
+    if (chosen.points.size() == 1) {
+        if (const std::optional<int> foot = footOf(plan, chosen.points.front()))
+            addFootOf(all, plan, *foot);
+    }
+    if (!chosen.springs.empty())
+        addSprings(all, chosen);
+    if (!chosen.sticks.empty())
+        addSticks(all, chosen);
+    return all.take();
+}
+
+}

@@ -1,0 +1,344 @@
+#include "app/model/workbench.h"
+
+#include "app/model/workshop.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace app {
+
+namespace {
+
+const sim::Vec2 besideCopied{20.0, 20.0}; ///< px: where copies stand
+
+void toggle(std::vector<int> &numbers, int one)
+{
+    const auto place = std::lower_bound(numbers.begin(), numbers.end(), one);
+    if (place != numbers.end() && *place == one)
+        numbers.erase(place);
+    else
+        numbers.insert(place, one);
+}
+
+bool sameParts(const sim::Blueprint &a, const sim::Blueprint &b)
+{
+    const auto sameName = [](const sim::BuiltPoint &one, const sim::BuiltPoint &other) {
+        return one.name == other.name;
+    };
+    return std::equal(a.points.begin(), a.points.end(), b.points.begin(), b.points.end(), sameName) &&
+           a.springs.size() == b.springs.size() && a.sticks.size() == b.sticks.size();
+}
+
+}
+
+Workbench::Workbench(Session &session, QObject *parent) : QObject(parent), m_session(session)
+{
+    connect(&session, &Session::stepOpened, this, [this] {
+        m_tool = BuildTool::select;
+        m_seen.reset();
+        follow();
+    });
+    connect(&session, &Session::runChanged, this, &Workbench::follow);
+    connect(&session, &Session::moved, this, &Workbench::follow);
+    connect(&session, &Session::playingChanged, this, &Workbench::follow);
+    connect(&session, &Session::selectionChanged, this, &Workbench::followSelection);
+}
+
+bool Workbench::canBuild() const
+{
+    return app::canBuild(m_session);
+}
+
+void Workbench::follow()
+{
+    const std::shared_ptr<const sim::Blueprint> now = isOpen() ? m_session.blueprint() : nullptr;
+    const bool can = canBuild();
+    if (now == m_seen && can == m_couldBuild)
+        return;
+    if (!now || !m_seen || (!m_isChanging && !sameParts(*now, *m_seen))) {
+        m_chosen = {}; // undone, or another scene: the numbers mean other parts
+        m_first.reset();
+    } else {
+        m_chosen = within(*now, m_chosen);
+    }
+    m_seen = now;
+    m_couldBuild = can;
+    emit changed();
+}
+
+void Workbench::followSelection()
+{
+    if (m_isSharing || !isOpen())
+        return;
+    const std::string name = m_session.selected().toStdString();
+    const std::vector<sim::BuiltPoint> &points = plan().points;
+    const auto found = std::find_if(points.begin(), points.end(),
+                                    [&](const sim::BuiltPoint &one) { return one.name == name; });
+    if (found == points.end())
+        return;
+    const int point = static_cast<int>(found - points.begin());
+    if (!std::binary_search(m_chosen.points.begin(), m_chosen.points.end(), point))
+        choose({{point}, {}, {}});
+}
+
+/// The session shows the values of one body: the last one that is chosen.
+void Workbench::shareChoice()
+{
+    if (m_chosen.points.empty())
+        return;
+    m_isSharing = true;
+    m_session.select(QString::fromStdString(plan().points[std::size_t(m_chosen.points.back())].name));
+    m_isSharing = false;
+}
+
+void Workbench::setTool(BuildTool tool)
+{
+    if (tool == m_tool)
+        return;
+    m_tool = tool;
+    m_first.reset();
+    emit changed();
+}
+
+void Workbench::choose(Chosen chosen)
+{
+    if (!isOpen() || chosen == m_chosen)
+        return;
+    m_chosen = within(plan(), chosen);
+    shareChoice();
+    emit changed();
+}
+
+void Workbench::togglePoint(int point)
+{
+    Chosen chosen = m_chosen;
+    toggle(chosen.points, point);
+    choose(std::move(chosen));
+}
+
+void Workbench::toggleSpring(int spring)
+{
+    Chosen chosen = m_chosen;
+    toggle(chosen.springs, spring);
+    choose(std::move(chosen));
+}
+
+void Workbench::toggleStick(int stick)
+{
+    Chosen chosen = m_chosen;
+    toggle(chosen.sticks, stick);
+    choose(std::move(chosen));
+}
+
+bool Workbench::leave()
+{
+    if (m_first) {
+        m_first.reset();
+        emit changed();
+        return true;
+    }
+    if (m_tool != BuildTool::select) {
+        setTool(BuildTool::select);
+        return true;
+    }
+    const bool any = !m_chosen.isEmpty();
+    choose({});
+    return any;
+}
+
+bool Workbench::change(const QString &what, const std::function<void(sim::Blueprint &)> &edit,
+                       const QString &gesture)
+{
+    if (!isOpen())
+        return false;
+    if (!canBuild()) {
+        emit m_session.said(tr("Building happens at the start of the run: press Home to go there."));
+        return false;
+    }
+    sim::Blueprint next = plan();
+    edit(next);
+    if (next == plan())
+        return false;
+    m_isChanging = true;
+    const bool built = m_session.build({what, {}, gesture}, std::move(next));
+    m_isChanging = false;
+    return built;
+}
+
+void Workbench::sayFull()
+{
+    emit m_session.said(tr("There is no room for more of this kind: delete something first."));
+}
+
+int Workbench::pointAt(sim::Blueprint &plan, sim::Vec2 at, int hit) const
+{
+    return hit >= 0 ? hit : addPoint(plan, at).value_or(-1);
+}
+
+void Workbench::useOnPoint(sim::Vec2 at, int hit)
+{
+    const bool nails = m_tool == BuildTool::nail;
+    int point = hit;
+    const auto edit = [&](sim::Blueprint &plan) {
+        point = pointAt(plan, at, hit);
+        if (point >= 0 && nails)
+            plan.points[std::size_t(point)].fixed = !plan.points[std::size_t(point)].fixed;
+    };
+    if (hit >= 0 && !nails) { // there is one already
+        choose({{hit}, {}, {}});
+        return;
+    }
+    const QString what = !nails                                              ? tr("Point")
+                         : hit >= 0 && plan().points[std::size_t(hit)].fixed ? tr("Nail out")
+                                                                             : tr("Nail");
+    if (change(what, edit))
+        choose({{point}, {}, {}});
+    else if (point < 0)
+        sayFull();
+}
+
+void Workbench::use(sim::Vec2 at, int hit)
+{
+    if (!isOpen() || m_tool == BuildTool::select)
+        return;
+    if (!canBuild()) {
+        change({}, [](sim::Blueprint &) {}); // says why not
+        return;
+    }
+    if (m_tool == BuildTool::point || m_tool == BuildTool::nail) {
+        useOnPoint(at, hit);
+        return;
+    }
+    int point = hit;
+    if (hit < 0)
+        change(tr("Point"), [&](sim::Blueprint &plan) { point = pointAt(plan, at, hit); });
+    if (point < 0) {
+        sayFull();
+        return;
+    }
+    if (!m_first) {
+        m_first = point;
+        choose({{point}, {}, {}});
+        emit changed();
+        return;
+    }
+    link(*m_first, point);
+}
+
+void Workbench::link(int a, int b)
+{
+    std::optional<int> made;
+    Chosen chosen{{b}, {}, {}};
+    const auto edit = [&](sim::Blueprint &plan) {
+        if (m_tool == BuildTool::spring)
+            made = addSpring(plan, a, b);
+        else if (m_tool == BuildTool::stick)
+            made = addStick(plan, a, b);
+        else
+            made = addFoot(plan, b, a);
+    };
+    const BuildTool tool = m_tool;
+    const QString what = tool == BuildTool::spring  ? tr("Spring")
+                         : tool == BuildTool::stick ? tr("Stick")
+                                                    : tr("Foot");
+    if (a != b && change(what, edit)) {
+        if (tool == BuildTool::spring)
+            chosen = {{}, {*made}, {}};
+        else if (tool == BuildTool::stick)
+            chosen = {{}, {}, {*made}};
+    } else if (a != b && tool == BuildTool::foot && footOf(plan(), b)) {
+        emit m_session.said(tr("This point is a foot already: it can be the foot of one body."));
+    }
+    m_first.reset();
+    if (tool == BuildTool::foot)
+        m_first = a; // the next foot of the same body
+    else if (a != b)
+        m_first = b; // the next link goes on from here
+    choose(chosen);
+    emit changed();
+}
+
+void Workbench::moveChosen(sim::Vec2 by)
+{
+    if (m_chosen.points.empty())
+        return;
+    const std::vector<int> points = m_chosen.points;
+    change(
+        points.size() == 1 ? tr("Place") : tr("Places"),
+        [&](sim::Blueprint &plan) { moveBy(plan, points, by); }, QStringLiteral(":place"));
+}
+
+void Workbench::eraseChosen()
+{
+    if (m_chosen.isEmpty())
+        return;
+    if (m_chosen.points.size() == plan().points.size()) {
+        emit m_session.said(tr("A scene needs at least one point that can move: leave one."));
+        return;
+    }
+    const Chosen gone = m_chosen;
+    if (!change(tr("Delete"), [&](sim::Blueprint &plan) { erase(plan, gone); }))
+        return;
+    m_chosen = {}; // the numbers mean other parts now
+    m_first.reset();
+    emit changed();
+}
+
+void Workbench::duplicateChosen()
+{
+    if (m_chosen.points.empty())
+        return;
+    const Chosen old = m_chosen;
+    Chosen added;
+    if (change(tr("Duplicate"), [&](sim::Blueprint &plan) { added = duplicate(plan, old, besideCopied); }))
+        choose(added);
+    else if (canBuild())
+        sayFull();
+}
+
+void Workbench::chooseAll()
+{
+    if (isOpen())
+        choose(everything(plan()));
+}
+
+void Workbench::chooseNextLink(int step)
+{
+    if (!isOpen())
+        return;
+    const int springs = static_cast<int>(plan().springs.size());
+    const int all = springs + static_cast<int>(plan().sticks.size());
+    if (all == 0)
+        return;
+    int at = step > 0 ? -1 : 0;
+    if (!m_chosen.springs.empty())
+        at = m_chosen.springs.front();
+    else if (!m_chosen.sticks.empty())
+        at = springs + m_chosen.sticks.front();
+    const int next = (at + step + all) % all;
+    choose(next < springs ? Chosen{{}, {next}, {}} : Chosen{{}, {}, {next - springs}});
+}
+
+bool Workbench::has(const QString &effect) const
+{
+    if (!isOpen())
+        return false;
+    const std::vector<std::string> &all = plan().effects;
+    return std::find(all.begin(), all.end(), effect.toStdString()) != all.end();
+}
+
+void Workbench::setEffect(const QString &id, bool present)
+{
+    if (has(id) != present)
+        setBuiltEffect(m_session, id, present);
+}
+
+void Workbench::addGaitFor(int foot)
+{
+    change(tr("Gait group"), [&](sim::Blueprint &plan) {
+        if (const std::optional<int> gait = addGait(plan))
+            plan.feet[std::size_t(foot)].gait = *gait;
+    });
+}
+
+}

@@ -1,0 +1,156 @@
+#include "app/model/workshop.h"
+
+#include "app/model/blueprint_limits.h"
+#include "app/model/sentences.h"
+#include "app/model/words.h"
+#include "lessons/api/blueprint_of.h"
+#include "sim/error.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace app {
+
+namespace {
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(Workshop)
+};
+
+/// The values of a workshop's run: what was taken, inside the range that each parameter has.
+sim::Values valuesOf(const lessons::Step &workshop, const lessons::Taken &taken)
+{
+    sim::Values values = workshop.presets();
+    for (const auto &[id, number] : taken.numbers) {
+        const lessons::Parameter *parameter = workshop.parameter(QString::fromStdString(id));
+        if (parameter)
+            values.set(id, std::clamp(number, parameter->min, parameter->max));
+    }
+    values.blueprint = std::make_shared<const sim::Blueprint>(taken.blueprint);
+    return values;
+}
+
+QString sentenceOf(const lessons::Taken &taken)
+{
+    if (taken.left.empty())
+        return Text::tr("This is your own copy of the scene: change what you like.");
+    QStringList names;
+    for (const std::string &one : taken.left)
+        names << phrase(one);
+    return Text::tr("This is your own copy of the scene. What could not be taken along: %1.")
+        .arg(names.join(QStringLiteral(", ")));
+}
+
+/// Whether the run of `script` can be set up.
+bool fits(const sim::Script &script)
+{
+    try {
+        sim::compose(sim::sceneOf(script, script.values), *script.method, script.step);
+        return true;
+    } catch (const sim::Error &) {
+        return false;
+    }
+}
+
+}
+
+const LessonEntry *workshopOf(const LessonLibrary &library)
+{
+    return library.workshops.empty() ? nullptr : &library.workshops.front();
+}
+
+TakenScene takenScene(const Session &session, const lessons::Step &workshop)
+{
+    const Picture picture = session.picture();
+    if (picture.state.points() > int(built::mostPoints))
+        throw Refusal(Text::tr("This scene has %1 points; one that you build can have %2.")
+                          .arg(picture.state.points())
+                          .arg(built::mostPoints));
+    const std::optional<lessons::Taken> taken =
+        lessons::blueprintOf(picture.segment->scene, picture.state, *picture.look);
+    if (!taken)
+        throw Refusal(
+            Text::tr("This scene cannot be built from points: its branches turn in their joints. Take "
+                     "another one, or open the sandbox and look at its examples."));
+    const sim::Script &now = session.timeline().script();
+    TakenScene scene;
+    scene.script = workshop.scriptWith(valuesOf(workshop, *taken), now.method);
+    scene.script.step = now.step;
+    scene.sentence = sentenceOf(*taken);
+    if (!fits(scene.script)) {
+        scene.script = workshop.script();
+        scene.script.values = valuesOf(workshop, *taken);
+    }
+    return scene;
+}
+
+void takeToWorkshop(Session &session)
+{
+    const LessonEntry *workshop = workshopOf(session.library());
+    if (!workshop || session.isWorkshop())
+        return;
+    try {
+        const TakenScene scene = takenScene(session, workshop->steps.front());
+        session.openStep(workshop->id, workshop->steps.front().id);
+        if (session.takeUp({Text::tr("Scene taken over"), {}, {}}, scene.script))
+            emit session.said(scene.sentence);
+    } catch (const Refusal &refusal) {
+        emit session.said(refusal.sentence());
+    }
+}
+
+bool takeExample(Session &session, const lessons::Example &example)
+{
+    try {
+        const Experiment read = readExperiment(example.file, session.library());
+        return session.takeUp({Text::tr("Example %1").arg(example.title), {}, {}}, read.script);
+    } catch (const Refusal &refusal) {
+        emit session.said(refusal.sentence());
+        return false;
+    }
+}
+
+bool canBuild(const Session &session)
+{
+    return session.isWorkshop() && session.blueprint() && !session.isPlaying() &&
+           session.timeline().at() == sim::Cursor{};
+}
+
+bool setBuiltEffect(Session &session, const QString &id, bool present)
+{
+    const std::vector<sim::EffectPtr> &all = session.step().catalogue;
+    const auto found = std::find_if(all.begin(), all.end(),
+                                    [&](const sim::EffectPtr &one) { return one->id() == id.toStdString(); });
+    if (found == all.end() || !session.blueprint())
+        return false;
+    if (!canBuild(session)) {
+        emit session.said(Text::tr("Building happens at the start of the run: press Home to go there."));
+        return false;
+    }
+    sim::Blueprint plan = *session.blueprint();
+    std::erase(plan.effects, (*found)->id());
+    if (present)
+        plan.effects.push_back((*found)->id());
+    const QString title = capitalised(phrase((*found)->title()));
+    return session.build(
+        {present ? Text::tr("%1 added").arg(title) : Text::tr("%1 removed").arg(title), {}, {}},
+        std::move(plan));
+}
+
+bool startEmpty(Session &session)
+{
+    sim::Script script = session.step().script();
+    sim::Blueprint plan;
+    plan.points = {{"p0", {270, 200}, {}, 1.0, 20.0, false}};
+    plan.effects = {"gravity", "damping", "walls"};
+    std::erase_if(plan.effects, [&](const std::string &id) {
+        const std::vector<sim::EffectPtr> &all = session.step().catalogue;
+        return std::none_of(all.begin(), all.end(), [&](const auto &one) { return one->id() == id; });
+    });
+    script.values.blueprint = std::make_shared<const sim::Blueprint>(std::move(plan));
+    return session.takeUp({Text::tr("New scene"), {}, {}}, script);
+}
+
+}

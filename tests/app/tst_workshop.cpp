@@ -1,0 +1,390 @@
+// Building a scene: what edits do to a blueprint, how a lesson's scene becomes one, and that all of it can be undone.
+
+#include "app/model/built_properties.h"
+#include "app/model/workbench.h"
+#include "app/model/workshop.h"
+
+#include <QSettings>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <random>
+
+using namespace app;
+
+namespace {
+
+const LessonLibrary &library()
+{
+    static const LessonLibrary loaded = LessonLibrary::load({LESSON_DIR});
+    return loaded;
+}
+
+struct World
+{
+    World() { session.openStep("sandbox", "build"); }
+    const sim::Blueprint &plan() const { return bench.plan(); }
+    QString lastSaid() const { return said.isEmpty() ? QString() : said.last().first().toString(); }
+
+    Session session{library()};
+    Workbench bench{session};
+    QSignalSpy said{&session, &Session::said};
+};
+
+/// A triangle of points without anything else.
+sim::Blueprint triangle()
+{
+    sim::Blueprint plan;
+    plan.points = {{"p0", {0, 0}, {}}, {"p1", {30, 40}, {}}, {"p2", {0, 100}, {}}};
+    return plan;
+}
+
+/// The scene of a lesson's step, taken over after `frames` frames.
+TakenScene taken(const QString &lesson, const QString &step, std::int64_t frames = 0)
+{
+    Session session(library());
+    session.openStep(lesson, step);
+    session.goTo({frames, 0});
+    return takenScene(session, library().workshops.front().steps.front());
+}
+
+}
+
+class WorkshopTest : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        QSettings::setDefaultFormat(QSettings::IniFormat);
+        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_folder.path());
+    }
+
+    void aNewPointHasTheFirstFreeName()
+    {
+        sim::Blueprint plan = triangle();
+        plan.points[1].name = "p7";
+        QCOMPARE(addPoint(plan, {5, 6}), std::optional(3));
+        QCOMPARE(plan.points.back().name, std::string("p1"));
+        QCOMPARE(plan.points.back().mass, 1.0);
+    }
+
+    void aNewLinkIsAsLongAsItsEndsAreApart()
+    {
+        sim::Blueprint plan = triangle();
+        plan.points[1].mass = 3.0;
+        QVERIFY(addSpring(plan, 0, 1));
+        QCOMPARE(plan.springs.back().length, 50.0);
+        QVERIFY(addStick(plan, 0, 1));
+        QCOMPARE(plan.sticks.back().share, 0.75); // the light one makes good more of it
+        QVERIFY(!addSpring(plan, 2, 2));
+        QVERIFY(addFoot(plan, 2, 0));
+        QCOMPARE(plan.feet.back().angle, -90.0); // 100 px below, and the legs' middle is 50 below
+        QVERIFY(!addFoot(plan, 2, 1));           // a foot of one body only
+    }
+
+    void thereIsAMost()
+    {
+        sim::Blueprint plan = triangle();
+        while (addPoint(plan, {}))
+            ;
+        QCOMPARE(plan.points.size(), std::size_t(1000));
+    }
+
+    void whatLosesAnEndGoes()
+    {
+        sim::Blueprint plan = triangle();
+        addSpring(plan, 0, 1);
+        addSpring(plan, 1, 2);
+        addStick(plan, 2, 0);
+        addFoot(plan, 2, 1);
+        erase(plan, {{0}, {}, {}});
+        QCOMPARE(plan.points.size(), std::size_t(2));
+        QCOMPARE(plan.points[0].name, std::string("p1"));
+        QCOMPARE(plan.springs.size(), std::size_t(1));
+        QCOMPARE(plan.springs[0].a, 0);
+        QCOMPARE(plan.springs[0].b, 1);
+        QVERIFY(plan.sticks.empty());
+        QCOMPARE(plan.feet[0].body, 0);
+        erase(plan, {{}, {0}, {}});
+        QVERIFY(plan.springs.empty());
+        QCOMPARE(plan.points.size(), std::size_t(2));
+    }
+
+    void whatWasAtItsLengthStaysAtItsLength()
+    {
+        sim::Blueprint plan = triangle();
+        addSpring(plan, 0, 1);
+        addStick(plan, 0, 2);
+        plan.sticks[0].length = 70.0; // it is 30 px too long as it stands
+        moveBy(plan, {0}, {30, 0});
+        QCOMPARE(plan.springs[0].length, 40.0);
+        QCOMPARE(plan.sticks[0].length, 70.0);
+    }
+
+    void aCopyHasItsOwnNamesAndItsOwnLinks()
+    {
+        sim::Blueprint plan = triangle();
+        plan.points[0].mass = 5.0;
+        addSpring(plan, 0, 1);
+        addSpring(plan, 1, 2);
+        addFoot(plan, 1, 0);
+        const Chosen copies = duplicate(plan, {{0, 1}, {}, {}}, {20, 20});
+        QVERIFY(copies == (Chosen{{3, 4}, {2}, {}}));
+        QCOMPARE(plan.points[3].mass, 5.0);
+        QCOMPARE(plan.points[3].name, std::string("p3"));
+        QVERIFY(plan.springs[2].a == 3 && plan.springs[2].b == 4);
+        QCOMPARE(plan.feet.size(), std::size_t(2));
+        QVERIFY(plan.feet[1].foot == 4 && plan.feet[1].body == 3);
+    }
+
+    void aBoxChoosesWhatIsInIt()
+    {
+        sim::Blueprint plan = triangle();
+        addSpring(plan, 0, 1);
+        addStick(plan, 1, 2);
+        QVERIFY(inBox(plan, {50, 60}, {-10, -10}) == (Chosen{{0, 1}, {0}, {}}));
+        QVERIFY(inBox(plan, {200, 200}, {300, 300}).isEmpty());
+    }
+
+    void aPropertyIsSetOfAllThatIsChosen()
+    {
+        sim::Blueprint plan = triangle();
+        plan.points[2].mass = 4.0;
+        const Chosen chosen{{0, 2}, {}, {}};
+        for (const BuiltProperty &one : propertiesOf(plan, chosen)) {
+            if (one.about.id != "mass")
+                continue;
+            QVERIFY(!one.get(plan, chosen)); // they differ
+            one.set(plan, chosen, 2.0);
+            QCOMPARE(one.get(plan, chosen), std::optional(2.0));
+        }
+        QCOMPARE(plan.points[0].mass, 2.0);
+        QCOMPARE(plan.points[1].mass, 1.0);
+        QCOMPARE(plan.points[2].mass, 2.0);
+    }
+
+    void eachDeedIsOneEntryAndComesBackWithTheSameBits()
+    {
+        World world;
+        const sim::Blueprint start = world.plan();
+        world.bench.setTool(BuildTool::spring);
+        world.bench.use({100, 100}, -1); // a point, where the spring begins
+        world.bench.use({160, 100}, -1); // a point and the spring
+        QCOMPARE(world.plan().points.size(), start.points.size() + 2);
+        QCOMPARE(world.plan().springs.back().length, 60.0);
+        QCOMPARE(world.session.deeds().count(), 3);
+        world.bench.setTool(BuildTool::select);
+        world.bench.choose({{2}, {}, {}});
+        for (int i = 0; i < 10; ++i)
+            world.bench.moveChosen({1, 0}); // one drag
+        world.session.endGesture();
+        QCOMPARE(world.session.deeds().count(), 4);
+        world.session.goTo({20, 0});
+        const sim::State after = world.session.timeline().now();
+        const sim::Blueprint end = world.plan();
+        while (world.session.deeds().canUndo())
+            world.session.undo();
+        QVERIFY(world.plan() == start);
+        while (world.session.deeds().canRedo())
+            world.session.redo();
+        QVERIFY(world.plan() == end);
+        world.session.goTo({20, 0});
+        QVERIFY(sim::sameBits(world.session.timeline().now(), after));
+    }
+
+    void randomEditsAreAllUndone()
+    {
+        World world;
+        std::mt19937 random(11);
+        const auto upTo = [&](int most) { return std::uniform_int_distribution<int>(0, most)(random); };
+        const sim::Blueprint start = world.plan();
+        for (int i = 0; i < 90; ++i) {
+            const int points = static_cast<int>(world.plan().points.size());
+            world.bench.setTool(BuildTool(upTo(5)));
+            const sim::Vec2 at{double(upTo(500)), double(upTo(380))};
+            switch (upTo(6)) {
+            case 0:
+                world.bench.choose({{upTo(points - 1)}, {}, {}});
+                world.bench.eraseChosen();
+                break;
+            case 1:
+                world.bench.choose(inBox(world.plan(), at, {at.x + 150, at.y + 150}));
+                world.bench.duplicateChosen();
+                break;
+            case 2:
+                world.bench.choose({{upTo(points - 1)}, {}, {}});
+                world.bench.moveChosen({double(upTo(40)) - 20, double(upTo(40)) - 20});
+                world.session.endGesture();
+                break;
+            case 3:
+                world.bench.setEffect(
+                    QString::fromStdString(world.session.step().catalogue[std::size_t(upTo(7))]->id()),
+                    upTo(1) == 1);
+                break;
+            default:
+                world.bench.use(at, upTo(2) == 0 ? -1 : upTo(points - 1));
+            }
+            const QByteArray text = experimentText(world.session.experiment(), library());
+            QVERIFY(*parseExperiment(text, "x.json", library()).script.values.blueprint == world.plan());
+        }
+        QVERIFY(world.session.deeds().count() > 30);
+        while (world.session.deeds().canUndo())
+            world.session.undo();
+        QVERIFY(world.plan() == start);
+    }
+
+    void buildingHappensAtTheStart()
+    {
+        World world;
+        world.session.goTo({5, 0});
+        QVERIFY(!world.bench.canBuild());
+        const sim::Blueprint before = world.plan();
+        world.bench.setTool(BuildTool::point);
+        world.bench.use({10, 10}, -1);
+        QVERIFY(world.plan() == before);
+        QCOMPARE(world.lastSaid(),
+                 QString("Building happens at the start of the run: press Home to go there."));
+        world.session.rewind();
+        QVERIFY(world.bench.canBuild());
+        world.bench.use({10, 10}, -1);
+        QCOMPARE(world.plan().points.size(), before.points.size() + 1);
+    }
+
+    void whatCannotMoveIsNotLeftAlone()
+    {
+        World world;
+        const sim::Blueprint before = world.plan();
+        world.bench.choose({{1}, {}, {}}); // the only one that can move
+        world.bench.eraseChosen();
+        QVERIFY(world.plan() == before);
+        QCOMPARE(world.lastSaid(), QString("Nothing in this scene can move: leave at least one body free."));
+        world.bench.chooseAll();
+        world.bench.eraseChosen();
+        QVERIFY(world.plan() == before);
+    }
+
+    void anEffectThatIsTakenAwayIsNotLeftSwitchedOff()
+    {
+        World world;
+        world.session.setEffect("gravity", false);
+        world.bench.setEffect("gravity", false);
+        QVERIFY(world.session.timeline().script().effectsOff.empty());
+        QVERIFY(!world.bench.has("gravity"));
+        world.session.undo();
+        QVERIFY(world.bench.has("gravity"));
+        QVERIFY(world.session.isOff("gravity"));
+    }
+
+    void aTakenSceneRunsAsItDid_data()
+    {
+        QTest::addColumn<QString>("lesson");
+        QTest::addColumn<QString>("step");
+        QTest::addColumn<QString>("method");
+        const std::vector<std::pair<const char *, const char *>> steps = {
+            {"two_body", "mutual"},           {"multi_foot", "any_number"}, {"gravity_walls", "gravity"},
+            {"gravity_walls", "walls"},       {"walking_gait", "ground"},   {"walking_gait", "walls"},
+            {"single_spring", "fixed_centre"}};
+        for (const auto &[lesson, step] : steps)
+            QTest::addRow("%s/%s", lesson, step) << lesson << step << "semi_implicit_euler";
+        QTest::addRow("rigid_constraint/verlet") << "rigid_constraint"
+                                                 << "verlet"
+                                                 << "semi_implicit_euler";
+    }
+    void aTakenSceneRunsAsItDid()
+    {
+        QFETCH(QString, lesson);
+        QFETCH(QString, step);
+        QFETCH(QString, method);
+        Session session(library());
+        session.openStep(lesson, step);
+        session.setMethod(method);
+        session.goTo({10, 0});
+        const TakenScene scene = takenScene(session, library().workshops.front().steps.front());
+        QCOMPARE(scene.script.method->id(), method.toStdString());
+        sim::Timeline built(scene.script);
+        for (int frame = 0; frame <= 100; frame += 20) {
+            built.seek({frame, 0});
+            session.goTo({10 + frame, 0});
+            const sim::State &now = session.timeline().now();
+            for (int i = 0; i < now.points(); ++i)
+                QVERIFY2(sim::length(built.now().at(i) - now.at(i)) < 1e-6,
+                         qPrintable(QStringLiteral("frame %1, point %2").arg(frame).arg(i)));
+        }
+        QVERIFY(scene.sentence.startsWith("This is your own copy"));
+    }
+
+    void whatIsNotTakenAlongIsNamed()
+    {
+        QCOMPARE(taken("rigid_constraint", "ragdoll").sentence,
+                 QString("This is your own copy of the scene. What could not be taken along: joint limits."));
+        QCOMPARE(taken("multi_foot", "any_number").sentence,
+                 QString("This is your own copy of the scene: change what you like."));
+        try {
+            taken("swaying_tree", "wind");
+            QFAIL("a tree was taken");
+        } catch (const Refusal &refusal) {
+            QVERIFY(refusal.sentence().contains("joints"));
+        }
+    }
+
+    void everyStepIsTakenOrRefusedInASentence()
+    {
+        int takenScenes = 0;
+        for (const LessonEntry &lesson : library().lessons) {
+            for (const lessons::Step &step : lesson.steps) {
+                Session session(library());
+                session.openStep(lesson.id, step.id);
+                try {
+                    const TakenScene scene = takenScene(session, library().workshops.front().steps.front());
+                    sim::Timeline run(scene.script); // throws where it does not compose
+                    QVERIFY(!scene.sentence.isEmpty());
+                    Experiment experiment = newExperiment("sandbox", "build", library());
+                    experiment.script = scene.script;
+                    const QByteArray text = experimentText(experiment, library());
+                    QVERIFY(*parseExperiment(text, "x.json", library()).script.values.blueprint ==
+                            *scene.script.values.blueprint);
+                    ++takenScenes;
+                } catch (const Refusal &refusal) {
+                    QVERIFY(refusal.sentence().endsWith('.'));
+                }
+            }
+        }
+        QVERIFY(takenScenes > 30);
+    }
+
+    void takingASceneCanBeUndone()
+    {
+        World world;
+        world.bench.setTool(BuildTool::point);
+        world.bench.use({50, 60}, -1);
+        const sim::Blueprint mine = world.plan();
+        world.session.openStep("multi_foot", "any_number");
+        takeToWorkshop(world.session);
+        QVERIFY(world.session.isWorkshop());
+        QCOMPARE(world.plan().points.size(), std::size_t(6));
+        world.session.undo();
+        QVERIFY(world.plan() == mine);
+    }
+
+    void anExampleAndANewSceneCanBeUndone()
+    {
+        World world;
+        const sim::Blueprint mine = world.plan();
+        QVERIFY(takeExample(world.session, world.session.step().examples.front()));
+        QVERIFY(!(world.plan() == mine));
+        QVERIFY(startEmpty(world.session));
+        QCOMPARE(world.plan().points.size(), std::size_t(1));
+        world.session.undo();
+        world.session.undo();
+        QVERIFY(world.plan() == mine);
+    }
+
+private:
+    QTemporaryDir m_folder;
+};
+
+QTEST_GUILESS_MAIN(WorkshopTest)
+#include "tst_workshop.moc"
