@@ -14,8 +14,8 @@ bool sameMethod(const sim::MethodPtr &a, const sim::MethodPtr &b)
 
 bool sameRun(const sim::Script &a, const sim::Script &b)
 {
-    return sameMethod(a.method, b.method) && a.step == b.step && a.values == b.values && a.bodies == b.bodies &&
-           a.effectsOff == b.effectsOff;
+    return sameMethod(a.method, b.method) && a.step == b.step && a.values == b.values &&
+           a.bodies == b.bodies && a.effectsOff == b.effectsOff;
 }
 
 bool sameScript(const sim::Script &a, const sim::Script &b)

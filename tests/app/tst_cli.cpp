@@ -26,14 +26,14 @@ private slots:
         };
         row("the window without a display", {},
             "there is no display for the window; set DISPLAY, or use a verb that needs none: lessons, trace, "
-            "accuracy, hardcases, cost, screenshot.");
+            "accuracy, hardcases, cost, screenshot, film.");
         row("a verb with a slip", {"tracee", "x"},
             "there is no verb \"tracee\"; the verbs are lessons, trace, accuracy, hardcases, cost, "
-            "screenshot.");
+            "screenshot, film.");
         row("neither verb nor file", {"lesons"},
             "there is no verb and no file \"lesons\"; the verbs are lessons, trace, accuracy, hardcases, "
             "cost, "
-            "screenshot.");
+            "screenshot, film.");
         row("an unknown option", {"--fast"}, "Unknown option 'fast'; springstep --help tells what there is.");
         row("an unknown option of a verb", {"lessons", "--xml"},
             "Unknown option 'xml'; springstep lessons --help tells what there is.");

@@ -1,68 +1,19 @@
-// Pictures and films, read by others' code: Qt's readers of GIF, PNG and SVG.
+// Films, read by others' code: Qt's readers of GIF and PNG.
 
+#include "film_bench.h"
 #include "window_bench.h"
 
 #include "app/model/gif_file.h"
 #include "app/model/refusal.h"
-#include "app/ui/film/film_dialog.h"
+#include "app/ui/film/film.h"
 
-#include <QClipboard>
-#include <QComboBox>
-#include <QDir>
-#include <QImageReader>
-#include <QLineEdit>
-#include <QProgressBar>
-#include <QSpinBox>
-#include <QSvgRenderer>
 #include <QTemporaryDir>
 
-#include <array>
-
 using namespace app;
+using namespace film_bench;
 using window_bench::Bench;
 
 namespace {
-
-struct Decoded
-{
-    std::vector<QImage> pictures;
-    std::vector<int> milliseconds;
-    int loops = 0;
-};
-
-Decoded decoded(const QString &path)
-{
-    Decoded film;
-    QImageReader reader(path);
-    film.loops = reader.loopCount();
-    for (QImage picture = reader.read(); !picture.isNull(); picture = reader.read()) {
-        film.pictures.push_back(picture.convertToFormat(QImage::Format_RGB32));
-        film.milliseconds.push_back(reader.nextImageDelay());
-    }
-    return film;
-}
-
-struct Difference
-{
-    double mean = 0.0; ///< of all channels of all pixels
-    int worst = 0;
-};
-
-Difference difference(const QImage &a, const QImage &b)
-{
-    Difference found;
-    for (int y = 0; y < a.height(); ++y) {
-        for (int x = 0; x < a.width(); ++x) {
-            const QRgb one = a.pixel(x, y), two = b.pixel(x, y);
-            for (const int by : {qRed(one) - qRed(two), qGreen(one) - qGreen(two), qBlue(one) - qBlue(two)}) {
-                found.mean += std::abs(by);
-                found.worst = std::max(found.worst, std::abs(by));
-            }
-        }
-    }
-    found.mean /= 3.0 * a.width() * a.height();
-    return found;
-}
 
 FilmPlan planOf(const Bench &bench, const char *lesson, const char *step, const QString &out)
 {
@@ -105,15 +56,8 @@ private slots:
     void aNameThatIsNoFilmsIsRefused_data();
     void aNameThatIsNoFilmsIsRefused();
     void makingAFilmGetsNothingDone();
-    void theDialogMakesAFilmWhileTheWindowGoesOn();
-    void aFilmThatIsStoppedLeavesNoFile();
-    void aFolderThatIsNotThereIsSaid();
-    void thePictureIsCopiedAndSaved();
-    void theSvgLooksAsThePictureDoes_data();
-    void theSvgLooksAsThePictureDoes();
 
 private:
-    FilmDialog &openDialog(Bench &bench);
     QTemporaryDir m_folder;
 };
 
@@ -262,15 +206,20 @@ void FilmTest::aFilmFromTheMiddleShowsTheSameFrames()
 
 void FilmTest::pngFilesAreThePicturesOfTheSceneExactly()
 {
-    Bench bench("gravity_walls", "gravity");
+    const Bench bench;
     FilmPlan plan = planOf(bench, "gravity_walls", "gravity", m_folder.filePath("png_%d.png"));
-    plan.size = bench.view.viewport()->size();
     plan.to = 3;
     make(plan, bench.library);
+    Session session(bench.library);
+    session.open(plan.experiment);
+    session.select({});
+    SceneView view(session, bench.theme);
+    view.setFixedSize(plan.size);
+    view.show();
     for (int frame = 0; frame <= 3; ++frame) {
         const QImage film(pictureName(plan.out, frame));
-        QCOMPARE(film.convertToFormat(QImage::Format_RGB32), bench.view.picture());
-        bench.press(Qt::Key_Right, {});
+        QCOMPARE(film.convertToFormat(QImage::Format_RGB32), view.picture());
+        session.frameForward();
     }
 }
 
@@ -304,118 +253,6 @@ void FilmTest::makingAFilmGetsNothingDone()
         make(plan, bench.library);
     }
     QVERIFY(QSettings().value("progress/done").toStringList().isEmpty());
-}
-
-FilmDialog &FilmTest::openDialog(Bench &bench)
-{
-    bench.press(Qt::Key_F, Qt::ControlModifier | Qt::ShiftModifier);
-    return *bench.window.findChild<FilmDialog *>();
-}
-
-void FilmTest::theDialogMakesAFilmWhileTheWindowGoesOn()
-{
-    Bench bench("multi_foot", "two_feet");
-    bench.drag("foot0", {30, 10});
-    bench.session.goTo({40, 0});
-    FilmDialog &dialog = openDialog(bench);
-    QVERIFY(dialog.isVisible() && !dialog.isModal());
-    const QString path = m_folder.filePath("dialog.gif");
-    const auto boxes = dialog.findChildren<QSpinBox *>();
-    QCOMPARE(boxes.at(1)->value(), 40);
-    boxes.at(0)->setFocus();
-    boxes.at(0)->selectAll();
-    QTest::keyClicks(boxes.at(0), "5");
-    auto *file = dialog.findChild<QLineEdit *>(QString(), Qt::FindDirectChildrenOnly);
-    for (QLineEdit *one : dialog.findChildren<QLineEdit *>()) {
-        if (one->accessibleName() == "File")
-            file = one;
-    }
-    file->selectAll();
-    QTest::keyClicks(file, path);
-    dialog.findChild<QComboBox *>()->setCurrentIndex(0);
-    QTest::keyClick(file, Qt::Key_Return);
-    QVERIFY(dialog.isMaking());
-    bench.session.openStep("single_spring", "drag"); // whatever the window shows meanwhile
-    QTRY_VERIFY(!dialog.isMaking());
-    QVERIFY2(dialog.said().startsWith("dialog.gif is made"), qPrintable(dialog.said()));
-    const Decoded film = decoded(path);
-    QCOMPARE(film.pictures.size(), std::size_t(36));
-    QCOMPARE(film.pictures.front().size(), QSize(320, 240));
-}
-
-void FilmTest::aFilmThatIsStoppedLeavesNoFile()
-{
-    Bench bench("multi_foot", "two_feet");
-    bench.session.goTo({300, 0});
-    FilmDialog &dialog = openDialog(bench);
-    const QString path = m_folder.filePath("stopped.gif");
-    for (QLineEdit *one : dialog.findChildren<QLineEdit *>()) {
-        if (one->accessibleName() == "File")
-            one->setText(path);
-    }
-    QTest::keyClick(&dialog, Qt::Key_Return);
-    auto *bar = dialog.findChild<QProgressBar *>();
-    QTRY_VERIFY(bar->value() > bar->maximum() / 5);
-    QVERIFY(dialog.isMaking());
-    QTest::keyClick(&dialog, Qt::Key_Escape);
-    QVERIFY(!dialog.isMaking());
-    QVERIFY(dialog.said().startsWith("Stopped."));
-    QCOMPARE(QDir(m_folder.path()).entryList({"stopped*"}), QStringList());
-}
-
-void FilmTest::aFolderThatIsNotThereIsSaid()
-{
-    Bench bench;
-    FilmDialog &dialog = openDialog(bench);
-    for (QLineEdit *one : dialog.findChildren<QLineEdit *>()) {
-        if (one->accessibleName() == "File")
-            one->setText(m_folder.filePath("nowhere/film.gif"));
-    }
-    QTest::keyClick(&dialog, Qt::Key_Return);
-    QTRY_VERIFY(!dialog.isMaking());
-    QVERIFY2(dialog.said().contains("cannot be written"), qPrintable(dialog.said()));
-}
-
-void FilmTest::thePictureIsCopiedAndSaved()
-{
-    Bench bench;
-    bench.press(Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier);
-    const QImage copied = QGuiApplication::clipboard()->image();
-    QCOMPARE(copied.size(), 2 * bench.view.viewport()->size());
-    const QString path = m_folder.filePath("scene.png");
-    QVERIFY(bench.window.savePictureAs(path));
-    QCOMPARE(difference(QImage(path), copied).worst, 0);
-    QVERIFY(!bench.window.savePictureAs(m_folder.filePath("nowhere/scene.png")));
-    QVERIFY(bench.notice.sentence().startsWith("Picture not saved: "));
-}
-
-void FilmTest::theSvgLooksAsThePictureDoes_data()
-{
-    QTest::addColumn<QByteArray>("lesson");
-    QTest::addColumn<QByteArray>("step");
-    QTest::newRow("creature") << QByteArray("multi_foot") << QByteArray("any_number");
-    QTest::newRow("walker") << QByteArray("walking_gait") << QByteArray("ground");
-    QTest::newRow("codeling") << QByteArray("codeling") << QByteArray("tentacles");
-    QTest::newRow("tree") << QByteArray("swaying_tree") << QByteArray("turbulence");
-}
-
-void FilmTest::theSvgLooksAsThePictureDoes()
-{
-    QFETCH(QByteArray, lesson);
-    QFETCH(QByteArray, step);
-    Bench bench(lesson, step);
-    bench.session.goTo({20, 0});
-    const QString path = m_folder.filePath("scene.svg");
-    QVERIFY(bench.window.savePictureAs(path));
-    QSvgRenderer svg(path);
-    QVERIFY(svg.isValid());
-    QImage drawn(bench.view.viewport()->size(), QImage::Format_RGB32);
-    drawn.fill(Qt::white);
-    QPainter painter(&drawn);
-    svg.render(&painter);
-    painter.end();
-    const Difference found = difference(drawn, bench.view.picture());
-    QVERIFY2(found.mean < 2.0, qPrintable(QString::number(found.mean)));
 }
 
 QTEST_MAIN(FilmTest)

@@ -67,6 +67,7 @@ Film::Film(const FilmPlan &plan, const LessonLibrary &library)
     QResizeEvent resized(plan.size, {}); // it is never shown, and must know its size all the same
     QCoreApplication::sendEvent(&m_view, &resized);
     m_session.open(plan.experiment);
+    m_session.select({}); // a ring round a body says something to who is there alone
     if (plan.extras)
         m_view.setExtras(*plan.extras);
     const int rowFrames = m_session.timeline().track().rowFrames();
