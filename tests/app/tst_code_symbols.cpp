@@ -36,7 +36,10 @@ sim::State anywhere(sim::State state, int number)
         state.place(i, {1000.0 * share(0) - 200.0, 1000.0 * share(1) - 200.0});
         state.push(i, {40.0 * share(2) - 20.0, 40.0 * share(3) - 20.0});
     }
-    state.outside.keys.left = state.outside.keys.up = true; // for what is steered
+    // For what is steered: at any speed, with one key down.
+    (number % 2 == 0 ? state.outside.keys.left : state.outside.keys.right) = true;
+    for (double &speed : state.gaitSpeed)
+        speed = 0.4 * sim::uniform(8, number, 0) - 0.2;
     return state;
 }
 
@@ -317,18 +320,6 @@ private slots:
         QVERIFY(symbol);
         for (const CodeHistory::Sample &sample : historyOf(*symbol, run.track(), "foot0").samples)
             QCOMPARE(std::get<double>(sample.value), sample.frame < 10 ? 0.5 : 2.0);
-    }
-
-    void asMuchIsComputedAsTakesNoTime()
-    {
-        const lessons::Step &step = stepOf("accuracy", "crowd");
-        sim::Timeline run = runOf(step, step.method);
-        const auto symbol = symbolOf(step, run, "pull = k * d", "pull");
-        if (!symbol || run.now().points() < 2000)
-            QSKIP("no crowd");
-        run.seek({20, 0});
-        const CodeHistory history = historyOf(*symbol, run.track(), run.track().shown().scene.names.front());
-        QVERIFY(static_cast<std::int64_t>(history.samples.size()) * run.now().points() <= 200'000);
     }
 
     void runningToALineEndsAfterItsPhase()

@@ -34,6 +34,8 @@ StopList::StopList(Session &session, const Theme &theme, QWidget *parent)
     : QWidget(parent), m_session(session), m_theme(theme), m_scroll(new QScrollArea(this)),
       m_field(new QLineEdit(this)), m_refusal(new QLabel(this))
 {
+    setObjectName("panel");
+    setAttribute(Qt::WA_StyledBackground);
     m_scroll->setWidgetResizable(true);
     m_scroll->setFocusPolicy(Qt::NoFocus);
     m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
