@@ -1,5 +1,7 @@
 #include "app/model/code_values.h"
 
+#include "app/model/code_symbols.h"
+
 #include <QCoreApplication>
 #include <QHash>
 #include <QLocale>
@@ -26,17 +28,6 @@ struct Placed
     std::size_t line = 0;
     sim::Live live;
 };
-
-/// The unit of a variable of the shown code. Names mean the same everywhere in it.
-QString unitOf(const QString &name)
-{
-    static const QHash<QString, QString> units = {
-        {"d", "px"},        {"from", "px"},    {"target", "px"},         {"length", "px"},
-        {"x", "px"},        {"v", "px/frame"}, {"velocity", "px/frame"}, {"pull", "px/frame²"},
-        {"a", "px/frame²"}, {"angle", "rad"},
-    };
-    return units.value(name.section('.', 0, 0));
-}
 
 std::optional<std::size_t> firstLine(const CodeSection &section, const QString &pattern)
 {
@@ -131,10 +122,11 @@ std::pair<QString, QString> shownChange(const Value &before, const Value &after)
     return {shownValue(before, more), shownValue(after, more)};
 }
 
-CodeChip chipFor(std::size_t section, const Placed &placed)
+CodeChip chipFor(std::size_t section, const Placed &placed, const sim::Phase &phase)
 {
     const QString name = QString::fromStdString(placed.live.name);
-    const QString unit = unitOf(name).isEmpty() ? QString() : QStringLiteral("\u2009") + unitOf(name);
+    const QString its = unitOf(placed.live, phase);
+    const QString unit = its.isEmpty() ? QString() : QStringLiteral("\u2009") + its;
     CodeChip chip{section, placed.line, {}, {}, {}};
     if (placed.live.before && *placed.live.before != placed.live.value) {
         const auto [before, after] = shownChange(*placed.live.before, placed.live.value);
@@ -228,7 +220,7 @@ std::vector<CodeChip> chipsOf(const CodeListing &listing, const std::vector<sim:
         const sim::Phase &phase = segment.pipeline.phases[static_cast<std::size_t>(moment.phase)];
         for (const sim::Live &live : moment.live) {
             for (const Placed &placed : placesOf(*section, live)) {
-                CodeChip chip = chipFor(index, placed);
+                CodeChip chip = chipFor(index, placed, phase);
                 const int pulls = live.name == "pull" ? pullsOn(phase, segment, point) : 0;
                 if (pulls > 1)
                     chip.tip += '\n' + Text::tr("The sum of %1 pulls").arg(pulls);

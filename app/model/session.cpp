@@ -20,6 +20,7 @@ Session::Session(const LessonLibrary &library, QObject *parent) : QObject(parent
     connect(&m_player, &Player::due, this, &Session::advance);
     // The first who hears of it: whoever draws the moment draws the companion, too.
     connect(this, &Session::moved, this, &Session::bringCompanionLater);
+    watchBreakpoints();
     start(step().script(), {}, {});
 }
 
@@ -129,6 +130,8 @@ void Session::start(sim::Script script, sim::Cursor at, Branches branches)
         m_companion.emplace(*step().companion);
     bringCompanion();
     m_selected = QString::fromStdString(m_timeline->track().shown().scene.names.front());
+    m_breakpoints.open(keyOf(lesson().id, step().id));
+    m_watch.watch(m_breakpoints.all(), step());
     emit stepOpened();
     goTo(at);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/model/branches.h"
+#include "app/model/break_watch.h"
 #include "app/model/companion_run.h"
 #include "app/model/deed.h"
 #include "app/model/experiment.h"
@@ -78,10 +79,18 @@ public:
     {
         return m_goingTo ? std::optional(m_goingTo->frame) : std::nullopt;
     }
+    /// Pauses, and goes on to a moment after the cursor as playing does: it stops at breakpoints on the way.
+    void runTo(sim::Cursor cursor);
     /// Back to frame 0; the input and what was computed stay, so play repeats the run.
     void rewind();
     /// The step as it was when it was first opened: no input, presets, published start.
     void startAfresh();
+
+    // Breakpoints of the open step: playing, frameForward() and runTo() stop at them
+    Breakpoints &breakpoints() { return m_breakpoints; }
+    const Breakpoints &breakpoints() const { return m_breakpoints; }
+    /// What stopped the run where it stands, if a breakpoint did and nothing has changed since.
+    const std::optional<BreakHit> &stoppedBy() const { return m_hit; }
 
     // Changes, at the cursor
     double parameter(const QString &id) const;
@@ -232,6 +241,14 @@ private:
     void startAnew(const Deed &deed, const sim::Values &values, const std::vector<sim::MethodPtr> &methods);
     void startAnew(const Deed &deed, sim::Script script);
     void advance(int frames);
+    /// One row on, or to a breakpoint in it.
+    std::optional<BreakHit> stepRow();
+    void watchBreakpoints();
+    /// Stands still for a breakpoint.
+    void stopFor(const BreakHit &hit);
+    /// A slice of the way of runTo().
+    void runOn();
+    void approachLater();
     /// Says once, after a while, that playing falls behind: `played` of the frames that were `due`.
     void judgePace(int due, int played);
     /// A change: what was foreseen no longer holds, and time goes on if it waited.
@@ -308,6 +325,10 @@ private:
     sim::Keys m_keys;                       ///< those that the learner has down
     std::optional<sim::Vec2> m_pointerDown; ///< where the learner has the pointer's button down
     std::optional<sim::Cursor> m_goingTo;
+    bool m_stopsOnTheWay = false; ///< whether it looks out for breakpoints while it goes there
+    Breakpoints m_breakpoints;
+    BreakWatch m_watch;
+    std::optional<BreakHit> m_hit;
     bool m_companionDue = false;        ///< whether the next slice of its way is already asked for
     bool m_approachDue = false;         ///< whether the next slice of the way is already asked for
     mutable std::deque<Looked> m_looks; ///< the looks last made: of the run, its ghost and what is to come

@@ -91,6 +91,7 @@ void Session::phaseBack()
 void Session::goTo(sim::Cursor cursor)
 {
     m_goingTo = {std::max<std::int64_t>(0, cursor.frame), cursor.phase};
+    m_stopsOnTheWay = false;
     wakeUp();
     approach();
     checkTries();
@@ -101,6 +102,10 @@ void Session::approach()
 {
     if (!m_goingTo)
         return;
+    if (m_stopsOnTheWay) {
+        runOn();
+        return;
+    }
     QElapsedTimer clock;
     clock.start();
     const int rowFrames = m_timeline->track().rowFrames();
@@ -129,6 +134,11 @@ void Session::approach()
             m_timeline->seek({m_timeline->at().frame, phase});
         return;
     }
+    approachLater();
+}
+
+void Session::approachLater()
+{
     // One call at a time, however often the goal changes meanwhile.
     if (std::exchange(m_approachDue, true))
         return;
@@ -168,11 +178,15 @@ void Session::advance(int frames)
     QElapsedTimer clock;
     clock.start();
     int played = 0;
-    for (; played < frames && (played == 0 || clock.elapsed() < mostMilliseconds); ++played) {
-        m_timeline->stepRow();
+    std::optional<BreakHit> hit;
+    for (; !hit && played < frames && (played == 0 || clock.elapsed() < mostMilliseconds); ++played) {
+        hit = stepRow();
         checkTries();
     }
-    judgePace(frames, played);
+    if (hit)
+        stopFor(*hit);
+    else
+        judgePace(frames, played);
     const std::optional<sim::Stop> &stop = m_timeline->stop();
     if (stop && m_timeline->at().frame == stop->frame) {
         if (isPlaying() || !wasStopped)
@@ -187,6 +201,7 @@ void Session::wakeUp()
 {
     m_foresight.forget();
     m_ghostForesight.forget();
+    m_hit.reset();
     m_player.goOn();
 }
 
@@ -201,7 +216,7 @@ bool Session::isOver()
 
 void Session::waitIfOver()
 {
-    if (!isPlaying() || !isOver() || timeAloneGetsSomethingDone())
+    if (!isPlaying() || !isOver() || m_watch.mayStillStop(*m_timeline) || timeAloneGetsSomethingDone())
         return;
     m_player.wait();
     emit playingChanged();

@@ -117,21 +117,21 @@ private slots:
         QVERIFY(shown.button("new")->isHidden());
     }
 
-    void copyTakesTheShownCodeWithItsFiles_data()
+    void ctrlCTakesTheRegionThatTheKeyboardIsOn()
     {
-        QTest::addColumn<bool>("keyboard");
-        QTest::newRow("button") << false;
-        QTest::newRow("keyboard") << true;
+        Shown shown;
+        shown.view().showPlace(shown.view().placeOf(shown.row("x = x + h * v")));
+        QTest::keyClick(&shown.view(), Qt::Key_C, Qt::ControlModifier);
+        const QString text = QApplication::clipboard()->text();
+        QVERIFY(text.contains("    x = x + h * v;\n"));
+        QVERIFY(!text.contains("keep"));
     }
+
     void copyTakesTheShownCodeWithItsFiles()
     {
-        QFETCH(bool, keyboard);
         Shown shown;
         QApplication::clipboard()->clear();
-        if (keyboard)
-            QTest::keyClick(&shown.view(), Qt::Key_C, Qt::ControlModifier);
-        else
-            QTest::mouseClick(shown.button("Copy"), Qt::LeftButton);
+        QTest::mouseClick(shown.button("Copy"), Qt::LeftButton);
         const QString text = QApplication::clipboard()->text();
         QVERIFY(text.contains("// sim/effects/radial_spring.h:"));
         QVERIFY(text.contains("    x = x + h * v;\n"));

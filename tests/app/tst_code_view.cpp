@@ -77,11 +77,11 @@ private slots:
         shown.view().setFocus(Qt::TabFocusReason);
         const std::size_t order = shown.heading("the order");
         QVERIFY(shown.view().isFolded(shown.sectionOf(order))); // from the start: it is for the curious
-        QTest::keyClick(&shown.view(), Qt::Key_Down);
+        QTest::keyClick(&shown.view(), Qt::Key_Down, Qt::ControlModifier);
         QTest::keyClick(&shown.view(), Qt::Key_Return);
         QVERIFY(!shown.view().isFolded(shown.sectionOf(order)));
         QVERIFY(!shown.view().rowRect(order + 1).isEmpty());
-        QTest::keyClick(&shown.view(), Qt::Key_Up);
+        QTest::keyClick(&shown.view(), Qt::Key_Up, Qt::ControlModifier);
         QTest::keyClick(&shown.view(), Qt::Key_Enter, Qt::KeypadModifier);
         QVERIFY(shown.view().isFolded(0));
     }

@@ -1,7 +1,9 @@
 #include "app/ui/code/code_panel.h"
 
 #include "app/model/sentences.h"
+#include "app/ui/code/code_card.h"
 #include "app/ui/code/code_view.h"
+#include "app/ui/code/stop_list.h"
 #include "app/ui/theme/theme.h"
 
 #include <QApplication>
@@ -18,13 +20,18 @@ constexpr qint64 playingMilliseconds = 100; ///< between two sets of values whil
 }
 
 CodePanel::CodePanel(Session &session, const Theme &theme, QWidget *parent)
-    : QWidget(parent), m_session(session), m_theme(theme), m_view(new CodeView(theme, this))
+    : QWidget(parent), m_session(session), m_theme(theme), m_view(new CodeView(theme, this)),
+      m_stops(new StopList(session, theme, this)), m_card(new CodeCard(theme, this))
 {
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(m_view);
+    layout->setSpacing(0);
+    layout->addWidget(m_view, 1);
+    layout->addWidget(m_stops);
     setFocusProxy(m_view);
     makeActions();
+    connectView();
+    connectNumbers();
     applyTheme();
     connect(&theme, &Theme::changed, this, &CodePanel::applyTheme);
     connect(&session, &Session::stepOpened, this, &CodePanel::follow);
@@ -108,6 +115,10 @@ void CodePanel::rebuild()
         return;
     m_listing = std::move(listing);
     m_view->setListing(m_listing);
+    m_view->setSpots(parameterSpots(m_listing, *m_step, *m_segment));
+    m_asked.reset();
+    m_card->hide();
+    closeEditor();
     m_refreshed.invalidate();
     m_begun = false;
     showNewLines();
@@ -134,6 +145,12 @@ void CodePanel::refresh()
     m_begun = m_begun || timeline.at() != sim::Cursor{};
     if (inside && !m_session.isPlaying())
         m_view->showNow();
+    if (const std::optional<BreakHit> &hit = m_session.stoppedBy()) {
+        const Breakpoint *stop = m_session.breakpoints().find(hit->id);
+        if (stop && stop->place)
+            m_view->showPlace(*stop->place);
+    }
+    showCard();
 }
 
 int CodePanel::point() const

@@ -1,9 +1,12 @@
 #pragma once
 
+#include "app/model/code_history.h"
 #include "app/model/code_marks.h"
 #include "app/model/session.h"
 
 #include <QElapsedTimer>
+#include <QLineEdit>
+#include <QMenu>
 #include <QPointer>
 #include <QToolButton>
 #include <QWidget>
@@ -12,10 +15,13 @@
 
 namespace app {
 
+class CodeCard;
 class CodeView;
+class StopList;
 class Theme;
 
-/// The code that runs for the open step, with the selected body's values beside it.
+/// The code that runs for the open step, with the selected body's values beside it, and with what a learner does to the
+/// run from there: running to a line, breakpoints, and parameters that are dragged or typed over.
 class CodePanel : public QWidget
 {
     Q_OBJECT
@@ -30,6 +36,10 @@ public:
     QWidget *titleActions() { return m_actions; }
     CodeView &view() { return *m_view; }
     const CodeListing &listing() const { return m_listing; }
+    StopList &stops() { return *m_stops; }
+    const CodeCard &card() const { return *m_card; }
+    /// The menu for a row.
+    QMenu *menuFor(std::size_t row);
 
 signals:
     void captionChanged(const QString &caption);
@@ -38,9 +48,37 @@ signals:
 
 protected:
     void showEvent(QShowEvent *event) override;
+    void hideEvent(QHideEvent *event) override;
+    bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
+    struct Drag
+    {
+        ParameterSpot spot;
+        double from;
+    };
+    struct Asked
+    {
+        CodeSymbol symbol;
+        QRect word; ///< in the view's viewport
+    };
+
     void makeActions();
+    void connectView();
+    void connectNumbers();
+    void showBreakpoints();
+    void toggleStop(std::size_t row);
+    void runTo(std::size_t row);
+    const lessons::Parameter *parameterOf(const ParameterSpot &spot) const;
+    void takeNumber(const ParameterSpot &spot);
+    void dragNumber(int pixels, bool fine);
+    void leaveNumber(bool keep);
+    void editNumber(const ParameterSpot &spot);
+    void takeTyped();
+    void closeEditor();
+    void askSymbol(std::size_t row, qsizetype column);
+    void showCard();
+    QString whose(const CodeSymbol &symbol) const;
     void applyTheme();
     void follow();
     void rebuild();
@@ -54,6 +92,12 @@ private:
     Session &m_session;
     const Theme &m_theme;
     CodeView *m_view;
+    StopList *m_stops;
+    CodeCard *m_card;
+    std::optional<Drag> m_drag;   ///< the number that the mouse holds
+    std::optional<Asked> m_asked; ///< what the card shows
+    QPointer<QLineEdit> m_editor; ///< of the number that is typed over
+    QString m_edited;             ///< its parameter
     QPointer<QWidget> m_actions;
     QToolButton *m_newLines = nullptr;
     QToolButton *m_copy = nullptr;

@@ -14,6 +14,7 @@ namespace {
 
 constexpr int rowPixels = 20;
 constexpr int toComeIndicator = 9;
+constexpr int spotIndicator = 10;
 constexpr int foldBase = QsciScintilla::SC_FOLDLEVELBASE;
 constexpr int foldHeader = QsciScintilla::SC_FOLDLEVELHEADERFLAG;
 
@@ -42,7 +43,9 @@ enum NumberStyle { number = 20, numberInRegion, numberOnLine };
 CodeView::CodeView(const Theme &theme, QWidget *parent) : QsciScintilla(parent), m_theme(theme)
 {
     setAccessibleName(tr("Code that runs"));
-    setAccessibleDescription(tr("Up and Down go from heading to heading, Enter folds, Ctrl+C copies."));
+    setAccessibleDescription(tr("Up and Down go from line to line. Enter runs to a line, or folds at a "
+                                "heading. F9 sets a stop, F2 changes a parameter, Ctrl+I tells a value, "
+                                "Ctrl+C copies."));
     setUp();
     applyTheme();
     connect(&theme, &Theme::changed, this, &CodeView::applyTheme);
@@ -71,6 +74,7 @@ void CodeView::setUp()
     send(*this, SCI_SETSCROLLWIDTHTRACKING, 1);
     send(*this, SCI_SETMARGINLEFT, 0, 0);
     send(*this, SCI_INDICSETSTYLE, toComeIndicator, INDIC_TEXTFORE);
+    send(*this, SCI_INDICSETSTYLE, spotIndicator, INDIC_DOTS);
     const int widths[] = {30, 13, 3, 7};
     for (int margin = 0; margin < 4; ++margin) {
         setMarginType(margin, margin == 0 ? TextMarginRightJustified : SymbolMargin);
@@ -134,6 +138,7 @@ void CodeView::applyTheme()
     for (const int marker : {lineText, lineMargin})
         setMarkerBackgroundColor(t.wash, marker), setMarkerForegroundColor(t.wash, marker);
     SendScintilla(SCI_INDICSETFORE, toComeIndicator, t.ink3);
+    SendScintilla(SCI_INDICSETFORE, spotIndicator, t.ink2);
     setSelectionBackgroundColor(t.sunk);
     resetSelectionForegroundColor();
     makeRowsAsHigh(rowPixels);
@@ -155,7 +160,10 @@ void CodeView::setListing(const CodeListing &listing)
     m_rows = rowsOf(listing);
     m_chips.clear();
     m_marks.clear();
-    m_current = 0;
+    m_spots.clear();
+    m_row = 0;
+    m_word.reset();
+    m_keepsRow = false;
     m_newRow = 0;
     QStringList lines;
     for (const CodeRow &row : m_rows)
@@ -196,6 +204,38 @@ void CodeView::setValues(std::vector<CodeChip> chips, std::vector<SectionMark> m
     if (marksDiffer)
         applyMarks();
     viewport()->update();
+}
+
+void CodeView::setBreakpoints(std::vector<Breakpoint> breakpoints)
+{
+    m_breakpoints = std::move(breakpoints);
+    viewport()->update();
+}
+
+void CodeView::setSpots(std::vector<ParameterSpot> spots)
+{
+    if (spots == m_spots)
+        return;
+    m_spots = std::move(spots);
+    underlineSpots();
+}
+
+void CodeView::underlineSpots()
+{
+    send(*this, SCI_SETINDICATORCURRENT, spotIndicator);
+    send(*this, SCI_INDICATORCLEARRANGE, 0, send(*this, SCI_GETLENGTH));
+    for (std::size_t row = 0; row < m_rows.size(); ++row) {
+        for (const CodeWord &word : wordsOfRow(row)) {
+            if (!spotOf(row, word.from))
+                continue;
+            const long start = send(*this, SCI_POSITIONFROMLINE, row);
+            const auto bytes = [&](qsizetype columns) {
+                return static_cast<long>(m_rows[row].text.left(columns).toUtf8().size());
+            };
+            send(*this, SCI_INDICATORFILLRANGE, static_cast<std::size_t>(start + bytes(word.from)),
+                 bytes(word.from + word.length) - bytes(word.from));
+        }
+    }
 }
 
 void CodeView::applyMarks()

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "app/model/breakpoints.h"
 #include "app/model/code_marks.h"
+#include "app/model/code_symbols.h"
 #include "app/ui/code/code_rows.h"
 
 #include <Qsci/qsciscintilla.h>
@@ -14,7 +16,9 @@ namespace app {
 class Theme;
 
 /// The code that runs, to be read: its files' own line numbers, what is new, what is now, and values at the ends
-/// of lines. Up and Down go from heading to heading, Enter folds.
+/// of lines. A click on a line, or Enter, asks to run to it; a click in the margin, or F9, for a breakpoint. What is a
+/// parameter can be dragged, or typed over (F2). Up and Down go from line to line, with Ctrl from heading to heading;
+/// Ctrl with Left and Right from word to word; Enter on a heading folds.
 class CodeView : public QsciScintilla
 {
     Q_OBJECT
@@ -25,6 +29,27 @@ public:
     /// Shows `listing` from its top. Sections that were folded stay folded.
     void setListing(const CodeListing &listing);
     void setValues(std::vector<CodeChip> chips, std::vector<SectionMark> marks);
+
+    /// The lines that stop the run, and those of them that are switched on.
+    void setBreakpoints(std::vector<Breakpoint> breakpoints);
+    /// Where a parameter's number stands.
+    void setSpots(std::vector<ParameterSpot> spots);
+    const std::vector<ParameterSpot> &spots() const { return m_spots; }
+    /// Scrolls, if need be, to a line, and takes the keyboard's place there.
+    void showPlace(const CodePlace &place);
+    const CodeLine *lineAt(std::size_t row) const { return line(m_rows[row]); }
+
+    /// The row that the keyboard is on.
+    std::size_t row() const { return m_row; }
+    CodePlace placeOf(std::size_t row) const;
+    /// The section's text as it is copied: the one that the keyboard is on.
+    QString sectionText() const;
+    /// Where a stretch of a row's text stands in the viewport.
+    QRect wordRect(std::size_t row, const CodeWord &word) const;
+    /// The row and the column under a place of the viewport; empty where there is no code.
+    std::optional<std::pair<std::size_t, qsizetype>> textAt(const QPoint &position) const;
+    /// Whether a place is on a line's marks, left of its text.
+    bool isInMargin(const QPoint &position) const { return position.x() < marginsWidth(); }
 
     /// Scrolls, if need be, to the section of the phase that was done last.
     void showNow();
@@ -51,14 +76,36 @@ public:
     static int marginsWidth();
     bool isToCome(std::size_t row) const;
 
+signals:
+    /// A breakpoint on this row is to be set, or taken away.
+    void stopAsked(std::size_t row);
+    /// The run is to go to the phase of this row.
+    void runAsked(std::size_t row);
+    /// The mouse took hold of a number, moved by so many pixels since, and let go (or gave up).
+    void numberTaken(const app::ParameterSpot &spot);
+    void numberDragged(int pixels, bool fine);
+    void numberLeft(bool keep);
+    /// A number is to be typed over.
+    void numberAsked(const app::ParameterSpot &spot);
+    /// What stands at this column of a row is asked for.
+    void symbolAsked(std::size_t row, qsizetype column);
+    /// Nobody asks any more.
+    void symbolDropped();
+    /// A menu is asked for at a place of the screen, about a row.
+    void menuAsked(const QPoint &place, std::size_t row);
+
 protected:
     bool event(QEvent *event) override;
     bool viewportEvent(QEvent *event) override;
     void paintEvent(QPaintEvent *event) override;
     void mousePressEvent(QMouseEvent *event) override;
     void mouseMoveEvent(QMouseEvent *event) override;
+    void mouseReleaseEvent(QMouseEvent *event) override;
+    void mouseDoubleClickEvent(QMouseEvent *event) override;
+    void contextMenuEvent(QContextMenuEvent *event) override;
     void wheelEvent(QWheelEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
     void focusInEvent(QFocusEvent *event) override;
     void focusOutEvent(QFocusEvent *event) override;
 
@@ -77,12 +124,27 @@ private:
     void applyMarks();
     void markRow(std::size_t row);
     void toggle(std::size_t section);
-    void select(std::size_t section);
+    void goToRow(std::size_t row);
+    /// By so many rows, or headings, or words of the row.
+    void moveByRows(int by, bool onlyHeadings);
+    void moveByWords(int by);
+    std::vector<CodeWord> wordsOfRow(std::size_t row) const;
+    /// The column that the keyboard is on, or that of the first word whose number may be known.
+    qsizetype column() const;
+    void steer(const QKeyEvent &event);
+    void actOnRow();
+    void askNumber();
+    void askSymbol();
+    std::optional<std::size_t> rowAt(const QPoint &position) const;
+    /// The parameter under a place: its word, or the value at the end of its line.
+    const ParameterSpot *spotAt(const QPoint &position) const;
+    const ParameterSpot *spotOf(std::size_t row, qsizetype column) const;
+    void forgetWord(const QPoint &position);
+    void underlineSpots();
     void scrollTo(std::size_t first, std::size_t row);
     QFont inPoints(QFont font, double pixels) const;
 
     std::size_t headingRow(std::size_t section) const;
-    std::optional<std::size_t> headingAt(const QPoint &position) const;
     const SectionMark *mark(const CodeRow &row) const;
     const CodeLine *line(const CodeRow &row) const;
     const CodeChip *chip(const CodeRow &row) const;
@@ -96,6 +158,8 @@ private:
     void paintRow(QPainter &painter, std::size_t row) const;
     void paintHeading(QPainter &painter, std::size_t row) const;
     void paintSymbol(QPainter &painter, std::size_t row) const;
+    void paintStop(QPainter &painter, std::size_t row, const Breakpoint &breakpoint) const;
+    const Breakpoint *breakpoint(std::size_t row) const;
     void paintChip(QPainter &painter, std::size_t row) const;
     void paintFocus(QPainter &painter) const;
 
@@ -105,9 +169,16 @@ private:
     std::vector<CodeChip> m_chips;
     std::vector<SectionMark> m_marks;
     QSet<QString> m_folded = {QStringLiteral("order")}; ///< keys of sections; the order is for the curious
-    std::size_t m_current = 0;                          ///< the section that the keyboard is on
-    std::size_t m_newRow = 0;                           ///< where showNextNew() was
-    bool m_byKeyboard = false;                          ///< whether the focus came from it
+    std::vector<Breakpoint> m_breakpoints;
+    std::vector<ParameterSpot> m_spots;
+    std::size_t m_row = 0;           ///< that the keyboard is on
+    std::optional<CodeWord> m_word;  ///< of that row, likewise
+    bool m_keepsRow = false;         ///< whether m_row stays in sight when the view gets smaller
+    std::size_t m_newRow = 0;        ///< where showNextNew() was
+    bool m_byKeyboard = false;       ///< whether the focus came from it
+    std::optional<QPoint> m_pressed; ///< where the mouse went down on a line
+    std::optional<QPoint> m_taken;   ///< where it took hold of a number
+    std::optional<std::pair<std::size_t, qsizetype>> m_asked; ///< the word that the mouse asked for
 };
 
 }

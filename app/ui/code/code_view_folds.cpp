@@ -38,15 +38,6 @@ void CodeView::toggle(std::size_t section)
     setFolded(section, !isFolded(section));
 }
 
-void CodeView::select(std::size_t section)
-{
-    if (section >= m_listing.sections.size())
-        return;
-    m_current = section;
-    scrollTo(headingRow(section), headingRow(section));
-    viewport()->update();
-}
-
 void CodeView::scrollTo(std::size_t first, std::size_t row)
 {
     const long from = send(*this, SCI_VISIBLEFROMDOCLINE, first);
@@ -75,7 +66,8 @@ void CodeView::showNow()
             last = row;
             now = isResult(m_rows[row]) ? row : now;
         }
-        m_current = section;
+        m_row = heading;
+        m_word.reset();
         const bool fits = static_cast<long>(last - heading) < send(*this, SCI_LINESONSCREEN);
         scrollTo(heading, fits ? last : now);
     }

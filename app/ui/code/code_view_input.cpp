@@ -12,21 +12,33 @@ namespace app {
 namespace {
 
 /// The keys that the view takes for itself; all others steer the window.
-bool isOurs(const QKeyEvent &key)
+bool isOurs(const QKeyEvent &key, bool isDragging)
 {
     if (key.matches(QKeySequence::Copy) || key.matches(QKeySequence::SelectAll))
         return true;
-    const bool plain = !(key.modifiers() & ~Qt::KeypadModifier);
+    const Qt::KeyboardModifiers modifiers = key.modifiers() & ~Qt::KeypadModifier;
+    const bool plain = modifiers == Qt::NoModifier, control = modifiers == Qt::ControlModifier;
     switch (key.key()) {
     case Qt::Key_Up:
     case Qt::Key_Down:
+        return plain || control;
+    case Qt::Key_Left:
+    case Qt::Key_Right:
+    case Qt::Key_I:
+        return control;
     case Qt::Key_Return:
     case Qt::Key_Enter:
+    case Qt::Key_F2:
+    case Qt::Key_F9:
         return plain;
+    case Qt::Key_Escape:
+        return plain && isDragging;
     default:
         return false;
     }
 }
+
+constexpr int trembling = 3; ///< px that a hand moves while it clicks
 
 }
 
@@ -34,7 +46,7 @@ bool CodeView::event(QEvent *event)
 {
     // Scintilla would claim every letter and arrow as a shortcut of its own.
     if (event->type() == QEvent::ShortcutOverride) {
-        event->setAccepted(isOurs(*static_cast<QKeyEvent *>(event)));
+        event->setAccepted(isOurs(*static_cast<QKeyEvent *>(event), m_taken.has_value()));
         return true;
     }
     return QsciScintilla::event(event);
@@ -42,57 +54,155 @@ bool CodeView::event(QEvent *event)
 
 void CodeView::keyPressEvent(QKeyEvent *event)
 {
-    if (!isOurs(*event)) {
+    if (!isOurs(*event, m_taken.has_value())) {
         event->ignore();
         return;
     }
     m_byKeyboard = true;
     if (event->matches(QKeySequence::Copy))
-        hasSelectedText() ? copy() : QApplication::clipboard()->setText(shownText());
+        hasSelectedText() ? copy() : QApplication::clipboard()->setText(sectionText());
     else if (event->matches(QKeySequence::SelectAll))
         selectAll();
-    else if (event->key() == Qt::Key_Down)
-        select(m_current + 1);
-    else if (event->key() == Qt::Key_Up)
-        select(m_current == 0 ? 0 : m_current - 1);
     else
-        toggle(m_current);
+        steer(*event);
     viewport()->update();
 }
 
-std::optional<std::size_t> CodeView::headingAt(const QPoint &position) const
+void CodeView::steer(const QKeyEvent &event)
 {
-    for (std::size_t row = 0; row < m_rows.size(); ++row) {
-        if (m_rows[row].kind == CodeRow::Kind::heading && rowRect(row).contains(position))
-            return m_rows[row].section;
+    const bool control = event.modifiers().testFlag(Qt::ControlModifier);
+    switch (event.key()) {
+    case Qt::Key_Down:
+        return moveByRows(1, control);
+    case Qt::Key_Up:
+        return moveByRows(-1, control);
+    case Qt::Key_Right:
+        return moveByWords(1);
+    case Qt::Key_Left:
+        return moveByWords(-1);
+    case Qt::Key_I:
+        return askSymbol();
+    case Qt::Key_F2:
+        return askNumber();
+    case Qt::Key_F9:
+        if (line(m_rows[m_row]))
+            emit stopAsked(m_row);
+        return;
+    case Qt::Key_Escape:
+        m_taken.reset();
+        emit numberLeft(false);
+        return;
+    default:
+        actOnRow();
     }
-    return std::nullopt;
 }
 
 void CodeView::mousePressEvent(QMouseEvent *event)
 {
-    const auto heading = headingAt(event->pos());
-    if (!heading || event->button() != Qt::LeftButton) {
+    emit symbolDropped();
+    m_asked.reset();
+    const auto row = rowAt(event->pos());
+    if (event->button() != Qt::LeftButton || !row || m_rows[*row].kind == CodeRow::Kind::gap) {
+        QsciScintilla::mousePressEvent(event);
+        return;
+    }
+    m_byKeyboard = false;
+    if (m_rows[*row].kind != CodeRow::Kind::heading && !line(m_rows[*row])) {
         QsciScintilla::mousePressEvent(event);
         return;
     }
     setFocus(Qt::MouseFocusReason);
-    m_current = *heading;
-    toggle(*heading);
+    m_row = *row;
+    m_word.reset();
+    viewport()->update();
+    if (m_rows[*row].kind == CodeRow::Kind::heading) {
+        toggle(m_rows[*row].section);
+    } else if (isInMargin(event->pos())) {
+        emit stopAsked(*row);
+    } else if (const ParameterSpot *spot = spotAt(event->pos())) {
+        m_taken = event->pos();
+        emit numberTaken(*spot);
+    } else {
+        m_pressed = hasSelectedText() || event->modifiers() != Qt::NoModifier ? std::nullopt
+                                                                              : std::optional(event->pos());
+        QsciScintilla::mousePressEvent(event);
+    }
 }
 
 void CodeView::mouseMoveEvent(QMouseEvent *event)
 {
-    const bool onHeading = headingAt(event->pos()).has_value();
-    if (onHeading && event->buttons() == Qt::NoButton) {
-        viewport()->setCursor(Qt::PointingHandCursor);
+    forgetWord(event->pos());
+    if (m_taken) {
+        emit numberDragged(event->pos().x() - m_taken->x(), event->modifiers().testFlag(Qt::ShiftModifier));
         return;
+    }
+    const auto row = rowAt(event->pos());
+    if (row && event->buttons() == Qt::NoButton) {
+        const bool isLine = line(m_rows[*row]);
+        if (isLine && !isInMargin(event->pos()) && spotAt(event->pos())) {
+            viewport()->setCursor(Qt::SizeHorCursor);
+            return;
+        }
+        if (m_rows[*row].kind == CodeRow::Kind::heading || (isLine && isInMargin(event->pos()))) {
+            viewport()->setCursor(Qt::PointingHandCursor);
+            return;
+        }
     }
     QsciScintilla::mouseMoveEvent(event);
 }
 
+void CodeView::mouseReleaseEvent(QMouseEvent *event)
+{
+    if (m_taken && event->button() == Qt::LeftButton) {
+        m_taken.reset();
+        emit numberLeft(true);
+        return;
+    }
+    QsciScintilla::mouseReleaseEvent(event);
+    const bool isClick = m_pressed && (event->pos() - *m_pressed).manhattanLength() <= trembling;
+    const auto row = isClick ? rowAt(*m_pressed) : std::nullopt;
+    m_pressed.reset();
+    if (row && event->button() == Qt::LeftButton && !hasSelectedText())
+        emit runAsked(*row);
+}
+
+void CodeView::mouseDoubleClickEvent(QMouseEvent *event)
+{
+    const auto row = rowAt(event->pos());
+    const bool isLine = row && line(m_rows[*row]);
+    if (event->button() != Qt::LeftButton || !row) {
+        QsciScintilla::mouseDoubleClickEvent(event);
+    } else if (isLine && !isInMargin(event->pos()) && spotAt(event->pos())) {
+        emit numberAsked(*spotAt(event->pos()));
+    } else if (isLine && !isInMargin(event->pos())) {
+        QsciScintilla::mouseDoubleClickEvent(event); // chooses a word
+    } else {
+        mousePressEvent(event); // two quick clicks are two clicks
+    }
+}
+
+void CodeView::contextMenuEvent(QContextMenuEvent *event)
+{
+    std::size_t row = m_row;
+    QPoint place = event->globalPos();
+    if (event->reason() == QContextMenuEvent::Keyboard)
+        place = viewport()->mapToGlobal(rowRect(m_row).topLeft() + QPoint(marginsWidth(), rowHeight()));
+    else
+        row = rowAt(viewport()->mapFromGlobal(place)).value_or(m_row);
+    if (row < m_rows.size())
+        emit menuAsked(place, row);
+}
+
+void CodeView::resizeEvent(QResizeEvent *event)
+{
+    QsciScintilla::resizeEvent(event);
+    if (m_keepsRow)
+        scrollTo(m_row, m_row);
+}
+
 void CodeView::wheelEvent(QWheelEvent *event)
 {
+    m_keepsRow = false;
     // Scintilla would zoom, and chips and headings would not.
     if (event->modifiers() & Qt::ControlModifier)
         event->ignore();
@@ -126,30 +236,41 @@ void CodeView::focusOutEvent(QFocusEvent *event)
 
 QString CodeView::tipAt(const QPoint &position) const
 {
-    for (std::size_t row = 0; row < m_rows.size(); ++row) {
-        const QRect rect = rowRect(row);
-        if (!rect.contains(position))
-            continue;
-        const CodeRow &its = m_rows[row];
-        if (its.kind == CodeRow::Kind::heading) {
-            const QString files = m_listing.sections[its.section].files().join('\n');
-            return tr("%1\nClick to fold or unfold (Enter)").arg(files);
-        }
-        if (its.kind == CodeRow::Kind::code && chip(its) && chipBox(row).rect.contains(position))
-            return chip(its)->tip;
-        const CodeLine *shown = line(its);
-        if (shown && shown->isNew && position.x() < marginsWidth())
-            return tr("New in this step");
+    const auto row = rowAt(position);
+    if (!row)
+        return {};
+    const CodeRow &its = m_rows[*row];
+    if (its.kind == CodeRow::Kind::heading) {
+        const QString files = m_listing.sections[its.section].files().join('\n');
+        return tr("%1\nClick to fold or unfold (Enter)").arg(files);
     }
-    return {};
+    const CodeLine *shown = line(its);
+    if (!shown)
+        return {};
+    if (chip(its) && chipBox(*row).rect.contains(position))
+        return chip(its)->tip;
+    if (!isInMargin(position))
+        return {};
+    const QString what = breakpoint(*row)
+                             ? tr("The run stops before this line's phase. Click to take the stop away (F9).")
+                             : tr("Click to stop before this line's phase (F9)");
+    return shown->isNew ? tr("New in this step. %1").arg(what) : what;
 }
 
 bool CodeView::viewportEvent(QEvent *event)
 {
+    if (event->type() == QEvent::Leave)
+        forgetWord({-1, -1});
     if (event->type() != QEvent::ToolTip)
         return QsciScintilla::viewportEvent(event);
     const auto *help = static_cast<QHelpEvent *>(event);
-    QToolTip::showText(help->globalPos(), tipAt(help->pos()), this); // an empty text hides it
+    const QString tip = tipAt(help->pos());
+    QToolTip::showText(help->globalPos(), tip, this); // an empty text hides it
+    const auto at = tip.isEmpty() && !m_taken ? textAt(help->pos()) : std::nullopt;
+    if (at && at != m_asked) {
+        m_asked = at;
+        emit symbolAsked(at->first, at->second);
+    }
     return true;
 }
 

@@ -151,6 +151,10 @@ void CodeView::paintHeading(QPainter &painter, std::size_t row) const
 void CodeView::paintSymbol(QPainter &painter, std::size_t row) const
 {
     const QRect rect = rowRect(row);
+    if (const Breakpoint *its = breakpoint(row)) {
+        paintStop(painter, row, *its);
+        return;
+    }
     if (isResult(m_rows[row])) {
         const QPointF at(symbolLeft + 1.5, rect.top() + 4);
         QPainterPath arrow;
@@ -187,17 +191,35 @@ void CodeView::paintChip(QPainter &painter, std::size_t row) const
     painter.drawText(box.rect, Qt::AlignCenter, box.text);
 }
 
+void CodeView::paintStop(QPainter &painter, std::size_t row, const Breakpoint &breakpoint) const
+{
+    const QPointF centre(symbolLeft + 6.5, rowRect(row).center().y() + 0.5);
+    const QColor past = m_theme.tokens().past;
+    painter.setPen(QPen(past, 1.5));
+    painter.setBrush(breakpoint.isOn ? QBrush(past) : QBrush(Qt::NoBrush));
+    painter.drawEllipse(centre, 4.0, 4.0);
+    if (breakpoint.condition.isEmpty())
+        return;
+    // A condition: two bars, as of an equals sign.
+    painter.setPen(QPen(breakpoint.isOn ? m_theme.tokens().panel : past, 1.2));
+    for (const double dy : {-1.3, 1.3})
+        painter.drawLine(centre + QPointF(-2.0, dy), centre + QPointF(2.0, dy));
+}
+
 void CodeView::paintFocus(QPainter &painter) const
 {
-    const std::size_t row = headingRow(m_current);
     const QRect shown = viewport()->rect();
-    QRect ring = row < m_rows.size() ? rowRect(row) : QRect();
-    if (!ring.isEmpty() && shown.contains(ring))
-        ring = ring.adjusted(barLeft + barWidth + 2, 0, endOfText(row) + 5 - ring.width(), 0);
-    else
-        ring = shown; // the heading has been scrolled away
-    painter.setPen(QPen(m_theme.tokens().ink, 2));
+    const QRect whole = m_row < m_rows.size() ? rowRect(m_row) : QRect();
+    QRect ring = shown; // the row has been scrolled away
     painter.setBrush(Qt::NoBrush);
+    if (!whole.isEmpty() && shown.contains(whole)) {
+        ring = whole.adjusted(barLeft + barWidth + 2, 0, endOfText(m_row) + 5 - whole.width(), 0);
+        if (m_word) {
+            painter.setPen(QPen(m_theme.tokens().ink, 1));
+            painter.drawRect(QRectF(wordRect(m_row, *m_word)).adjusted(-1.5, 3.5, 1.5, -3.5));
+        }
+    }
+    painter.setPen(QPen(m_theme.tokens().ink, 2));
     painter.drawRoundedRect(QRectF(ring).adjusted(1, 1, -1, -1), 6, 6);
 }
 

@@ -219,6 +219,22 @@ void MainWindow::showHelp()
         m_helpPage->addGesture(plots, tr("The names above a plot"), tr("menus of what it shows"));
         m_helpPage->addGesture(plots, tr("Menu key, or right-click"), tr("save, copy, keep or remove it"));
         m_helpPage->addGesture(plots, tr("Delete"), tr("remove it"));
+        const QString code = tr("Code");
+        m_helpPage->addGesture(code, tr("Click a line, or Enter"), tr("run to its phase"));
+        m_helpPage->addGesture(code, tr("Click left of a line, or F9"),
+                               tr("stop before its phase, or no longer"));
+        m_helpPage->addGesture(code, tr("Drag a dotted word"),
+                               tr("change that parameter; with Shift finely"));
+        m_helpPage->addGesture(code, tr("Double-click it, or F2"), tr("type the parameter's value"));
+        m_helpPage->addGesture(code, tr("Point at a word, or Ctrl+I"),
+                               tr("its value, and its last 120 frames"));
+        m_helpPage->addGesture(code, tr("Up and Down"),
+                               tr("from line to line; with Ctrl from heading to heading"));
+        m_helpPage->addGesture(code, tr("Ctrl and Left or Right"), tr("from word to word"));
+        m_helpPage->addGesture(code, tr("Enter, on a heading"), tr("fold or unfold"));
+        m_helpPage->addGesture(code, tr("Ctrl+C"), tr("copy what is selected, or the whole region"));
+        m_helpPage->addGesture(code, tr("Stop when…"),
+                               tr("the field below the code: stop when that comes true"));
         const QString accuracy = tr("Accuracy");
         m_helpPage->addGesture(accuracy, tr("Arrow keys"), tr("walk through the points of a plot"));
         m_helpPage->addGesture(accuracy, tr("Enter or a click"), tr("use the method and step of a point"));

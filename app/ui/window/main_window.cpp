@@ -122,6 +122,8 @@ void MainWindow::showStatus()
     if (!m_said.isEmpty()) {
         text = m_said.toHtmlEscaped();
         m_said.clear();
+    } else if (m_session.stoppedBy() && !m_session.isPlaying()) {
+        text = m_session.stoppedBy()->sentence.toHtmlEscaped();
     } else if (m_session.isResting()) {
         text = tr("Everything rests. Touch something, or press <b>Space</b> to stop.");
     } else if (m_session.isPlaying()) {

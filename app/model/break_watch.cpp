@@ -1,0 +1,188 @@
+#include "app/model/break_watch.h"
+
+#include "app/model/code_listing.h"
+#include "app/model/refusal.h"
+#include "app/model/sentences.h"
+#include "app/model/source_book.h"
+#include "sim/sleep.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace app {
+
+namespace {
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(BreakWatch)
+};
+
+const sim::Phase &nextPhase(const sim::Timeline &run)
+{
+    return run.track().next()->pipeline.phaseAt(run.at().phase);
+}
+
+QString sentenceFor(const Breakpoint &breakpoint, const sim::Timeline &run)
+{
+    const QString why =
+        !breakpoint.condition.isEmpty()
+            ? breakpoint.condition
+            : Text::tr("%1, line %2").arg(fileName(breakpoint.place->file)).arg(breakpoint.place->line);
+    return Text::tr("Stopped at frame %1 before %2: %3.")
+        .arg(QString::number(run.at().frame), phrase(nextPhase(run).title), why);
+}
+
+}
+
+ConditionNames conditionNames(const lessons::Step &step, const sim::Timeline &timeline)
+{
+    const sim::Track &track = timeline.track();
+    ConditionNames names{track.shown().scene, timeline.values(), track.next()->pipeline};
+    for (const lessons::Parameter &parameter : step.parameters) {
+        if (!parameter.choices.isEmpty())
+            names.choices[parameter.id] = parameter.choices;
+    }
+    return names;
+}
+
+std::vector<int> phasesAt(const CodePlace &place, const sim::Pipeline &pipeline)
+{
+    SourceBook book;
+    const auto has = [&](const sim::Region &region) {
+        if (QString::fromStdString(region.file) != place.file)
+            return false;
+        const auto text = book.text(region);
+        return text && std::any_of(text->begin(), text->end(),
+                                   [&](const SourceLine &line) { return line.number == place.line; });
+    };
+    std::vector<int> found;
+    for (int i = 0; i < pipeline.phasesPerStep(); ++i) {
+        const std::vector<sim::Region> &regions = pipeline.phases[static_cast<std::size_t>(i)].regions;
+        if (std::any_of(regions.begin(), regions.end(), has))
+            found.push_back(i);
+    }
+    return found;
+}
+
+void BreakWatch::watch(const std::vector<Breakpoint> &breakpoints, const lessons::Step &step)
+{
+    m_step = &step;
+    m_watched.clear();
+    for (const Breakpoint &one : breakpoints) {
+        if (one.isOn)
+            m_watched.push_back({one, {}, {}});
+    }
+    m_shown = m_next = nullptr;
+    m_rowsOver = 0;
+}
+
+void BreakWatch::fit(const sim::Timeline &run)
+{
+    const std::shared_ptr<const sim::Segment> shown = run.track().shownPtr(), next = run.track().next();
+    if (shown == m_shown && next == m_next)
+        return;
+    m_shown = shown;
+    m_next = next;
+    const ConditionNames names = conditionNames(*m_step, run);
+    for (Watched &one : m_watched) {
+        one.condition.reset();
+        one.phases.clear();
+        if (one.breakpoint.place)
+            one.phases = phasesAt(*one.breakpoint.place, next->pipeline);
+        one.isInForce = !one.breakpoint.place || !one.phases.empty();
+        if (one.breakpoint.condition.isEmpty())
+            continue;
+        try {
+            one.condition = Condition::parse(one.breakpoint.condition, names);
+        } catch (const Refusal &) {
+            one.isInForce = false; // what it speaks of is not there now; the list of breakpoints says so
+        }
+    }
+}
+
+bool BreakWatch::holds(const Watched &one, const sim::Timeline &run) const
+{
+    return one.isInForce &&
+           (!one.condition || one.condition->holds({run.now(), run.at().frame, &nextPhase(run)}));
+}
+
+void BreakWatch::look(const sim::Timeline &run)
+{
+    fit(run);
+    for (Watched &one : m_watched)
+        one.held = !one.breakpoint.place && holds(one, run);
+}
+
+sim::Cursor BreakWatch::nextPlace(const sim::Timeline &run, sim::Cursor target) const
+{
+    const sim::Pipeline &pipeline = run.track().next()->pipeline;
+    const auto mayStopAt = [&](int phase) {
+        return std::any_of(m_watched.begin(), m_watched.end(), [&](const Watched &one) {
+            return one.isInForce &&
+                   (!one.breakpoint.place || std::find(one.phases.begin(), one.phases.end(),
+                                                       phase % pipeline.phasesPerStep()) != one.phases.end());
+        });
+    };
+    const sim::Cursor at = run.at();
+    const sim::Cursor rowEnd{at.frame + run.track().rowFrames(), 0};
+    for (int phase = at.phase + 1; phase < pipeline.phasesPerRow(); ++phase) {
+        if (mayStopAt(phase))
+            return std::min(target, {at.frame, phase});
+    }
+    return std::min(target, rowEnd);
+}
+
+std::optional<BreakHit> BreakWatch::hitAt(const sim::Timeline &run)
+{
+    fit(run);
+    const int phase = run.at().phase % m_next->pipeline.phasesPerStep();
+    const Breakpoint *hit = nullptr;
+    for (Watched &one : m_watched) {
+        const bool isHere = !one.breakpoint.place ||
+                            std::find(one.phases.begin(), one.phases.end(), phase) != one.phases.end();
+        if (!isHere)
+            continue;
+        const bool now = holds(one, run);
+        if (now && !one.held && !hit)
+            hit = &one.breakpoint;
+        one.held = now && !one.breakpoint.place;
+    }
+    if (!hit)
+        return std::nullopt;
+    return BreakHit{hit->id, run.at(), sentenceFor(*hit, run)};
+}
+
+std::optional<BreakHit> BreakWatch::run(sim::Timeline &run, sim::Cursor target)
+{
+    if (run.at() != m_last)
+        m_rowsOver = 0;
+    look(run);
+    target.frame = target.frame / run.track().rowFrames() * run.track().rowFrames(); // as seek() has it
+    std::optional<BreakHit> hit;
+    while (!hit && run.at() < target) {
+        const sim::Cursor wanted = nextPlace(run, target);
+        run.seek(wanted);
+        if (run.at() != wanted) { // the run ends on the way
+            run.seek(target);
+            break;
+        }
+        hit = hitAt(run);
+        if (run.at().phase == 0)
+            m_rowsOver = run.isOver() ? m_rowsOver + 1 : 0;
+    }
+    m_last = run.at();
+    return hit;
+}
+
+bool BreakWatch::mayStillStop(const sim::Timeline &run) const
+{
+    const bool readsFrame = std::any_of(m_watched.begin(), m_watched.end(), [](const Watched &one) {
+        return one.isInForce && one.condition && one.condition->readsFrame();
+    });
+    // What sleeps goes through the same states again and again: after a whole round all of them were looked at.
+    return isWatching() && (readsFrame || !run.isOver() || m_rowsOver <= sim::SleepWatch::longest);
+}
+
+}

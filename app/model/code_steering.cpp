@@ -1,0 +1,91 @@
+#include "app/model/code_steering.h"
+
+#include "app/model/numbers.h"
+#include "app/model/refusal.h"
+#include "app/model/words.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <algorithm>
+#include <cmath>
+
+namespace app {
+
+namespace {
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(CodeSteering)
+};
+
+constexpr double slidersWay = 200.0; ///< px
+constexpr double choicesWay = 24.0;  ///< px
+constexpr double fineShare = 0.1;
+
+/// A number with the decimals that the parameter is shown with.
+double rounded(const lessons::Parameter &parameter, double value)
+{
+    return QString::number(value, 'f', parameter.isWhole() ? 0 : parameter.decimals).toDouble();
+}
+
+}
+
+std::optional<sim::Cursor> runTarget(const CodeSection &section, const sim::Timeline &timeline)
+{
+    if (section.phases.empty())
+        return std::nullopt;
+    const sim::Track &track = timeline.track();
+    const sim::Pipeline &pipeline = track.next()->pipeline;
+    const sim::Cursor at = track.at();
+    for (int phase = at.phase;; ++phase) {
+        const bool isNextRow = phase >= pipeline.phasesPerRow();
+        const int index = phase % pipeline.phasesPerRow();
+        if (!section.has(index % pipeline.phasesPerStep()))
+            continue;
+        const std::int64_t frame = at.frame + (isNextRow ? track.rowFrames() : 0);
+        return index + 1 < pipeline.phasesPerRow() ? sim::Cursor{frame, index + 1}
+                                                   : sim::Cursor{frame + track.rowFrames(), 0};
+    }
+}
+
+double draggedValue(const lessons::Parameter &parameter, double from, int pixels, bool fine)
+{
+    const double way = (fine ? fineShare : 1.0) * pixels;
+    if (!parameter.choices.isEmpty())
+        return std::clamp(from + std::round(way / choicesWay), parameter.min, parameter.max);
+    double value = from + way / slidersWay * (parameter.sliderMax - parameter.sliderMin);
+    if (parameter.scale == lessons::Scale::decades && from > 0.0 && parameter.sliderMin > 0.0)
+        value = from * std::pow(parameter.sliderMax / parameter.sliderMin, way / slidersWay);
+    return pixels == 0 ? from : std::clamp(rounded(parameter, value), parameter.min, parameter.max);
+}
+
+double typedValue(const lessons::Parameter &parameter, const QString &text)
+{
+    const QString plain = QString(text).replace(QChar(0x2212), '-').replace(',', '.').trimmed();
+    const qsizetype choice = parameter.choices.indexOf(text.trimmed());
+    if (choice >= 0)
+        return static_cast<double>(choice);
+    if (!parameter.choices.isEmpty())
+        throw Refusal(Text::tr("%1 can be %2, and not %3.")
+                          .arg(parameter.name, quotedList(parameter.choices), quoted(text)));
+    bool isNumber = false;
+    const double value = QLocale::c().toDouble(plain, &isNumber);
+    const bool fits = isNumber && std::isfinite(value) && value >= parameter.min && value <= parameter.max;
+    if (!fits || (parameter.isWhole() && value != std::round(value)))
+        throw Refusal((parameter.isWhole() ? Text::tr("%1 can be a whole number from %2 to %3, and not %4.")
+                                           : Text::tr("%1 can be a number from %2 to %3, and not %4."))
+                          .arg(parameter.name, writtenNumber(parameter.min, 0),
+                               writtenNumber(parameter.max, 0), quoted(text)));
+    return value;
+}
+
+QString typedText(const lessons::Parameter &parameter, double value)
+{
+    const auto choice = static_cast<qsizetype>(std::lround(value));
+    if (choice >= 0 && choice < parameter.choices.size())
+        return parameter.choices[choice];
+    return writtenNumber(value, parameter.isWhole() ? 0 : parameter.decimals);
+}
+
+}

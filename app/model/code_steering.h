@@ -1,0 +1,23 @@
+#pragma once
+
+#include "app/model/code_listing.h"
+
+#include <optional>
+
+namespace app {
+
+/// The next moment after the cursor at which a phase of `section` has just been done: in the frame under way, or else in
+/// the next one. Empty for a section that no phase belongs to.
+std::optional<sim::Cursor> runTarget(const CodeSection &section, const sim::Timeline &timeline);
+
+/// The value of a number that was `from` when the mouse took hold of it, `pixels` farther to the right. 200 px are as
+/// much as its slider; `fine`: a tenth of that. Never out of its range; for a choice 24 px are one more.
+double draggedValue(const lessons::Parameter &parameter, double from, int pixels, bool fine);
+
+/// What somebody typed for a parameter: a number in its range, or the id of a choice.
+/// @throws Refusal
+double typedValue(const lessons::Parameter &parameter, const QString &text);
+/// A parameter's value as it is typed.
+QString typedText(const lessons::Parameter &parameter, double value);
+
+}

@@ -1,0 +1,312 @@
+#include "app/model/code_symbols.h"
+
+#include "app/model/sentences.h"
+
+#include <QCoreApplication>
+#include <QHash>
+#include <QRegularExpression>
+
+#include <algorithm>
+
+namespace app {
+
+namespace {
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(CodeSymbols)
+};
+
+/// What a number that a phase computes is.
+struct Meaning
+{
+    const char *name;
+    std::optional<sim::Kind> kind; ///< of the phase; empty: any
+    const char *unit;
+    const char *what; ///< empty: nothing to say beyond the name
+};
+
+using enum sim::Kind;
+
+constexpr Meaning meanings[] = {
+    {"from", spring, "px",
+     QT_TRANSLATE_NOOP("CodeSymbols", "Where the body is, seen from the place it hangs on.")},
+    {"out", spring, "",
+     QT_TRANSLATE_NOOP("CodeSymbols", "The direction away from the place it hangs on, 1 long.")},
+    {"angle", spring, "rad", QT_TRANSLATE_NOOP("CodeSymbols", "The same direction, as an angle.")},
+    {"length", spring, "px",
+     QT_TRANSLATE_NOOP("CodeSymbols", "How far the body is from the place it hangs on.")},
+    {"target", spring, "px", QT_TRANSLATE_NOOP("CodeSymbols", "Where the spring pulls the body to.")},
+    {"d", spring, "px",
+     QT_TRANSLATE_NOOP("CodeSymbols", "The way from the body to where the spring pulls it.")},
+    {"pull", spring, "px/frame²",
+     QT_TRANSLATE_NOOP("CodeSymbols", "What all springs together add to the velocity each frame.")},
+    {"pull", gravity, "px/frame²",
+     QT_TRANSLATE_NOOP("CodeSymbols", "What gravity adds to the velocity each frame.")},
+    {"d", driver, "px", QT_TRANSLATE_NOOP("CodeSymbols", "The way from the body to its target.")},
+    {"keep", damping, "",
+     QT_TRANSLATE_NOOP("CodeSymbols", "The share of the velocity that is left after this step.")},
+    {"pull", std::nullopt, "px/frame²",
+     QT_TRANSLATE_NOOP("CodeSymbols", "What is added to the velocity each frame.")},
+    {"x", std::nullopt, "px", QT_TRANSLATE_NOOP("CodeSymbols", "Where the body is: x to the right, y down.")},
+    {"v", std::nullopt, "px/frame",
+     QT_TRANSLATE_NOOP("CodeSymbols", "The velocity: how far the body goes in a frame.")},
+    {"velocity", std::nullopt, "px/frame",
+     QT_TRANSLATE_NOOP("CodeSymbols", "The velocity: how far the body goes in a frame.")},
+    {"a", std::nullopt, "px/frame²",
+     QT_TRANSLATE_NOOP("CodeSymbols", "What is added to the velocity each frame.")},
+    {"target", std::nullopt, "px", ""},
+    {"d", std::nullopt, "px", ""},
+    {"distance", std::nullopt, "px",
+     QT_TRANSLATE_NOOP("CodeSymbols", "How far the two are from each other.")},
+    {"length", std::nullopt, "px", ""},
+    {"spin", std::nullopt, "°/frame", QT_TRANSLATE_NOOP("CodeSymbols", "How fast it turns.")},
+    {"angle", std::nullopt, "°", QT_TRANSLATE_NOOP("CodeSymbols", "The direction in which it points.")},
+};
+
+const Meaning *meaningOf(const QString &name, const sim::Phase &phase)
+{
+    const QString whole = name.section('.', 0, 0);
+    for (const Meaning &one : meanings) {
+        if (whole == QLatin1String(one.name) && (!one.kind || one.kind == phase.kind))
+            return &one;
+    }
+    return nullptr;
+}
+
+/// "radial_spring" for "RadialSpring".
+QString idOf(QString className)
+{
+    static const QRegularExpression capital(QStringLiteral("(?<!^)([A-Z])"));
+    return className.replace(capital, QStringLiteral("_\\1")).toLower();
+}
+
+/// What the set-up makes of parameters.
+struct SetUp
+{
+    QHash<QString, QString> names;      ///< variables and members of them, with the parameter that each holds
+    QHash<QString, QStringList> handed; ///< the words that effects are made from, by the effect's id
+};
+
+/// The variable, or member, that a line sets to a parameter and nothing else.
+std::optional<std::pair<QString, QString>> readInto(const QString &code, const std::vector<CodeWord> &words)
+{
+    static const QRegularExpression sets(
+        QStringLiteral("^(?:const )?(?:double |int |bool |auto )?([\\w.]+) = "));
+    const QRegularExpressionMatch match = sets.match(code);
+    const auto reads = std::find_if(words.begin(), words.end(),
+                                    [](const CodeWord &word) { return !word.parameter.isEmpty(); });
+    if (!match.hasMatch() || reads == words.end())
+        return std::nullopt;
+    const QString rest = code.mid(match.capturedEnd());
+    if (rest.size() != reads->length + 1 || !rest.endsWith(';'))
+        return std::nullopt;
+    return std::pair(match.captured(1), reads->parameter);
+}
+
+SetUp readSetUp(const CodeSection &section)
+{
+    SetUp setUp;
+    static const QRegularExpression adds(QStringLiteral("\\badd<(\\w+)>\\(scene(.*?)\\);"));
+    QString all;
+    for (const CodeLine &line : section.lines) {
+        const QString code = line.code();
+        if (const auto read = readInto(code, wordsOf(code)))
+            setUp.names.insert(read->first, read->second);
+        all += code + ' ';
+    }
+    for (auto found = adds.globalMatch(all); found.hasNext();) {
+        const QRegularExpressionMatch match = found.next();
+        QStringList &handed = setUp.handed[idOf(match.captured(1))];
+        for (const CodeWord &word : wordsOf(match.captured(2)))
+            handed << word.name;
+    }
+    return setUp;
+}
+
+/// The first line after those of the region that begins with line `first`.
+std::size_t endOfRegion(const CodeSection &section, std::size_t first)
+{
+    std::size_t end = first + 1;
+    while (end < section.lines.size() && section.lines[end].file == section.lines[first].file &&
+           section.lines[end].source.number == section.lines[end - 1].source.number + 1)
+        ++end;
+    return end;
+}
+
+/// Whether `name` is what a function of the region is given, and nothing that the region sets itself.
+bool isGiven(const CodeSection &section, std::size_t first, std::size_t end, const QString &name)
+{
+    const QString plain = QRegularExpression::escape(name.section('.', 0, 0));
+    const QRegularExpression given(
+        QStringLiteral("\\b(?:double |int |const [\\w:]+ &)%1\\s*[,)]").arg(plain));
+    const QRegularExpression set(
+        QStringLiteral("(?<![\\w.])%1\\s*[-+*/]?=(?!=)").arg(QRegularExpression::escape(name)));
+    bool isGiven = false;
+    for (std::size_t i = first; i < end; ++i) {
+        const QString code = section.lines[i].code();
+        if (set.match(code).hasMatch())
+            return false;
+        isGiven = isGiven || given.match(code).hasMatch();
+    }
+    return isGiven;
+}
+
+/// All numbers that the phase can tell of `point`: those of a state in which everything of it has changed.
+std::vector<sim::Live> liveOf(const sim::Phase &phase, const sim::Segment &segment, int point)
+{
+    const sim::State &start = segment.scene.start;
+    sim::State after = start;
+    after.place(point, start.at(point) + sim::Vec2{1.0, 1.0});
+    after.push(point, start.speed(point) + sim::Vec2{1.0, 1.0});
+    return phase.explain(start, after, point);
+}
+
+/// The names that the phase computes a number for itself.
+QStringList computedBy(const sim::Phase &phase, const sim::Segment &segment)
+{
+    QStringList names;
+    if (phase.points.count == 0)
+        return names;
+    for (const sim::Live &live : liveOf(phase, segment, phase.points.first))
+        names << QString::fromStdString(live.name);
+    return names;
+}
+
+/// The names that mean a parameter in a phase's code, with its id.
+QHash<QString, QString> namesIn(const CodeSection &section, const SetUp &setUp, const sim::Segment &segment)
+{
+    QHash<QString, QString> names;
+    const sim::Phase &phase = segment.pipeline.phases[static_cast<std::size_t>(section.phases.front())];
+    if (!phase.effect)
+        return names;
+    const QStringList handed = setUp.handed.value(QString::fromStdString(phase.effect->id()));
+    const QStringList computed = computedBy(phase, segment);
+    for (auto it = setUp.names.begin(); it != setUp.names.end(); ++it) {
+        if (handed.contains(it.key().section('.', 0, 0)) && !computed.contains(it.key()))
+            names.insert(it.key(), it.value());
+    }
+    return names;
+}
+
+void addPhaseSpots(std::vector<ParameterSpot> &spots, const CodeListing &listing, std::size_t s,
+                   const QHash<QString, QString> &names)
+{
+    const CodeSection &section = listing.sections[s];
+    for (std::size_t first = 0; first < section.lines.size();) {
+        const std::size_t end = endOfRegion(section, first);
+        for (std::size_t i = first; i < end; ++i) {
+            for (CodeWord &word : wordsOf(section.lines[i].source.text)) {
+                if (!names.contains(word.name) || !isGiven(section, first, end, word.name))
+                    continue;
+                word.parameter = names[word.name];
+                spots.push_back({s, i, word});
+            }
+        }
+        first = end;
+    }
+}
+
+void addSetUpSpots(std::vector<ParameterSpot> &spots, const CodeListing &listing, std::size_t s,
+                   const SetUp &setUp, const lessons::Step &step)
+{
+    const CodeSection &section = listing.sections[s];
+    for (std::size_t i = 0; i < section.lines.size(); ++i) {
+        for (CodeWord &word : wordsOf(section.lines[i].source.text)) {
+            if (word.parameter.isEmpty())
+                word.parameter = setUp.names.value(word.name);
+            if (step.parameter(word.parameter))
+                spots.push_back({s, i, word});
+        }
+    }
+}
+
+CodeSymbol parameterSymbol(const CodeWord &word, const lessons::Parameter &parameter)
+{
+    return {word.name, capitalised(parameter.name), parameter.unit, parameter.help, parameter.id, -1};
+}
+
+}
+
+std::vector<CodeWord> wordsOf(const QString &line)
+{
+    static const QRegularExpression tokens(QStringLiteral(
+        R"re(//.*|\bvalues\s*(?:\[\s*"(\w+)"\s*\]|\.whole\s*\(\s*"(\w+)"\s*\))|"(?:\\.|[^"\\])*"|\d[\d.']*(?:e[+-]?\d+)?\w*|([A-Za-z_]\w*(?:\.[A-Za-z_]\w*)*)(?![\w.]*(?:<|\s*\(|::)))re"));
+    std::vector<CodeWord> words;
+    for (auto found = tokens.globalMatch(line); found.hasNext();) {
+        const QRegularExpressionMatch match = found.next();
+        const QString parameter = match.captured(1) + match.captured(2);
+        if (!parameter.isEmpty() || !match.captured(3).isEmpty())
+            words.push_back({match.capturedStart(), match.capturedLength(), match.captured(), parameter});
+    }
+    return words;
+}
+
+std::vector<ParameterSpot> parameterSpots(const CodeListing &listing, const lessons::Step &step,
+                                          const sim::Segment &segment)
+{
+    std::vector<ParameterSpot> spots;
+    SetUp setUp;
+    for (std::size_t s = 0; s < listing.sections.size(); ++s) {
+        const CodeSection &section = listing.sections[s];
+        if (section.role == CodeSection::Role::scene) {
+            setUp = readSetUp(section);
+            addSetUpSpots(spots, listing, s, setUp, step);
+        } else if (section.role == CodeSection::Role::phase) {
+            addPhaseSpots(spots, listing, s, namesIn(section, setUp, segment));
+        }
+    }
+    std::erase_if(spots, [&](const ParameterSpot &spot) { return !step.parameter(spot.word.parameter); });
+    return spots;
+}
+
+QString unitOf(const sim::Live &live, const sim::Phase &phase)
+{
+    const bool isNumber = std::holds_alternative<double>(live.value);
+    if (isNumber && (live.name == "x" || live.name == "v")) // of what turns
+        return live.name == "x" ? QStringLiteral("°") : QStringLiteral("°/frame");
+    if (live.name == "pull" && dynamic_cast<const sim::Torque *>(phase.effect.get()))
+        return QStringLiteral("°/frame²");
+    const Meaning *meaning = meaningOf(QString::fromStdString(live.name), phase);
+    return meaning ? QString::fromUtf8(meaning->unit) : QString();
+}
+
+std::optional<CodeSymbol> symbolAt(const CodeListing &listing, std::size_t section, std::size_t line,
+                                   qsizetype column, const std::vector<ParameterSpot> &spots,
+                                   const lessons::Step &step, const sim::Segment &segment, int point)
+{
+    for (const ParameterSpot &spot : spots) {
+        if (spot.section == section && spot.line == line && spot.word.contains(column))
+            return parameterSymbol(spot.word, *step.parameter(spot.word.parameter));
+    }
+    const CodeSection &its = listing.sections[section];
+    const std::vector<CodeWord> words = wordsOf(its.lines[line].source.text);
+    const auto word = std::find_if(words.begin(), words.end(),
+                                   [column](const CodeWord &one) { return one.contains(column); });
+    if (its.role != CodeSection::Role::phase || word == words.end())
+        return std::nullopt;
+    // Of the same phase of several groups, that which works on the point.
+    const auto works = [&](int one) {
+        return segment.pipeline.phases[static_cast<std::size_t>(one)].points.contains(point);
+    };
+    const auto found = std::find_if(its.phases.begin(), its.phases.end(), works);
+    const int phase = found == its.phases.end() ? its.phases.front() : *found;
+    const sim::Phase &runs = segment.pipeline.phases[static_cast<std::size_t>(phase)];
+    const int asked = runs.points.contains(point) ? point : runs.points.first;
+    if (runs.points.count == 0)
+        return std::nullopt;
+    const QString whole = word->name.section('.', 0, 0);
+    for (const sim::Live &live : liveOf(runs, segment, asked)) {
+        const QString name = QString::fromStdString(live.name);
+        const bool isPart = std::holds_alternative<sim::Vec2>(live.value) &&
+                            (word->name == name + ".x" || word->name == name + ".y");
+        if (word->name != name && !isPart)
+            continue;
+        const Meaning *meaning = meaningOf(whole, runs);
+        const QString what = meaning && *meaning->what ? Text::tr(meaning->what) : QString();
+        return CodeSymbol{word->name, word->name, unitOf(live, runs), what, {}, phase};
+    }
+    return std::nullopt;
+}
+
+}

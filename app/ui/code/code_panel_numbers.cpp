@@ -1,0 +1,224 @@
+// Numbers in the code: parameters that are dragged or typed over, and the card about what a word stands for.
+
+#include "app/model/code_steering.h"
+#include "app/model/refusal.h"
+#include "app/model/sentences.h"
+#include "app/ui/code/code_card.h"
+#include "app/ui/code/code_panel.h"
+#include "app/ui/code/code_view.h"
+#include "app/ui/theme/theme.h"
+
+#include <QKeyEvent>
+#include <QScrollBar>
+
+#include <algorithm>
+
+namespace app {
+
+namespace {
+
+constexpr int editorWidth = 92;
+constexpr int editorHeight = 26;
+
+}
+
+void CodePanel::connectNumbers()
+{
+    connect(m_view, &CodeView::numberTaken, this, &CodePanel::takeNumber);
+    connect(m_view, &CodeView::numberDragged, this, &CodePanel::dragNumber);
+    connect(m_view, &CodeView::numberLeft, this, &CodePanel::leaveNumber);
+    connect(m_view, &CodeView::numberAsked, this, &CodePanel::editNumber);
+    connect(m_view, &CodeView::symbolAsked, this, &CodePanel::askSymbol);
+    for (const QScrollBar *bar : {m_view->verticalScrollBar(), m_view->horizontalScrollBar()}) {
+        // What lies over a word stays with it no longer.
+        connect(bar, &QScrollBar::valueChanged, this, [this] {
+            closeEditor();
+            m_asked.reset();
+            m_card->hide();
+        });
+    }
+    connect(m_view, &CodeView::symbolDropped, this, [this] {
+        m_asked.reset();
+        m_card->hide();
+    });
+}
+
+const lessons::Parameter *CodePanel::parameterOf(const ParameterSpot &spot) const
+{
+    return m_step->parameter(spot.word.parameter);
+}
+
+void CodePanel::takeNumber(const ParameterSpot &spot)
+{
+    closeEditor();
+    const lessons::Parameter *parameter = parameterOf(spot);
+    if (!parameter)
+        return;
+    m_session.endGesture();
+    m_drag = Drag{spot, m_session.parameter(parameter->id)};
+}
+
+void CodePanel::dragNumber(int pixels, bool fine)
+{
+    const lessons::Parameter *parameter = m_drag ? parameterOf(m_drag->spot) : nullptr;
+    if (!parameter ||
+        parameter->opens) // one that begins the run anew is typed, not dragged through all its values
+        return;
+    m_session.setParameter(parameter->id, draggedValue(*parameter, m_drag->from, pixels, fine));
+    for (std::size_t row = 0; row < m_view->rows().size(); ++row) {
+        const CodeRow &its = m_view->rows()[row];
+        if (its.kind == CodeRow::Kind::code && its.section == m_drag->spot.section &&
+            its.line == m_drag->spot.line)
+            askSymbol(row, m_drag->spot.word.from);
+    }
+}
+
+void CodePanel::leaveNumber(bool keep)
+{
+    if (!m_drag)
+        return;
+    if (!keep)
+        m_session.setParameter(m_drag->spot.word.parameter, m_drag->from);
+    m_session.endGesture();
+    m_drag.reset();
+    m_asked.reset();
+    m_card->hide();
+}
+
+void CodePanel::editNumber(const ParameterSpot &spot)
+{
+    const lessons::Parameter *parameter = parameterOf(spot);
+    const auto &rows = m_view->rows();
+    const auto row = std::find_if(rows.begin(), rows.end(), [&](const CodeRow &one) {
+        return one.kind == CodeRow::Kind::code && one.section == spot.section && one.line == spot.line;
+    });
+    if (!parameter || row == rows.end())
+        return;
+    leaveNumber(true);
+    closeEditor();
+    m_edited = parameter->id;
+    // Not the view's child: keys that it has no use for would steer the view.
+    m_editor = new QLineEdit(typedText(*parameter, m_session.parameter(m_edited)), this);
+    m_editor->setObjectName("parameter");
+    m_editor->setFont(m_theme.mono(13));
+    m_editor->setAccessibleName(parameter->unit.isEmpty() ? parameter->name
+                                                          : parameter->name + ", " + parameter->unit);
+    m_editor->setToolTip(tr("%1 Enter takes it, Esc leaves it as it was.").arg(parameter->help));
+    const QRect word = m_view->wordRect(static_cast<std::size_t>(row - rows.begin()), spot.word);
+    const int left = std::clamp(word.left() - 6, 0, std::max(0, m_view->viewport()->width() - editorWidth));
+    const QPoint corner(left, word.center().y() - editorHeight / 2);
+    m_editor->setGeometry({m_view->viewport()->mapTo(this, corner), QSize(editorWidth, editorHeight)});
+    m_editor->selectAll();
+    m_editor->installEventFilter(this);
+    connect(m_editor, &QLineEdit::returnPressed, this, &CodePanel::takeTyped);
+    m_editor->show();
+    m_editor->setFocus(Qt::OtherFocusReason);
+}
+
+void CodePanel::takeTyped()
+{
+    const lessons::Parameter *parameter = m_step->parameter(m_edited);
+    if (!m_editor || !parameter)
+        return;
+    double value = 0.0;
+    try {
+        value = typedValue(*parameter, m_editor->text());
+    } catch (const Refusal &refusal) {
+        emit said(refusal.sentence());
+        m_editor->selectAll();
+        return;
+    }
+    closeEditor();
+    m_session.endGesture();
+    m_session.setParameter(parameter->id, value);
+    m_session.endGesture();
+}
+
+void CodePanel::closeEditor()
+{
+    if (!m_editor)
+        return;
+    QLineEdit *editor = m_editor;
+    m_editor = nullptr;
+    const bool hadFocus = editor->hasFocus();
+    editor->removeEventFilter(this);
+    editor->hide();
+    editor->deleteLater(); // it may be what called
+    if (hadFocus)
+        m_view->setFocus(Qt::OtherFocusReason);
+}
+
+bool CodePanel::eventFilter(QObject *watched, QEvent *event)
+{
+    if (watched != m_editor || !m_editor)
+        return QWidget::eventFilter(watched, event);
+    const bool isKey = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
+    if (isKey && static_cast<QKeyEvent *>(event)->key() == Qt::Key_Escape) {
+        event->accept();
+        if (event->type() == QEvent::KeyPress)
+            closeEditor();
+        return true;
+    }
+    if (event->type() == QEvent::FocusOut &&
+        static_cast<QFocusEvent *>(event)->reason() != Qt::PopupFocusReason &&
+        static_cast<QFocusEvent *>(event)->reason() != Qt::ActiveWindowFocusReason)
+        closeEditor();
+    return QWidget::eventFilter(watched, event);
+}
+
+void CodePanel::hideEvent(QHideEvent *event)
+{
+    QWidget::hideEvent(event);
+    leaveNumber(true);
+    closeEditor();
+    m_asked.reset();
+    m_card->hide();
+}
+
+void CodePanel::askSymbol(std::size_t row, qsizetype column)
+{
+    const CodeRow &its = m_view->rows()[row];
+    const std::vector<CodeWord> words = wordsOf(its.text);
+    const auto word = std::find_if(words.begin(), words.end(),
+                                   [column](const CodeWord &one) { return one.contains(column); });
+    if (word == words.end())
+        return;
+    const auto symbol =
+        symbolAt(m_listing, its.section, its.line, column, m_view->spots(), *m_step, *m_segment, point());
+    if (!symbol) {
+        if (m_view->hasFocus() && !m_view->viewport()->underMouse())
+            emit said(tr("No number is known of “%1”.").arg(word->name));
+        return;
+    }
+    m_asked = Asked{*symbol, m_view->wordRect(row, *word)};
+    showCard();
+}
+
+QString CodePanel::whose(const CodeSymbol &symbol) const
+{
+    if (symbol.phase < 0)
+        return {};
+    const sim::Pipeline &pipeline = m_segment->pipeline;
+    const QString phase = phrase(pipeline.phases[static_cast<std::size_t>(symbol.phase)].title);
+    return tr("Of %1, in “%2”.").arg(bodyTitle(m_session.selected()), phase);
+}
+
+void CodePanel::showCard()
+{
+    if (!m_asked)
+        return;
+    const CodeSymbol &symbol = m_asked->symbol;
+    const CodeHistory history =
+        historyOf(symbol, m_session.timeline().track(), m_session.selected().toStdString());
+    QString value = tr("none yet");
+    if (const lessons::Parameter *parameter = m_step->parameter(symbol.parameter))
+        value = typedText(*parameter, m_session.parameter(symbol.parameter));
+    else if (!history.samples.empty())
+        value = shownValue(history.samples.back().value);
+    if (!symbol.unit.isEmpty() && (!history.samples.empty() || !symbol.parameter.isEmpty()))
+        value += QChar(0x2009) + symbol.unit;
+    const QRect word(m_view->viewport()->mapToGlobal(m_asked->word.topLeft()), m_asked->word.size());
+    m_card->show(symbol, whose(symbol), history, value, word);
+}
+
+}

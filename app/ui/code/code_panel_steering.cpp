@@ -1,0 +1,93 @@
+// What a learner does to the run from the code: running to a line, breakpoints, the menu.
+
+#include "app/model/code_steering.h"
+#include "app/ui/code/code_card.h"
+#include "app/ui/code/code_panel.h"
+#include "app/ui/code/code_view.h"
+#include "app/ui/code/stop_list.h"
+
+#include <QApplication>
+#include <QClipboard>
+
+namespace app {
+
+void CodePanel::connectView()
+{
+    connect(m_view, &CodeView::stopAsked, this, &CodePanel::toggleStop);
+    connect(m_view, &CodeView::runAsked, this, &CodePanel::runTo);
+    connect(m_view, &CodeView::menuAsked, this, [this](const QPoint &place, std::size_t row) {
+        QMenu *menu = menuFor(row);
+        menu->setAttribute(Qt::WA_DeleteOnClose);
+        menu->popup(place);
+    });
+    connect(m_stops, &StopList::chosen, m_view, &CodeView::showPlace);
+    connect(&m_session.breakpoints(), &Breakpoints::changed, this, &CodePanel::showBreakpoints);
+    showBreakpoints();
+}
+
+void CodePanel::showBreakpoints()
+{
+    m_view->setBreakpoints(m_session.breakpoints().all());
+}
+
+void CodePanel::toggleStop(std::size_t row)
+{
+    const CodeSection &section = m_listing.sections[m_view->rows()[row].section];
+    const CodePlace place = m_view->placeOf(row);
+    if (section.role == CodeSection::Role::scene && !m_session.breakpoints().at(place)) {
+        emit said(
+            tr("This line sets the scene up, before the first frame. Choose a line of a phase to stop at."));
+        return;
+    }
+    if (section.role == CodeSection::Role::order && !m_session.breakpoints().at(place)) {
+        emit said(tr("This line says in which order phases run. Choose a line of a phase to stop at."));
+        return;
+    }
+    const bool isSet = m_session.breakpoints().toggle(place);
+    const QString where = tr("%1, line %2").arg(fileName(place.file)).arg(place.line);
+    emit said(isSet ? tr("Stops before %1.").arg(where) : tr("No longer stops before %1.").arg(where));
+}
+
+void CodePanel::runTo(std::size_t row)
+{
+    const CodeSection &section = m_listing.sections[m_view->rows()[row].section];
+    const std::optional<sim::Cursor> target = runTarget(section, m_session.timeline());
+    if (!target) {
+        emit said(
+            section.role == CodeSection::Role::scene
+                ? tr("This line sets the scene up, before the first frame. Click a line of a phase to run to "
+                     "it.")
+                : tr("This line says in which order phases run. Click a line of a phase to run to it."));
+        return;
+    }
+    m_session.runTo(*target);
+}
+
+QMenu *CodePanel::menuFor(std::size_t row)
+{
+    auto *menu = new QMenu(this);
+    const CodeLine *line = m_view->lineAt(row);
+    const CodeSection &section = m_listing.sections[m_view->rows()[row].section];
+    if (line && section.role == CodeSection::Role::phase) {
+        connect(menu->addAction(tr("Run to here")), &QAction::triggered, this, [this, row] { runTo(row); });
+        const Breakpoint *stop = m_session.breakpoints().at(m_view->placeOf(row));
+        connect(menu->addAction(stop ? tr("Take the stop away") : tr("Stop here")), &QAction::triggered, this,
+                [this, row] { toggleStop(row); });
+        connect(menu->addAction(tr("Stop here when…")), &QAction::triggered, this, [this, row] {
+            const CodePlace place = m_view->placeOf(row);
+            if (!m_session.breakpoints().at(place))
+                m_session.breakpoints().toggle(place);
+            m_stops->edit(m_session.breakpoints().at(place)->id);
+        });
+        menu->addSeparator();
+    }
+    QAction *copy = menu->addAction(tr("Copy"));
+    copy->setEnabled(m_view->hasSelectedText());
+    connect(copy, &QAction::triggered, m_view, &CodeView::copy);
+    connect(menu->addAction(tr("Copy “%1”").arg(section.title)), &QAction::triggered, this,
+            [text = plainText(section)] { QApplication::clipboard()->setText(text); });
+    connect(menu->addAction(tr("Copy all that is shown")), &QAction::triggered, this, &CodePanel::copyAll);
+    return menu;
+}
+
+}

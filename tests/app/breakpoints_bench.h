@@ -1,0 +1,111 @@
+#pragma once
+
+#include "app/model/session.h"
+#include "tests/app/listing_bench.h"
+
+#include <QFile>
+#include <QStandardPaths>
+
+#include <functional>
+
+/// What the suites of breakpoints share.
+namespace breakpoints_bench {
+
+using namespace listing_bench;
+
+/// How the session is made to go on until it stops.
+enum class Way { play, frames, runTo };
+
+using Question = std::function<bool(const sim::Timeline &)>;
+
+/// The line of `file` that has `part`.
+inline CodePlace placeOf(const QString &file, const QString &part)
+{
+    QFile source(QStringLiteral(SOURCE_DIR "/") + file);
+    if (!source.open(QIODevice::ReadOnly))
+        return {};
+    const QStringList lines = QString::fromUtf8(source.readAll()).split('\n');
+    for (int i = 0; i < lines.size(); ++i) {
+        if (lines[i].contains(part))
+            return {file, i + 1};
+    }
+    return {};
+}
+
+inline const sim::Phase &nextPhase(const sim::Timeline &run)
+{
+    return run.track().next()->pipeline.phaseAt(run.at().phase);
+}
+
+/// The moments before `frames` at which a run of `script` is to stop, found by stepping from phase to phase. With
+/// `edge`: only where `question` did not hold the phase before.
+inline std::vector<sim::Cursor> search(const sim::Script &script, std::int64_t frames,
+                                       const Question &question, bool edge)
+{
+    sim::Timeline run(script);
+    std::vector<sim::Cursor> found;
+    bool held = question(run);
+    while (run.at().frame < frames) {
+        run.stepPhase();
+        const bool holds = question(run);
+        if (holds && !(edge && held) && run.at().frame < frames)
+            found.push_back(run.at());
+        held = holds;
+    }
+    return found;
+}
+
+struct Bench
+{
+    explicit Bench(const QString &lesson = "gravity_walls", const QString &step = "gravity")
+    {
+        session.openStep(lesson, step);
+        session.setSpeed(4.0);
+    }
+    sim::Cursor at() const { return session.timeline().at(); }
+    /// Goes on to the next stop, or some way beyond `frame`.
+    void goOn(Way way, std::int64_t frame)
+    {
+        if (way == Way::play) {
+            session.play();
+            QVERIFY(QTest::qWaitFor([&] { return !session.isPlaying() || at().frame > frame; }, 20000));
+            session.pause();
+        } else if (way == Way::runTo) {
+            session.runTo({frame + 1, 0});
+            QVERIFY(QTest::qWaitFor([&] { return !session.goingTo(); }, 20000));
+        } else {
+            do
+                session.frameForward();
+            while (!session.stoppedBy() && at().frame <= frame);
+        }
+    }
+    /// All stops up to `frame`; each must have the bits of a run that goes straight there.
+    std::vector<sim::Cursor> stops(Way way, std::int64_t frame)
+    {
+        std::vector<sim::Cursor> all;
+        for (;;) {
+            goOn(way, frame);
+            if (!session.stoppedBy() || at().frame > frame)
+                return all;
+            sim::Timeline straight(session.timeline().script());
+            straight.seek(at());
+            if (session.stoppedBy()->at != at() || !sim::sameBits(straight.now(), session.timeline().now()))
+                return {};
+            all.push_back(at());
+        }
+    }
+
+    Session session{library()};
+};
+
+inline void everyWay()
+{
+    QTest::addColumn<Way>("way");
+    QTest::newRow("playing") << Way::play;
+    QTest::newRow("frame by frame") << Way::frames;
+    QTest::newRow("running to a frame") << Way::runTo;
+}
+
+}
+
+Q_DECLARE_METATYPE(breakpoints_bench::Way)

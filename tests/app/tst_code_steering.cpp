@@ -1,0 +1,200 @@
+#include "app/model/code_values.h"
+#include "app/ui/code/code_card.h"
+#include "tests/app/steering_bench.h"
+
+#include <QClipboard>
+#include <QMenu>
+#include <QSignalSpy>
+
+using namespace steering_bench;
+
+/// What is done to the run, and asked of it, from the code itself.
+class TestCodeSteering : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { isolate("tst_code_steering"); }
+
+    void aClickOnALineRunsToItsPhase_data()
+    {
+        QTest::addColumn<bool>("keyboard");
+        QTest::newRow("mouse") << false;
+        QTest::newRow("Enter") << true;
+    }
+    void aClickOnALineRunsToItsPhase()
+    {
+        QFETCH(bool, keyboard);
+        Steered shown;
+        const auto run = [&](const QString &line) {
+            shown.goToRow(line);
+            if (keyboard)
+                shown.key(Qt::Key_Return);
+            else
+                QTest::mouseClick(shown.view().viewport(), Qt::LeftButton, {},
+                                  shown.view().rowRect(shown.row(line)).center() + QPoint(-100, 0));
+        };
+        // Feet: springs, gravity, damping, move, walls; then the body: the same.
+        run("Vec2 pull = {0, gravity}");
+        QCOMPARE(shown.at(), (sim::Cursor{0, 2}));
+        run("v = keep * v");
+        QCOMPARE(shown.at(), (sim::Cursor{0, 3}));
+        run("Vec2 pull = {0, gravity}");
+        QCOMPARE(shown.at(), (sim::Cursor{0, 7}));
+        run("Vec2 pull = {0, gravity}");
+        QCOMPARE(shown.at(), (sim::Cursor{1, 2}));
+        sim::Timeline straight(shown.session.timeline().script());
+        straight.seek(shown.at());
+        QVERIFY(sim::sameBits(straight.now(), shown.session.timeline().now()));
+    }
+
+    void aLineThatNoPhaseHasSaysSo()
+    {
+        Steered shown;
+        QSignalSpy said(shown.panel, &CodePanel::said);
+        shown.goToRow("Scene scene");
+        shown.key(Qt::Key_Return);
+        QCOMPARE(said.count(), 1);
+        QVERIFY(said[0][0].toString().contains("before the first frame"));
+        QCOMPARE(shown.at(), sim::Cursor{});
+    }
+
+    void selectingTextDoesNotRun()
+    {
+        Steered shown;
+        const QPoint from = shown.middleOf("Vec2 d = target", "Vec2");
+        shown.drag(from, 60);
+        QVERIFY(shown.view().hasSelectedText());
+        QCOMPARE(shown.at(), sim::Cursor{});
+    }
+
+    void aCardTellsWhatAWordStandsFor()
+    {
+        Steered shown;
+        for (int i = 0; i < 200; ++i)
+            shown.session.frameForward();
+        shown.hover(shown.middleOf("pull = k * d", "pull"));
+        const CodeCard &card = shown.panel->card();
+        QVERIFY(card.isVisible());
+        QCOMPARE(card.symbol().name, QString("pull"));
+        QCOMPARE(card.history().samples.size(), std::size_t(historyFrames));
+        // The value of the moment, as the phase explains it.
+        sim::Vec2 pull;
+        for (const sim::Moment &moment : shown.session.moments()) {
+            for (const sim::Live &live : moment.live) {
+                if (live.name == "pull" && moment.phase == card.symbol().phase)
+                    pull = std::get<sim::Vec2>(live.value);
+            }
+        }
+        QVERIFY(card.value().startsWith(shownValue(pull)));
+        QVERIFY(card.value().endsWith("px/frame²"));
+        QVERIFY(card.accessibleName().contains(card.value()));
+        const QString before = card.value();
+        shown.session.frameForward();
+        QVERIFY(card.isVisible() && card.value() != before);
+        shown.session.select("foot2");
+        QVERIFY(card.value() != before);
+        shown.move({300, 2});
+        QVERIFY(!card.isVisible());
+    }
+
+    void theKeyboardAsksForACard()
+    {
+        Steered shown;
+        shown.session.frameForward();
+        shown.goToRow("pull = k * d");
+        const QStringList words = {"pull", "k", "d"};
+        const QString text = shown.view().rows()[shown.row("pull = k * d")].text;
+        QStringList asked;
+        for (int i = 0; i < 5; ++i) {
+            shown.key(Qt::Key_Right, Qt::ControlModifier);
+            shown.key(Qt::Key_I, Qt::ControlModifier);
+            if (shown.panel->card().isVisible())
+                asked << shown.panel->card().symbol().name;
+        }
+        asked.removeDuplicates();
+        QCOMPARE(asked, words);
+        QVERIFY(text.contains("pull"));
+        shown.key(Qt::Key_Up);
+        QVERIFY(!shown.panel->card().isVisible());
+    }
+
+    void aParametersCardIsOfTheParameter()
+    {
+        Steered shown;
+        shown.hover(shown.middleOf("Vec2 pull = {0, gravity}", "gravity"));
+        QVERIFY(shown.panel->card().isVisible());
+        QCOMPARE(shown.panel->card().symbol().parameter, QString("gravity"));
+        QVERIFY(shown.panel->card().value().startsWith("0.5"));
+    }
+
+    void nothingIsDrawnAgainWhileACardStands()
+    {
+        Steered shown;
+        shown.session.frameForward();
+        shown.hover(shown.middleOf("pull = k * d", "pull"));
+        QVERIFY(shown.panel->card().isVisible());
+        QTest::qWait(200);
+        struct Paints : QObject
+        {
+            int count = 0;
+            bool eventFilter(QObject *, QEvent *event) override
+            {
+                count += event->type() == QEvent::Paint || event->type() == QEvent::Timer;
+                return false;
+            }
+        } paints;
+        qApp->installEventFilter(&paints);
+        QTest::qWait(500);
+        QCOMPARE(paints.count, 0);
+    }
+
+    void theMenuCopiesRunsAndStops()
+    {
+        Steered shown;
+        const std::size_t row = shown.row("Vec2 pull = {0, gravity}");
+        const auto act = [&](const QString &text) {
+            const std::unique_ptr<QMenu> menu(shown.panel->menuFor(row));
+            for (QAction *action : menu->actions()) {
+                if (action->text().startsWith(text)) {
+                    action->trigger();
+                    return true;
+                }
+            }
+            return false;
+        };
+        QVERIFY(act("Run to here"));
+        QCOMPARE(shown.at(), (sim::Cursor{0, 2}));
+        QVERIFY(act("Stop here"));
+        QCOMPARE(shown.session.breakpoints().all().size(), std::size_t(1));
+        QVERIFY(act("Take the stop away"));
+        QVERIFY(shown.session.breakpoints().all().empty());
+        QVERIFY(act("Copy “2 Gravity”"));
+        const QString text = QApplication::clipboard()->text();
+        QVERIFY(text.contains("// sim/effects/gravity.cpp:"));
+        QVERIFY(text.contains("Vec2 fall(double gravity)"));
+        QVERIFY(!text.contains("keep"));
+        QVERIFY(act("Copy all"));
+        QVERIFY(QApplication::clipboard()->text().contains("keep"));
+    }
+
+    void upAndDownGoFromLineToLine()
+    {
+        Steered shown;
+        shown.view().setFocus(Qt::TabFocusReason);
+        QCOMPARE(shown.view().row(), std::size_t(0));
+        shown.key(Qt::Key_Down);
+        QCOMPARE(shown.view().row(), std::size_t(1));
+        shown.key(Qt::Key_Down, Qt::ControlModifier);
+        QCOMPARE(shown.view().row(), shown.heading("the order"));
+        shown.key(Qt::Key_Down); // its lines are folded
+        QCOMPARE(shown.view().row(), shown.heading("1 Springs"));
+        shown.key(Qt::Key_Up, Qt::ControlModifier);
+        shown.key(Qt::Key_Up, Qt::ControlModifier);
+        shown.key(Qt::Key_Up, Qt::ControlModifier);
+        QCOMPARE(shown.view().row(), std::size_t(0));
+    }
+};
+
+QTEST_MAIN(TestCodeSteering)
+#include "tst_code_steering.moc"

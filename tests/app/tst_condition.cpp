@@ -1,0 +1,263 @@
+#include "app/model/break_watch.h"
+#include "app/model/refusal.h"
+#include "tests/app/listing_bench.h"
+
+#include <QRegularExpression>
+
+using namespace listing_bench;
+
+namespace {
+
+/// A run inside frame 41, before gravity: five numbers of it are set so that a reader can compute with them.
+struct Bench
+{
+    explicit Bench(const QString &lesson = "gravity_walls", const QString &name = "gravity")
+        : step(stepOf(lesson, name)), run(runOf(step)), state(run.now())
+    {
+        state.place(0, {100.0, 381.5});
+        state.push(0, {3.0, -4.0});
+        state.place(1, {-7.25, 0.0});
+    }
+    bool ask(const QString &text)
+    {
+        const Condition condition = Condition::parse(text, conditionNames(step, run));
+        return condition.holds({state, 41, &run.track().next()->pipeline.phaseAt(phase)});
+    }
+    QString refusal(const QString &text)
+    {
+        try {
+            Condition::parse(text, conditionNames(step, run));
+        } catch (const Refusal &refusal) {
+            return refusal.sentence();
+        }
+        return {};
+    }
+
+    const lessons::Step &step;
+    sim::Timeline run;
+    sim::State state;
+    int phase = 1; ///< gravity
+};
+
+}
+
+/// What learners ask of a run: read, computed, and refused where it makes no sense.
+class TestCondition : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void aQuestionIsAnswered_data()
+    {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<bool>("answer");
+        const auto row = [](const char *text, bool answer) {
+            QTest::newRow(text) << QString(text) << answer;
+        };
+        row("foot0.y > 380", true);
+        row("foot0.y>381.5", false);
+        row("foot0.y >= 381.5", true);
+        row("foot0.y <= 381.5", true);
+        row("foot0.y < 381.5", false);
+        row("frame == 41", true);
+        row("frame != 41", false);
+        row("41 == frame", true);
+        row("foot0.vx == 3 and foot0.vy == -4", true);
+        row("foot0.vx == 3 and foot0.vy == 4", false);
+        row("foot0.vx == 0 or foot0.vy == -4", true);
+        row("foot0.vx == 0 || foot0.vy == 0", false);
+        row("foot0.vx == 3 && foot0.x == 100", true);
+        row("foot0.vx * foot0.vx + foot0.vy * foot0.vy == 25", true);
+        row("foot0.vx * foot0.vx + foot0.vy * foot0.vy > 25", false);
+        row("sqrt(foot0.vx * foot0.vx + foot0.vy * foot0.vy) == 5", true);
+        row("abs(foot0.vy) == 4", true);
+        row("abs(foot0.vy - 6) / 2 == 5", true);
+        row("k == 0.2", true);
+        row("floor - foot0.y < 0", true);
+        row("gravity > 0.4 and gravity < 0.6", true);
+        row("phase == \"gravity\"", true);
+        row("phase == 'springs'", false);
+        row("phase != \"springs\"", true);
+        row("\"gravity\" == phase", true);
+        row("phase == “gravity”", true);
+        row("phase == \"radial_spring\"", false);
+        row("not frame == 41", false);
+        row("not not frame == 41", true);
+        row("!(frame == 40)", true);
+        row("2 + 3 * 4 == 14", true);
+        row("(2 + 3) * 4 == 20", true);
+        row("10 - 4 - 3 == 3", true);
+        row("24 / 4 / 2 == 3", true);
+        row("24 / (4 / 2) == 12", true);
+        row("-2 * -3 == 6", true);
+        row("--2 == 2", true);
+        row("+2 == 2", true);
+        row("2 - -3 == 5", true);
+        row("-foot1.x == 7.25", true);
+        row("1e2 == 100", true);
+        row("1.5E-1 == .15", true);
+        row("5. == 5", true);
+        row("1 == 0 and 1 == 0 or 1 == 1", true);
+        row("1 == 1 or 1 == 0 and 1 == 0", true);
+        row("(1 == 1 or 1 == 0) and 1 == 0", false);
+        row("not 1 == 0 and 1 == 1", true);
+        row("(((foot0.y)) > (380))", true);
+        row("foot0.y ≥ 381.5 and foot0.y ≤ 381.5 and foot0.x ≠ 0", true);
+        row("6 ÷ 2 × 2 − 1 == 5", true);
+        row("  frame\t== 41  ", true);
+        row("0 / 0 == 0 / 0", false);
+        row("0 / 0 != 0", true);
+        row("1 / 0 > 1e308", true);
+        row("sqrt(-1) > 0 or sqrt(-1) <= 0", false);
+    }
+    void aQuestionIsAnswered()
+    {
+        QFETCH(QString, text);
+        QFETCH(bool, answer);
+        Bench bench;
+        QCOMPARE(bench.refusal(text), QString());
+        QCOMPARE(bench.ask(text), answer);
+    }
+
+    void whatMakesNoSenseIsRefusedWithItsPlaceAndARemedy_data()
+    {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<int>("place");
+        QTest::addColumn<QString>("says");
+        const auto row = [](const char *text, int place, const char *says) {
+            QTest::newRow(text) << QString(text) << place << QString(says);
+        };
+        row("", 1, "foot0.y > 380");
+        row("   ", 1, "nothing is asked");
+        row("foot0.y", 1, "foot0.y > 0");
+        row("foot0.y + 1", 1, "compare it");
+        row("frame", 1, "frame > 0");
+        row("41", 1, "compare it");
+        row("foot0.y >", 10, "at the end");
+        row("> 380", 1, "missing before \">\"");
+        row("foot0.y > > 380", 11, "missing before");
+        row("foot0.y = 380", 9, "==");
+        row("foot0.y => 380", 9, "==");
+        row("foot0.y == 380 foot0.x", 16, "and, or");
+        row("foot0.y > 380 and", 18, "at the end");
+        row("and foot0.y > 380", 1, "missing before \"and\"");
+        row("foot0.y > 380 or or frame == 1", 18, "missing before");
+        row("not", 4, "at the end");
+        row("(foot0.y > 380", 1, "close it");
+        row("foot0.y > 380)", 14, "take this one away");
+        row("()", 2, "missing before \")\"");
+        row("(frame == 1 2)", 13, "does not fit here");
+        row("1 < frame < 9", 11, "and");
+        row("fooot0.y > 1", 1, "there are foot0, foot1, foot2, foot3, body");
+        row("frame == 1 and fooot0.y > 1", 16, "fooot0");
+        row("foot0.z > 1", 7, "x, y, vx, vy");
+        row("foot0 > 1", 1, "foot0.y");
+        row("foot0. > 1", 6, "has no meaning");
+        row("foot0.y.x > 1", 1, "no body");
+        row("speed > 1", 1, "frame, phase");
+        row("foot0.angle > 1", 7, "x, y, vx, vy");
+        row("phase", 1, "phase == \"");
+        row("phase == 1", 1, "phase == \"");
+        row("phase + 1 == 2", 1, "phase == \"");
+        row("phase < \"gravity\"", 7, "== or !=");
+        row("phase == \"gravty\"", 10, "gravity");
+        row("phase == gravity", 1, "phase == \"");
+        row("\"gravity\" > 1", 1, "only phase and choices");
+        row("\"gravity\"", 1, "only phase and choices");
+        row("phase == \"gravity", 10, "close it");
+        row("(frame == 1) + 2 == 3", 2, "true or false");
+        row("abs(frame == 1) == 1", 5, "true or false");
+        row("abs foot0.y > 1", 5, "parentheses");
+        row("abs(foot0.y", 4, "close it");
+        row("sqrt() > 1", 6, "missing before");
+        row("frame == 1 and 2", 16, "compare it");
+        row("1 or frame == 1", 1, "compare it");
+        row("not frame", 5, "compare it");
+        row("3foot == 1", 1, "no number");
+        row("1.2.3 == 1", 1, "no number");
+        row("1e == 1", 1, "no number");
+        row("1e999 == 1", 1, "no number");
+        row("0,5 == k", 2, "point");
+        row("k == 0.2; frame == 1", 9, "has no meaning");
+        row("k == 0.2 ? 1 : 0", 10, "has no meaning");
+        row("frame % 2 == 0", 7, "has no meaning");
+        row("k ^ 2 == 0", 3, "has no meaning");
+        row("foot0.y > 380 😀", 15, "has no meaning");
+        row("größe > 1", 3, "has no meaning");
+        row("frame == 1 & frame == 2", 12, "has no meaning");
+        row("foot0.y > 1 AND k > 1", 13, "does not follow");
+    }
+    void whatMakesNoSenseIsRefusedWithItsPlaceAndARemedy()
+    {
+        QFETCH(QString, text);
+        QFETCH(int, place);
+        QFETCH(QString, says);
+        Bench bench;
+        const QString sentence = bench.refusal(text);
+        QVERIFY2(sentence.startsWith(QString("Character %1: ").arg(place)), qPrintable(sentence));
+        QVERIFY2(sentence.contains(says), qPrintable(sentence));
+        QVERIFY2(sentence.endsWith('.') && !sentence.contains('\n'), qPrintable(sentence));
+        QCOMPARE(sentence.count(QRegularExpression("[.!?] [A-Z]")), 0); // one sentence
+    }
+
+    void aTextWithoutEndIsRefusedAtOnce()
+    {
+        Bench bench;
+        for (const QString &part : {QString("("), QString("not "), QString("-"), QString("1+"), QString("a")})
+            QVERIFY(!bench.refusal(part.repeated(100000)).isEmpty());
+        // As deep as the length allows.
+        const int depth = (Condition::longest - 6) / 2;
+        QVERIFY(bench.ask(QString("(").repeated(depth) + "1 == 1" + QString(")").repeated(depth)));
+        QVERIFY(bench.ask("1 == " + QString("-").repeated(200) + "1"));
+    }
+
+    void anyPieceOfAQuestionIsReadOrRefused()
+    {
+        Bench bench;
+        const QString whole = "not (foot0.y*-2.5e1 >= abs(k) and phase == \"gravity\" or frame != 12)";
+        QVERIFY(bench.refusal(whole).isEmpty());
+        for (int from = 0; from < whole.size(); ++from) {
+            for (int count = 0; count + from <= whole.size(); ++count) {
+                const QString sentence = bench.refusal(whole.left(from) + whole.mid(from + count));
+                QVERIFY2(sentence.isEmpty() || sentence.startsWith("Character "), qPrintable(sentence));
+            }
+        }
+    }
+
+    void whereBodiesTurnTheirAnglesCanBeAskedFor()
+    {
+        Bench bench("swaying_tree", "branches");
+        QVERIFY(bench.state.angle.size() > 0);
+        const QString body = QString::fromStdString(bench.run.track().shown().scene.names[1]);
+        bench.phase = 0;
+        bench.state.angle[1] = 12.5;
+        QVERIFY(bench.ask(body + ".angle == 12.5"));
+    }
+
+    void aChoiceIsComparedWithTheIdsOfItsValues()
+    {
+        Bench bench("swaying_tree", "branches");
+        bench.phase = 0;
+        const lessons::Parameter *formula = bench.step.parameter("formula");
+        QVERIFY(formula && formula->choices.size() > 1);
+        const QString is = formula->choices[int(formula->preset)];
+        const QString other = formula->choices[formula->preset == 0.0 ? 1 : 0];
+        QVERIFY(bench.ask(QString("formula == \"%1\"").arg(is)));
+        QVERIFY(!bench.ask(QString("\"%1\" == formula").arg(other)));
+        QVERIFY(bench.ask(QString("formula != \"%1\"").arg(other)));
+        QVERIFY(bench.refusal("formula == \"wrong\"").contains(other));
+        QVERIFY(bench.refusal("formula > 1").contains("choice"));
+        QVERIFY(bench.refusal("formula < \"" + is + '"').contains("=="));
+    }
+
+    void itIsKnownWhetherTheNumberOfTheFrameMatters()
+    {
+        Bench bench;
+        const ConditionNames names = conditionNames(bench.step, bench.run);
+        QVERIFY(Condition::parse("k > 1 or frame > 2", names).readsFrame());
+        QVERIFY(!Condition::parse("k > 1", names).readsFrame());
+    }
+};
+
+QTEST_GUILESS_MAIN(TestCondition)
+#include "tst_condition.moc"
