@@ -1775,7 +1775,7 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     </message>
     <message>
         <source>&amp;Use %1</source>
-        <translation>„%1“ &amp;nehmen</translation>
+        <translation>%1 &amp;nehmen</translation>
     </message>
     <message>
         <source>then at %1</source>
@@ -1981,11 +1981,11 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     </message>
     <message>
         <source>values of %1</source>
-        <translation>Werte von: %1</translation>
+        <translation>Werte: %1</translation>
     </message>
     <message>
         <source>values of the %1</source>
-        <translation>Werte von: %1</translation>
+        <translation>Werte: %1</translation>
     </message>
     <message>
         <source>1 line new</source>
@@ -3299,7 +3299,7 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     </message>
     <message>
         <source>Stiffness and step</source>
-        <translation>Steifigkeit und Zeitschritt</translation>
+        <translation>k und Zeitschritt</translation>
     </message>
     <message>
         <source>Which stiffness and which step hold, all else as it is; again to close</source>
@@ -3307,7 +3307,7 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     </message>
     <message>
         <source>Stiffness and damping</source>
-        <translation>Steifigkeit und Dämpfung</translation>
+        <translation>k und Dämpfung</translation>
     </message>
     <message>
         <source>Which stiffness and which damping hold, all else as it is; again to close</source>
@@ -4202,7 +4202,7 @@ für weniger so genau.</translation>
     </message>
     <message>
         <source>Backward Euler</source>
-        <translation>Implizites Euler-Verfahren</translation>
+        <translation>Implizites Euler</translation>
     </message>
     <message>
         <source>Dormand–Prince 8(5,3)</source>
@@ -4214,7 +4214,7 @@ für weniger so genau.</translation>
     </message>
     <message>
         <source>Explicit Euler</source>
-        <translation>Explizites Euler-Verfahren</translation>
+        <translation>Explizites Euler</translation>
     </message>
     <message>
         <source>solve for the new place</source>
@@ -4278,7 +4278,7 @@ für weniger so genau.</translation>
     </message>
     <message>
         <source>Semi-implicit Euler</source>
-        <translation>Semi-implizites Euler-Verfahren</translation>
+        <translation>Semi-implizites Euler</translation>
     </message>
     <message>
         <source>TR-BDF2</source>

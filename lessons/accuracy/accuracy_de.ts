@@ -209,7 +209,7 @@ Jeder **Effekt** in der Liste hat seinen Preis, und einer, der nicht darin steht
     </message>
     <message>
         <source>Choose **Explicit Euler** as method, and play until there is twice the energy: a drift of 100&#x2009;%.</source>
-        <translation>Wähle **Explizites Euler-Verfahren** und spiele, bis es doppelt so viel Energie gibt: eine Drift von 100&#x2009;%.</translation>
+        <translation>Wähle **Explizites Euler** und spiele, bis es doppelt so viel Energie gibt: eine Drift von 100&#x2009;%.</translation>
     </message>
     <message>
         <source>Give it steps of **1/8&#x2009;frame**. Does a small step save it? Wait for a drift of 10&#x2009;%.</source>
@@ -221,7 +221,7 @@ Jeder **Effekt** in der Liste hat seinen Preis, und einer, der nicht darin steht
     </message>
     <message>
         <source>**Semi-implicit Euler**: play to frame 60 with steps of 1/8&#x2009;frame, then with 1/16. Half as far off?</source>
-        <translation>**Semi-implizites Euler-Verfahren**: Spiele mit Zeitschritten von 1/8 Bild bis Bild 60, dann mit 1/16. Halb so weit daneben?</translation>
+        <translation>**Semi-implizites Euler**: Spiele mit Zeitschritten von 1/8 Bild bis Bild 60, dann mit 1/16. Halb so weit daneben?</translation>
     </message>
     <message>
         <source>**Midpoint**, the same two steps: a quarter?</source>

@@ -221,7 +221,7 @@ Zwei Klicks in einem Bild verschieben sie zweimal.</translation>
     </message>
     <message>
         <source>Squash and stretch</source>
-        <translation>Stauchen und Strecken</translation>
+        <translation>Stauchen, Strecken</translation>
     </message>
     <message>
         <source>Now the tail gets a velocity of its own, and the stick gives way: it is **soft**. The tail drags behind and swings past, and the body is squashed and stretched.

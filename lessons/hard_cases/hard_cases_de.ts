@@ -103,7 +103,7 @@
     </message>
     <message>
         <source>The limit of a step</source>
-        <translation>Grenze des Zeitschritts</translation>
+        <translation>Zeitschritt-Grenze</translation>
     </message>
     <message>
         <source>Implicit midpoint</source>
@@ -135,7 +135,7 @@ Die kleine **Anzeige** zeigt, wie nahe du ihr bist.</translation>
     </message>
     <message>
         <source>Semi-implicit Euler</source>
-        <translation>Semi-implizites Euler-Verfahren</translation>
+        <translation>Semi-implizites Euler</translation>
     </message>
     <message>
         <source>A foot and a body pull each other. Nothing pushes from outside, so **the middle between them has to stay where it is**: at the cross.
@@ -159,7 +159,7 @@ Das **semi-implizite Euler-Verfahren**, rechts, ist dieselbe Formel. Es nimmt nu
     </message>
     <message>
         <source>Backward Euler</source>
-        <translation>Implizites Euler-Verfahren</translation>
+        <translation>Implizites Euler</translation>
     </message>
     <message>
         <source>A stiffness of 0.2 is soft. But the body feels **all its feet at once**: sixty soft springs make one that is stiff.
@@ -299,7 +299,7 @@ Hände, Wände und Zeitschritte gehören zu einem Fall. Greifst du ein, ist es d
     </message>
     <message>
         <source>Choose **Semi-implicit Euler** as method, and play to frame 200. Where is the middle?</source>
-        <translation>Wähle **Semi-implizites Euler-Verfahren** und spiele bis Bild 200. Wo ist die Mitte?</translation>
+        <translation>Wähle **Semi-implizites Euler** und spiele bis Bild 200. Wo ist die Mitte?</translation>
     </message>
     <message>
         <source>With **Published** and steps of 1&#x2009;frame, go to frame 0 and set **k** to 0.2. Wait until it rests: 157&#x2009;px from where it belongs.</source>
@@ -323,7 +323,7 @@ Hände, Wände und Zeitschritte gehören zu einem Fall. Greifst du ein, ist es d
     </message>
     <message>
         <source>Choose **Semi-implicit Euler**, and play from frame 0 to 60: five feet, all apart.</source>
-        <translation>Wähle **Semi-implizites Euler-Verfahren** und spiele von Bild 0 bis 60: fünf Füße, alle getrennt.</translation>
+        <translation>Wähle **Semi-implizites Euler** und spiele von Bild 0 bis 60: fünf Füße, alle getrennt.</translation>
     </message>
     <message>
         <source>**Published**: drag one foot up, out of the line, let go, and wait until it rests. Did the others follow one by one, or as one?</source>
@@ -335,15 +335,15 @@ Hände, Wände und Zeitschritte gehören zu einem Fall. Greifst du ein, ist es d
     </message>
     <message>
         <source>**Semi-implicit Euler**: find a step with which the stiff legs come to rest.</source>
-        <translation>**Semi-implizites Euler-Verfahren**: Finde einen Zeitschritt, mit dem die steifen Beine zur Ruhe kommen.</translation>
+        <translation>**Semi-implizites Euler**: Finde einen Zeitschritt, mit dem die steifen Beine zur Ruhe kommen.</translation>
     </message>
     <message>
         <source>**Backward Euler**, steps of 1&#x2009;frame: go to frame 0, type 1000000 as **k**, and play 30&#x2009;frames.</source>
-        <translation>**Implizites Euler-Verfahren**, Zeitschritte von 1 Bild: Geh zu Bild 0, gib 1000000 als **k** ein und spiele 30&#x2009;Bilder.</translation>
+        <translation>**Implizites Euler**, Zeitschritte von 1 Bild: Geh zu Bild 0, gib 1000000 als **k** ein und spiele 30&#x2009;Bilder.</translation>
     </message>
     <message>
         <source>The price: **Backward Euler** with **k** 0.2 and **damp** 1, from frame 0. Nothing slows the legs. Wait until they have stopped swinging.</source>
-        <translation>Der Preis: **Implizites Euler-Verfahren** mit **k** 0,2 und **Dämpfung** 1, von Bild 0 an. Nichts bremst die Beine. Warte, bis sie nicht mehr schwingen.</translation>
+        <translation>Der Preis: **Implizites Euler** mit **k** 0,2 und **Dämpfung** 1, von Bild 0 an. Nichts bremst die Beine. Warte, bis sie nicht mehr schwingen.</translation>
     </message>
     <message>
         <source>Springs, steps of 1&#x2009;frame: go to frame 0 and set **k** to 1. They share the error: wait until they rest.</source>

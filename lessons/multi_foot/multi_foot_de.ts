@@ -77,7 +77,7 @@ Die Federn sind nicht schuld: Mit zwei Zeitschritten von je einem halben Bild ha
     </message>
     <message>
         <source>Set **feet** to 16, choose the method **Semi-implicit Euler**, and wait until all is still.</source>
-        <translation>Setze **Füße** auf 16, wähle das **Semi-implizite Euler-Verfahren** und warte, bis alles still ist.</translation>
+        <translation>Setze **Füße** auf 16, wähle **Semi-implizites Euler** und warte, bis alles still ist.</translation>
     </message>
     <message>
         <source>Set **feet** to 60 and play until it explodes.</source>

@@ -17,7 +17,7 @@
     </message>
     <message>
         <source>With k at 0.3 and damping at 0.9, choose the method **Semi-implicit Euler** and watch 100&#x202f;frames, hands off.</source>
-        <translation>Wähle bei k 0,3 und Dämpfung 0,9 das **Semi-implizite Euler-Verfahren** und sieh 100&#x202f;Bilder zu, Hände weg.</translation>
+        <translation>Wähle bei k 0,3 und Dämpfung 0,9 **Semi-implizites Euler** und sieh 100&#x202f;Bilder zu, Hände weg.</translation>
     </message>
     <message>
         <source>Hold one end and pull so fast that the leg stretches to 100&#x202f;px or more.</source>

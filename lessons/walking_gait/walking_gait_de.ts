@@ -401,7 +401,7 @@ Trotzdem sagt sie dir etwas: wie lang die Feder ist. In Ruhe ist jede Linie so l
     </message>
     <message>
         <source>Feet below the body</source>
-        <translation>Füße unter dem Körper</translation>
+        <translation>Füße unten</translation>
     </message>
     <message>
         <source>Feet belong below a body. One number does it: **drop** moves the place of every foot straight down, by 50&#x202f;px. (y points down, so it is added.)

@@ -3,16 +3,14 @@
 #include "app/model/language.h"
 #include "app/model/numbers.h"
 #include "app/model/sentences.h"
-#include "app/ui/code/code_view.h"
 #include "app/ui/panels/help_page.h"
-#include "app/ui/panels/preset_gallery.h"
-#include "app/ui/scene/scene_view.h"
 #include "app/ui/window/main_window.h"
 #include "drawn_text.h"
 #include "sim/methods/methods.h"
 #include "sim/pipeline.h"
 
 #include <QAbstractButton>
+#include <QAbstractItemView>
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
@@ -20,7 +18,6 @@
 #include <QSettings>
 #include <QStatusBar>
 #include <QTemporaryDir>
-#include <QToolButton>
 #include <QtTest>
 
 using namespace app;
@@ -71,6 +68,14 @@ struct German
     }
 };
 
+/// Until texts that change with the run have come, and layouts have followed.
+void settle()
+{
+    QTest::qWait(120);
+    for (int i = 0; i < 3; ++i)
+        QCoreApplication::processEvents();
+}
+
 /// Who `widget` is, for a message.
 QString whereIs(const QWidget *widget)
 {
@@ -78,6 +83,12 @@ QString whereIs(const QWidget *widget)
     for (; widget; widget = widget->parentWidget())
         path.prepend(QString(widget->metaObject()->className()).remove("app::"));
     return path.join('/');
+}
+
+/// How many px of it are out of sight on its right or left, where nothing can be scrolled to.
+int hidden(const QWidget &widget)
+{
+    return widget.width() - widget.visibleRegion().boundingRect().width();
 }
 
 /// How many px a label or button lacks for its text, across or down; 0 where it has enough.
@@ -96,20 +107,21 @@ int lacking(const QWidget &widget)
     return 0;
 }
 
-/// Whether it draws no text, or text that may be cut: code is scrolled to, values beside it have the rest in a tooltip, and
-/// labels in a picture have the place that the picture leaves.
-bool isFree(const QWidget *widget)
+/// The texts that a widget shows, as they are seen: cut where it cuts them itself. In the picture, the code and the plots
+/// labels have the place that is left, and the rest of a value is in its tooltip.
+QStringList seenIn(QWidget &widget)
 {
-    for (; widget; widget = widget->parentWidget()) {
-        if (qobject_cast<const CodeView *>(widget) || qobject_cast<const SceneView *>(widget) ||
-            widget->inherits("QCustomPlot"))
-            return true;
-    }
-    return false;
+    if (const auto *label = qobject_cast<const QLabel *>(&widget))
+        return {label->text()};
+    const auto *button = qobject_cast<const QAbstractButton *>(&widget);
+    if (button && !button->text().isEmpty())
+        return {button->text().remove(QRegularExpression("[\\x{A0}\\x{200E}]"))};
+    const bool isList = qobject_cast<const QAbstractItemView *>(widget.parentWidget());
+    return isList || widget.inherits("app::MeasureRow") ? drawnBy(widget) : QStringList();
 }
 
 /// What an ellipsis stands at the end of by right: what goes on ("Messung läuft …"), nothing known yet, and the list of
-/// what is not in the scene, which has a tooltip.
+/// what is not in the scene or folded, which are told in full elsewhere.
 bool mayEnd(const QString &text)
 {
     return text.endsWith(" …") || text == "…" || text.count(", ") > 1;
@@ -122,11 +134,13 @@ QStringList cutIn(QWidget &window)
     QList<QWidget *> all = window.findChildren<QWidget *>();
     all << &window;
     for (QWidget *widget : all) {
-        if (!widget->isVisible() || widget->visibleRegion().isEmpty() || isFree(widget))
+        if (!widget->isVisible() || widget->visibleRegion().isEmpty())
             continue;
-        if (const int px = lacking(*widget); px > 0)
+        const bool hasText =
+            qobject_cast<const QLabel *>(widget) || qobject_cast<const QAbstractButton *>(widget);
+        if (const int px = std::max(lacking(*widget), hasText ? hidden(*widget) : 0); px > 0)
             cut << QString("%1: %2 px").arg(whereIs(widget)).arg(px);
-        for (const QString &text : drawnBy(*widget)) {
+        for (const QString &text : seenIn(*widget)) {
             if (text.endsWith(QChar(0x2026)) && !mayEnd(text))
                 cut << QString("%1: \"%2\"").arg(whereIs(widget), text);
         }
@@ -342,12 +356,15 @@ void GermanTest::nothingIsCut()
     German &shown = *m_shown;
     shown.window.setMode(measuring ? MainWindow::Mode::measure : MainWindow::Mode::learn);
     QStringList cut;
-    for (const lessons::Step &step : shown.library.lesson(lesson)->steps) {
+    const std::vector<lessons::Step> &steps = shown.library.lesson(lesson)->steps;
+    for (const lessons::Step &step : steps) {
+        if (measuring && &step != &steps.front() && &step != &steps.back())
+            continue; // their parameters and narration are seen in learning
         shown.session.openStep(lesson, step.id);
         shown.session.goTo({3, 1});
-        shown.window.showEnergy(true);
-        shown.window.showEffects(true);
-        QCoreApplication::processEvents();
+        shown.window.showEnergy(measuring);
+        shown.window.showEffects(measuring);
+        settle();
         for (const QString &where : cutIn(shown.window))
             cut << step.id + ' ' + where;
     }
@@ -361,7 +378,7 @@ void GermanTest::whatOpensIsNotCut()
     German german;
     QStringList cut;
     const auto look = [&](const char *what, QWidget *at) {
-        QCoreApplication::processEvents();
+        settle();
         for (const QString &where : cutIn(*at))
             cut << QString("%1: %2").arg(what, where);
     };
@@ -378,14 +395,6 @@ void GermanTest::whatOpensIsNotCut()
     look("stability", &german.window);
     german.window.showGrowthMap(MapPlane::damping);
     look("map", &german.window);
-    for (const char *step : {"swaying_tree/turbulence", "walking_gait/more_feet"}) {
-        german.session.openStep(QString(step).section('/', 0, 0), QString(step).section('/', 1));
-        german.window.findChild<QToolButton *>("presets")->click();
-        auto *gallery = german.window.findChild<PresetGallery *>();
-        QVERIFY(gallery && gallery->isVisible());
-        look(step, gallery);
-        gallery->hide();
-    }
     QVERIFY2(cut.isEmpty(), qPrintable('\n' + cut.join('\n')));
 }
 
