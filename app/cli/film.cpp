@@ -21,7 +21,7 @@ FilmPlan planOf(const FilmRequest &request, const LessonLibrary &library)
     plan.experiment = readExperiment(request.file, library);
     plan.out = request.out;
     plan.size = request.size;
-    plan.scheme = request.dark ? Scheme::dark : Scheme::light;
+    plan.scheme = request.scheme;
     plan.from = request.from;
     plan.to = request.to.value_or(plan.experiment.frames);
     plan.rate = request.rate;

@@ -40,7 +40,7 @@ FilmRequest requestFrom(const QCommandLineParser &parser)
     request.out = parser.positionalArguments().at(1);
     const FilmKind kind = filmKind(request.out);
     request.size = pictureSize(parser.value("size"));
-    request.dark = isDark(parser.value("theme"));
+    request.scheme = schemeOf(parser.value("theme"));
     request.from = wholeNumber("from", parser.value("from"), mostFrames);
     if (parser.isSet("to"))
         request.to = wholeNumber("to", parser.value("to"), mostFrames);
@@ -61,7 +61,7 @@ std::variant<int, FilmRequest> readFilmArguments(const QStringList &arguments)
         "OUT", Text::tr("The film: OUT.gif, or OUT_%04d.png with the frame's number for %04d."));
     parser.addOptions({
         {"size", Text::tr("Width and height in pixels (default 640x480)."), "WxH", "640x480"},
-        {"theme", Text::tr("light or dark (default light)."), "THEME", "light"},
+        {"theme", Text::tr("light, dark or contrast (default light)."), "THEME", "light"},
         {"from", Text::tr("The first frame (default 0)."), "N", "0"},
         {"to", Text::tr("The last frame (default: the file's frames)."), "N"},
         {"fps", Text::tr("Frames a second of a GIF, up to 50 (default 30)."), "F"},

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "app/ui/theme/theme.h"
+
 #include <QSize>
 #include <QStringList>
 
@@ -15,7 +17,7 @@ struct FilmRequest
     QString file;
     QString out; ///< a GIF's name, or that of a PNG for each frame
     QSize size{640, 480};
-    bool dark = false;
+    Scheme scheme = Scheme::light;
     std::int64_t from = 0;
     std::optional<std::int64_t> to; ///< empty: as far as the file says
     double rate = 30.0;             ///< frames a second

@@ -14,7 +14,7 @@ std::int64_t wholeNumber(const QString &option, const QString &text, std::int64_
 /// Of --size.
 QSize pictureSize(const QString &text);
 /// Of --theme.
-bool isDark(const QString &text);
+Scheme schemeOf(const QString &text);
 
 /// What `springstep screenshot` is to draw; or the exit code, when that is settled: for help and for bad use.
 std::variant<int, ScreenshotRequest> readScreenshotArguments(const QStringList &arguments);
