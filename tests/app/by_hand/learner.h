@@ -80,7 +80,7 @@ private:
     void inMenu(const QString &name, const std::function<void(QMenu &)> &choose);
     void chooseStep(double value, bool isTolerance);
     void chooseFrom(QWidget &field, int row);
-    /// The child of the window's part `Part` that is called `name`. @throws std::runtime_error without one
+    /// The button of `part` that is called `name`. @throws std::runtime_error without one
     QAbstractButton &button(const QWidget *part, const QString &name) const;
 
     app::Session &m_session;
