@@ -67,7 +67,7 @@ Glossary::Glossary(const LessonLibrary &library)
         }
     }
     std::sort(m_entries.begin(), m_entries.end(), [](const GlossaryEntry &a, const GlossaryEntry &b) {
-        return QString::localeAwareCompare(a.term.name, b.term.name) < 0;
+        return QString::localeAwareCompare(a.term.name.toLower(), b.term.name.toLower()) < 0;
     });
 }
 

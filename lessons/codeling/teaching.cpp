@@ -25,7 +25,7 @@ Teaching motor()
                 Text::tr("Press **Space**. Take the little disc, swing it quickly, let go on the way, and "
                          "wait."),
             },
-            {{Text::tr("Lead"), Text::tr("lead"),
+            {{Text::tr("Lead"), Text::tr("the lead"),
               Text::tr("The head of the creature. The motor pulls it, and all else follows.")},
              {Text::tr("Time step"), Text::tr("dt"),
               Text::tr("How much of its own time passes for a creature in a frame. The smaller it is, the "

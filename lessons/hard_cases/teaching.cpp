@@ -27,7 +27,7 @@ Teaching limit()
                      "wait."),
         },
         {
-            {Text::tr("Stability limit"), Text::tr("the limit|its limit"),
+            {Text::tr("Stability limit"), Text::tr("the limit"),
              Text::tr("The longest step with which a method still holds a scene. Past it, each swing is "
                       "wider than the one before.")},
             {Text::tr("Gauge"), Text::tr("gauge"),

@@ -60,7 +60,8 @@ Teaching sharedError()
             Text::tr("Type 0.5 into the field beside **Share**. Press **Space**, hold the mouse button "
                      "down, move the pointer far away, and keep still."),
         },
-        {{Text::tr("Share"), Text::tr("share"),
+        {{Text::tr("Share"),
+          {},
           Text::tr("The part of a stick’s error that one of its ends takes, from 0 to 1. The other end "
                    "takes the rest.")}},
         {{Text::tr("Why does each frame leave share of the error?"),

@@ -139,7 +139,7 @@ Teaching ground()
         },
         {{Text::tr("Traction"), Text::tr("traction"),
           Text::tr("What keeps a foot from sliding on the ground. Without it the ground is like ice.")},
-         {Text::tr("Slip"), Text::tr("slip|slips"),
+         {Text::tr("Slip"), Text::tr("slips a little"),
           Text::tr("How far a foot slides along the ground while it should stand.")}},
         {}};
 }

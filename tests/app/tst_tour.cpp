@@ -1,5 +1,9 @@
-// The tour of the window: a minute with mouse or keyboard, which never stands in the way.
+// The tour of the window: a minute with mouse or keyboard, which never stands in the way; and the keys of what helps
+// to learn.
 
+#include "app/ui/panels/glossary_page.h"
+#include "app/ui/panels/learn_panel.h"
+#include "app/ui/panels/try_box.h"
 #include "app/ui/scene/scene_view.h"
 #include "app/ui/window/main_window.h"
 #include "app/ui/window/tour.h"
@@ -63,6 +67,8 @@ private slots:
     void theWindowCanBeUsedMeanwhile();
     void cardsStayInTheWindowBesideTheirParts_data();
     void cardsStayInTheWindowBesideTheirParts();
+    void aKeyShowsTheNextHint();
+    void aKeyOpensTheGlossaryWhichDoesNotLeaveTheLesson();
 };
 
 void TourTest::initTestCase()
@@ -164,6 +170,30 @@ void TourTest::cardsStayInTheWindowBesideTheirParts()
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
     }
     QVERIFY(!bench.tour().isRunning());
+}
+
+void TourTest::aKeyShowsTheNextHint()
+{
+    Bench bench;
+    bench.view.setFocus();
+    bench.window.findChild<LearnPanel *>()->showSummary(true);
+    QTest::keyClick(&bench.view, Qt::Key_H);
+    const auto boxes = bench.window.findChildren<TryBox *>();
+    QVERIFY(boxes[0]->showsHint() && !boxes[1]->showsHint());
+    QVERIFY(boxes[0]->isVisible()); // the summary gave way
+}
+
+void TourTest::aKeyOpensTheGlossaryWhichDoesNotLeaveTheLesson()
+{
+    Bench bench;
+    bench.session.goTo({7, 0});
+    bench.view.setFocus();
+    QTest::keyClick(&bench.view, Qt::Key_F1, Qt::ShiftModifier);
+    auto *page = bench.window.findChild<GlossaryPage *>();
+    QVERIFY(page && page->isVisible() && !page->isModal());
+    QCOMPARE(bench.session.timeline().at().frame, 7);
+    QTest::keyClick(page, Qt::Key_Escape);
+    QVERIFY(!page->isVisible());
 }
 
 QTEST_MAIN(TourTest)

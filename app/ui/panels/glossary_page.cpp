@@ -4,6 +4,7 @@
 
 #include <QLabel>
 #include <QLineEdit>
+#include <QScrollBar>
 #include <QTextBrowser>
 #include <QVBoxLayout>
 
@@ -77,6 +78,8 @@ void GlossaryPage::refresh()
     const Tokens &tokens = m_theme.tokens();
     setProse(*m_list->document(), all.join(QStringLiteral("\n\n")), {13, 20, 8, tokens.ink2, tokens.ink},
              m_theme);
+    m_list->moveCursor(QTextCursor::Start);
+    m_list->verticalScrollBar()->setValue(0);
 }
 
 }

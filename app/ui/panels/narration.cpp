@@ -11,6 +11,7 @@
 #include <QLabel>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -164,8 +165,8 @@ void Narration::addWhys()
         connect(m_whys.back(), &WhyBox::unfolded, this, [this, box = m_whys.back()](bool open) {
             fitText();
             emit heightChanged();
-            if (open)
-                m_area->ensureWidgetVisible(box, 0, 0);
+            if (open) // once its place is known, its question at the top
+                QTimer::singleShot(0, box, [this, box] { m_area->verticalScrollBar()->setValue(box->y()); });
         });
     }
     m_whyColumn->setContentsMargins(0, m_whys.empty() ? 0 : 6, 0, 0);

@@ -144,7 +144,7 @@ QString SummaryPage::textOf(const LessonSummary &summary) const
     for (const StepSummary &step : summary.steps) {
         const bool isDone = step.open.isEmpty();
         text << QStringLiteral("**%1**%2")
-                    .arg(linkTo(step.title, summary, step), isDone ? tr(" ✓") : QString());
+                    .arg(linkTo(step.title, summary, step), isDone ? QStringLiteral(" ✓") : QString());
         if (!step.learnt.isEmpty())
             text << step.learnt;
         for (const QString &open : step.open)

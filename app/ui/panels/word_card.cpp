@@ -22,7 +22,7 @@ const char *const allWords = "words:";
 }
 
 WordCard::WordCard(const Glossary &glossary, const Theme &theme, QWidget *parent)
-    : QFrame(parent, Qt::Popup), m_glossary(glossary), m_theme(theme), m_name(new QLabel(this)),
+    : QFrame(parent, Qt::Popup), m_glossary(glossary), m_name(new QLabel(this)),
       m_text(new NarrationText(theme, this, NarrationText::Kind::aside))
 {
     setObjectName("wordCard");

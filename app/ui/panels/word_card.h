@@ -34,7 +34,6 @@ private:
     void follow(const QUrl &link);
 
     const Glossary &m_glossary;
-    const Theme &m_theme;
     QLabel *m_name;
     NarrationText *m_text;
 };

@@ -101,9 +101,13 @@ Tokens tokensOf(Scheme scheme)
     return lightTokens();
 }
 
-QFont font(const char *family, QFontDatabase::SystemFont fallback, double pixels)
+QFont found(const char *family, QFontDatabase::SystemFont fallback)
 {
-    QFont font = QFontDatabase::hasFamily(family) ? QFont(family) : QFontDatabase::systemFont(fallback);
+    return QFontDatabase::hasFamily(family) ? QFont(family) : QFontDatabase::systemFont(fallback);
+}
+
+QFont sized(QFont font, double pixels)
+{
     font.setPixelSize(qRound(pixels));
     return font;
 }
@@ -148,14 +152,17 @@ QColor Theme::kindColor(sim::Kind kind) const
 
 QFont Theme::ui(double pixels, QFont::Weight weight) const
 {
-    QFont result = font("Inter", QFontDatabase::GeneralFont, pixels);
+    // Looked for once: asking the system takes as long as painting some of the text.
+    static const QFont inter = found("Inter", QFontDatabase::GeneralFont);
+    QFont result = sized(inter, pixels);
     result.setWeight(weight);
     return result;
 }
 
 QFont Theme::mono(double pixels) const
 {
-    return font("Hack", QFontDatabase::FixedFont, pixels);
+    static const QFont hack = found("Hack", QFontDatabase::FixedFont);
+    return sized(hack, pixels);
 }
 
 void Theme::paintSurface(QPainter &painter, const QRectF &place, double radius, Surface surface) const

@@ -18,7 +18,7 @@ namespace app {
 
 namespace {
 
-constexpr int cardWidth = 320;  ///< px, its tip included
+constexpr int cardWidth = 360;  ///< px, its tip included
 constexpr int tipLength = 10;   ///< px round the card, in which the tip lies
 constexpr int tipHalf = 9;      ///< px
 constexpr int padding = 16;     ///< px inside the card
@@ -53,7 +53,7 @@ private:
 Tour::Tour(std::vector<TourStop> stops, const Theme &theme, QWidget *window)
     : QFrame(window), m_stops(std::move(stops)), m_theme(theme), m_ring(new Ring(theme, window)),
       m_title(new QLabel(this)), m_text(new QLabel(this)), m_count(new QLabel(this)),
-      m_skip(new QPushButton(tr("Skip the tour"), this)), m_back(new QPushButton(tr("Back"), this)),
+      m_skip(new QPushButton(tr("Skip"), this)), m_back(new QPushButton(tr("Back"), this)),
       m_next(new QPushButton(this)), m_escape(new QShortcut(Qt::Key_Escape, window))
 {
     setObjectName("tour");

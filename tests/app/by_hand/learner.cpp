@@ -4,6 +4,7 @@
 
 #include "app/ui/panels/learn_panel.h"
 #include "app/ui/panels/lesson_list.h"
+#include "app/ui/panels/lesson_model.h"
 #include "app/ui/panels/narration.h"
 #include "app/ui/panels/narration_text.h"
 #include "app/ui/panels/step_button.h"
@@ -56,19 +57,29 @@ void Learner::begin(std::size_t number)
     settle();
 }
 
-void Learner::openLesson(const QString &title)
+void Learner::openRow(const QString &title, const QModelIndex &parent)
 {
     auto *list = m_window.findChild<LessonList *>();
-    for (int i = 0; i < list->model()->rowCount(); ++i) {
-        const QModelIndex lesson = list->model()->index(i, 0);
-        if (lesson.data().toString() != title)
+    for (int i = 0; i < list->model()->rowCount(parent); ++i) {
+        const QModelIndex row = list->model()->index(i, 0, parent);
+        if (row.data().toString() != title)
             continue;
-        list->scrollTo(lesson);
-        QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualRect(lesson).center());
+        list->scrollTo(row);
+        QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualRect(row).center());
         settle();
         return;
     }
-    throw std::runtime_error("no lesson is called " + title.toStdString());
+    throw std::runtime_error("the list does not have " + title.toStdString());
+}
+
+void Learner::openLesson(const QString &title)
+{
+    openRow(title, {});
+}
+
+void Learner::openStep(const QString &title)
+{
+    openRow(title, m_window.findChild<LessonList *>()->lessons().openLesson());
 }
 
 QString Learner::narration() const

@@ -32,6 +32,8 @@ public:
     // What there is to read
     /// Clicks a lesson in the list of lessons.
     void openLesson(const QString &title);
+    /// Clicks a step of the open lesson.
+    void openStep(const QString &title);
     QString narration() const;
     /// Asks for all hints, and returns what they say.
     QStringList hints();
@@ -60,6 +62,7 @@ public:
     const sim::Timeline &run() const override { return m_session.timeline(); }
 
 private:
+    void openRow(const QString &title, const QModelIndex &parent);
     QPoint onScreen(sim::Vec2 place) const;
     int bodyAt(QPoint place) const;
     QPoint freePlaceNear(QPoint place) const;
@@ -77,7 +80,7 @@ private:
     void inMenu(const QString &name, const std::function<void(QMenu &)> &choose);
     void chooseStep(double value, bool isTolerance);
     void chooseFrom(QWidget &field, int row);
-    /// The child of the window's part `Part` that is called `name`. @throws std::runtime_error without one
+    /// The button of `part` that is called `name`. @throws std::runtime_error without one
     QAbstractButton &button(const QWidget *part, const QString &name) const;
 
     app::Session &m_session;

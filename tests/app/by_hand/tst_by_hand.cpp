@@ -63,7 +63,9 @@ void ByHand::aStepIsReadAndDone()
 {
     QFETCH(int, number);
     const lessons::Step &step = lesson().steps[static_cast<std::size_t>(number)];
-    QCOMPARE(m_session->step().id, step.id); // where the last row has led to
+    if (m_session->step().id != step.id) // the row before did not lead here, or was left out
+        m_learner->openStep(step.title);
+    QCOMPARE(m_session->step().id, step.id);
 
     QVERIFY(m_learner->narration().size() > 100);
     const QStringList hints = m_learner->hints();
@@ -89,7 +91,7 @@ void ByHand::aStepIsReadAndDone()
     if (number + 1 == static_cast<int>(lesson().steps.size())) {
         QVERIFY(m_window->findChild<SummaryPage *>()->isVisible());
     } else {
-        QVERIFY(m_session->step().id != step.id);
+        QCOMPARE(m_session->step().id, lesson().steps[static_cast<std::size_t>(number) + 1].id);
     }
 }
 
