@@ -1,5 +1,6 @@
 #include "app/model/companion_run.h"
 
+#include "app/model/same_run.h"
 #include "sim/accuracy/run.h"
 #include "sim/error.h"
 #include "sim/methods/methods.h"
@@ -7,7 +8,6 @@
 #include <QElapsedTimer>
 
 #include <algorithm>
-#include <limits>
 
 namespace app {
 
@@ -19,18 +19,6 @@ constexpr std::size_t memory = std::size_t{32} << 20;
 bool sameButForInput(const sim::Script &a, const sim::Script &b)
 {
     return a.values == b.values && a.bodies == b.bodies && a.effectsOff == b.effectsOff;
-}
-
-/// The first row whose computation may differ.
-std::int64_t firstDifference(const std::vector<sim::Event> &a, const std::vector<sim::Event> &b)
-{
-    const auto [one, other] = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
-    std::int64_t frame = std::numeric_limits<std::int64_t>::max();
-    if (one != a.end())
-        frame = std::min(frame, one->frame);
-    if (other != b.end())
-        frame = std::min(frame, other->frame);
-    return frame;
 }
 
 }

@@ -1,5 +1,8 @@
 #include "app/model/same_run.h"
 
+#include <algorithm>
+#include <limits>
+
 namespace app {
 
 bool sameRun(const sim::Script &a, const sim::Script &b)
@@ -17,6 +20,17 @@ sim::Script withoutInput(const sim::Script &script)
     plain.method = script.method;
     plain.step = script.step;
     return plain;
+}
+
+std::int64_t firstDifference(const std::vector<sim::Event> &a, const std::vector<sim::Event> &b)
+{
+    const auto [one, other] = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
+    std::int64_t frame = std::numeric_limits<std::int64_t>::max();
+    if (one != a.end())
+        frame = std::min(frame, one->frame);
+    if (other != b.end())
+        frame = std::min(frame, other->frame);
+    return frame;
 }
 
 }
