@@ -97,6 +97,7 @@ ScreenshotRequest requestFrom(const QCommandLineParser &parser)
     request.measuring = isMeasuring(parser.value("mode"));
     request.energy = parser.isSet("energy");
     request.effects = parser.isSet("effects");
+    request.plots = parser.isSet("plots");
     readStability(parser.value("stability"), request);
     return request;
 }
@@ -114,6 +115,7 @@ void addScreenshotOptions(QCommandLineParser &parser)
         {"mode", Text::tr("learn or measure (default learn)."), "MODE", "learn"},
         {"energy", Text::tr("Show where energy went, below the picture.")},
         {"effects", Text::tr("Show what each effect costs.")},
+        {"plots", Text::tr("Show the plots.")},
         {"stability", Text::tr("gauge, reasons, or a map: step or damping (default gauge)."), "WHAT",
          "gauge"},
     });

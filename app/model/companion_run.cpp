@@ -1,5 +1,6 @@
 #include "app/model/companion_run.h"
 
+#include "app/model/same_run.h"
 #include "app/model/slices.h"
 #include "sim/accuracy/run.h"
 #include "sim/error.h"

@@ -44,6 +44,7 @@ void Course::restart()
     m_first = 0;
     m_rowFrames = m_session.timeline().track().rowFrames();
     m_script = withoutInput(m_session.timeline().script());
+    m_input = m_session.timeline().script().input;
     emit changed();
     fill();
 }
@@ -51,11 +52,13 @@ void Course::restart()
 void Course::dropChanged()
 {
     const sim::Timeline &timeline = m_session.timeline();
-    if (!sameRun(m_script, timeline.script())) {
+    // What a learner does concerns the rows after the cursor; what is undone may be long past.
+    const std::int64_t differs = firstDifference(m_input, timeline.script().input);
+    m_input = timeline.script().input;
+    if (!sameRun(m_script, timeline.script()) || differs <= timeline.at().frame) {
         restart();
         return;
     }
-    // A change of input concerns the rows after the cursor.
     if (!m_samples.empty() && last() > timeline.at().frame) {
         if (timeline.at().frame < m_first) {
             restart();

@@ -59,8 +59,9 @@ private:
     std::deque<Sample> m_samples; ///< by row, from m_first on
     std::int64_t m_first = 0;
     int m_rowFrames = 1;
-    sim::State m_before;  ///< at the end of the last sample's row
-    sim::Script m_script; ///< of the run that the samples are from, without its input
+    sim::State m_before;             ///< at the end of the last sample's row
+    sim::Script m_script;            ///< of the run that the samples are from, without its input
+    std::vector<sim::Event> m_input; ///< of that run
 };
 
 }

@@ -60,6 +60,7 @@ void EnergyCourse::restartAt(std::int64_t frame)
     const sim::Timeline &timeline = m_session.timeline();
     m_rowFrames = timeline.track().rowFrames();
     m_script = withoutInput(timeline.script());
+    m_input = timeline.script().input;
     const std::shared_ptr<const sim::Segment> segment = timeline.track().segmentAt(frame);
     m_whyNot = whyNone(segment->scene);
     if (!m_whyNot) {
@@ -78,11 +79,14 @@ void EnergyCourse::dropChanged()
         return;
     }
     const sim::Timeline &timeline = m_session.timeline();
-    if (!sameRun(m_script, timeline.script()) || timeline.at().frame < m_first) {
+    // What a learner does concerns the rows after the cursor; what is undone may be long past.
+    const std::int64_t differs = firstDifference(m_input, timeline.script().input);
+    m_input = timeline.script().input;
+    if (!sameRun(m_script, timeline.script()) || timeline.at().frame < m_first ||
+        differs <= timeline.at().frame) {
         restart();
         return;
     }
-    // A change of input concerns the rows after the cursor.
     if (last() > timeline.at().frame) {
         m_balances.resize(static_cast<std::size_t>((timeline.at().frame - m_first) / m_rowFrames + 1));
         emit changed();

@@ -64,7 +64,8 @@ private:
     std::int64_t m_first = 0;
     int m_rowFrames = 1;
     std::optional<sim::NoEnergy> m_whyNot;
-    sim::Script m_script; ///< of the run that is counted, without its input
+    sim::Script m_script;            ///< of the run that is counted, without its input
+    std::vector<sim::Event> m_input; ///< of that run
     bool m_watched = false;
     bool m_stale = true; ///< whether the run has changed since it was last watched
 };

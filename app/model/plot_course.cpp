@@ -83,6 +83,7 @@ void PlotCourse::restart()
     const sim::Timeline &timeline = m_session.timeline();
     m_rowFrames = timeline.track().rowFrames();
     m_script = withoutInput(timeline.script());
+    m_input = timeline.script().input;
     m_window = windowAfter(m_window, {timeline.at().frame, timeline.computed(), m_rowFrames, m_mostRows});
     const std::int64_t stride = strideOf(m_window, m_rowFrames, mostBuckets);
     m_run = RunSampler(allBound(), m_window.first, m_rowFrames, stride);
@@ -125,8 +126,10 @@ void PlotCourse::dropChanged()
         restart();
         return;
     }
-    // A change of input concerns the rows after the cursor.
-    m_run.forgetAfter(timeline.at().frame);
+    // What a learner does concerns the rows after the cursor; what is undone may be long past.
+    const std::vector<sim::Event> &input = timeline.script().input;
+    m_run.forgetAfter(std::min(timeline.at().frame, firstDifference(m_input, input) - 1));
+    m_input = input;
     const sim::Track *ghost = timeline.ghost();
     if (ghost ? !m_ghostScript || !isSame(*m_ghostScript, ghost->script()) : m_ghostScript.has_value())
         restartGhost();

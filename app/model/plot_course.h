@@ -77,6 +77,7 @@ private:
     int m_rowFrames = 1;
     std::int64_t m_mostRows = 480;
     sim::Script m_script;                     ///< of the run that is read, without its input
+    std::vector<sim::Event> m_input;          ///< of that run
     std::optional<sim::Script> m_ghostScript; ///< of the ghost that is read
     quint64 m_revision = 0;
     bool m_watched = false;

@@ -1,5 +1,8 @@
 #include "app/model/same_run.h"
 
+#include <algorithm>
+#include <limits>
+
 namespace app {
 
 namespace {

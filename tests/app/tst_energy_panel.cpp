@@ -140,6 +140,23 @@ private slots:
         QVERIFY(bench.amount("hand") > 0.5 * (held - before));
     }
 
+    void whatIsUndoneIsCountedAnewFromWhereItWas()
+    {
+        Bench bench;
+        bench.goTo(10);
+        const QString foot = bench.session().selected();
+        bench.session().grab(foot);
+        bench.session().moveHand({370.0, 200.0});
+        bench.session().frameForward();
+        bench.session().letGo();
+        bench.goTo(30);
+        QVERIFY(bench.line("hand"));
+        bench.session().undo();
+        bench.goTo(30);
+        QVERIFY(!bench.line("hand"));
+        QVERIFY(std::abs(bench.amount("springs") - springEnergy(bench.session().timeline().now())) < 1e-9);
+    }
+
     void nothingIsCountedWhileNobodyLooks()
     {
         Bench bench;

@@ -136,7 +136,8 @@ private slots:
         std::vector<Quantity> quantities;
         std::map<QString, std::size_t> first; // column of a body's first quantity
         sim::Track start(experiment.script, 0);
-        for (const std::string &name : start.shown().scene.names) {
+        const sim::Scene &scene = start.shown().scene;
+        for (const std::string &name : scene.names) {
             first[QString::fromStdString(name)] = quantities.size();
             for (const QString &title : titles.mid(2))
                 quantities.push_back({columns.at(title), QString::fromStdString(name)});
@@ -148,6 +149,11 @@ private slots:
             const std::vector<double> &row = rows[fields[0].toULongLong()];
             for (qsizetype i = 2; i < fields.size(); ++i) {
                 const double is = row[first.at(fields[1]) + static_cast<std::size_t>(i) - 2];
+                if (titles[i].startsWith('v') && !scene.hasInertia(scene.find(fields[1].toStdString()))) {
+                    QCOMPARE(fields[i].toDouble(), 0.0); // a handle has no velocity, and so no curve of it
+                    QVERIFY(std::isnan(is));
+                    continue;
+                }
                 QVERIFY2(std::abs(is - fields[i].toDouble()) <= 1e-9, qPrintable(line));
             }
         }

@@ -444,6 +444,8 @@ private slots:
                           });
         show(window, size);
         window.setMode(modeOf(measures));
+        QTest::qWait(50);
+        QCOMPARE(window.size(), size);
         auto *action = window.findChild<QAction *>("showPlots");
         QCOMPARE(action->shortcut(), QKeySequence("Ctrl+5"));
         const auto *dock = qobject_cast<QDockWidget *>(window.plots().parentWidget());

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double nearEnough = 28.0; ///< px from the curve of a plot without time
 constexpr double notch = 120.0;
+constexpr int betweenTicks = 36; ///< px, about; across, twice that
 
 bool isZoomIn(int key)
 {
@@ -163,6 +164,8 @@ void QuantityPlot::keyPressEvent(QKeyEvent *event)
 void QuantityPlot::resizeEvent(QResizeEvent *event)
 {
     QCustomPlot::resizeEvent(event);
+    yAxis->ticker()->setTickCount(std::clamp(axisRect()->height() / betweenTicks, 2, 8));
+    xAxis->ticker()->setTickCount(std::clamp(axisRect()->width() / (2 * betweenTicks), 2, 12));
     if (fitAxes())
         replot(QCustomPlot::rpQueuedRefresh);
 }

@@ -4,6 +4,7 @@
 #include "app/model/session.h"
 #include "app/ui/effects/effects_panel.h"
 #include "app/ui/window/appearance.h"
+#include "app/ui/plots/plots_panel.h"
 #include "app/ui/window/main_window.h"
 #include "app/ui/window/stop_notice.h"
 
@@ -84,6 +85,8 @@ int takeScreenshot(QApplication &application, const ScreenshotRequest &request)
             window.showEnergy(true);
         if (request.effects)
             window.showEffects(true);
+        if (request.plots)
+            window.showPlots(true);
         while (window.study().stage() == AccuracyStudy::Stage::measuring)
             QApplication::processEvents(QEventLoop::WaitForMoreEvents);
         session.goTo({request.frame, request.phase});
@@ -101,6 +104,8 @@ int takeScreenshot(QApplication &application, const ScreenshotRequest &request)
                window.stopNotice().search().isSearching())
             QApplication::processEvents(QEventLoop::WaitForMoreEvents);
         QApplication::processEvents();
+        while (!window.plots().isSettled())
+            QApplication::processEvents(QEventLoop::WaitForMoreEvents);
         if (!window.grab().save(request.out))
             return refuse(QApplication::translate("Gui",
                                                   "%1 cannot be written: name a folder that you may write "

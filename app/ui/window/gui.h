@@ -25,6 +25,7 @@ struct ScreenshotRequest
     bool measuring = false;      ///< arranged for measuring, with all that is measured
     bool energy = false;         ///< whether the ledger of energy is shown
     bool effects = false;        ///< whether the ledger of effects is shown, and measured
+    bool plots = false;          ///< in front of other tabs
     bool reasons = false;        ///< with what bounds the step
     std::optional<MapPlane> map; ///< and the map of growth
     QString out;                 ///< a file name; its ending tells the format

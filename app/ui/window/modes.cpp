@@ -70,6 +70,7 @@ void MainWindow::setMode(Mode mode)
     m_modes->actions().at(static_cast<int>(mode))->setChecked(true);
     if (mode == Mode::measure) {
         m_learnDocks = saveState();
+        removeDockWidget(m_plotsDock); // arrangePlots() finds its place among those that stay
         arrangeForMeasuring();
     } else {
         restoreState(m_learnDocks);

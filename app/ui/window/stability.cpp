@@ -16,6 +16,7 @@ void MainWindow::makeStability()
     m_gauge->setCheckable(true);
     m_stabilityPanel = new StabilityPanel(*m_stability, m_theme, this);
     m_stabilityDock = dock("stability", new QWidget(this), m_stabilityPanel, Qt::RightDockWidgetArea);
+    m_stabilityDock->setWindowTitle(tr("Stability")); // its tab, where docks are tabs
     m_stabilityDock->hide();
     connect(m_gauge, &StabilityGauge::clicked, this, [this](bool on) { showStability(on); });
     connect(m_stabilityPanel, &StabilityPanel::closed, this, [this] { showStability(false); });
