@@ -24,6 +24,8 @@ public:
 
     /// The view that "Show" and the zoom are about.
     void attach(SceneView &view);
+    /// A button with an icon of the theme, before "Show", that does what `action` does.
+    void addTool(QAction &action, const QString &icon);
     /// Without the captions of method and step.
     QSize minimumSizeHint() const override;
 
@@ -55,6 +57,7 @@ private:
     FlatButton *m_show;
     FlatButton *m_zoom;
     FlatButton *m_fit;
+    int m_toolsWidth = 0; ///< px, of all buttons that were added
     QMenu *m_steps = nullptr;
     QLineEdit *m_other = nullptr;
     QLabel *m_unit = nullptr; ///< of what is typed there

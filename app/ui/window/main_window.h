@@ -17,6 +17,7 @@ class QLabel;
 namespace app {
 
 class AccuracyPanel;
+class BuildPanel;
 class CodePanel;
 class Course;
 class EffectsPanel;
@@ -34,6 +35,7 @@ class StabilityPanel;
 class StopNotice;
 class TimelineStrip;
 class TransportBar;
+class Workbench;
 
 /// The window: lessons on the left, the scene with its time in the middle, code and parameters on the right.
 class MainWindow : public QMainWindow
@@ -46,7 +48,7 @@ public:
     ~MainWindow() override;
 
     /// What the window is arranged for.
-    enum class Mode { learn, measure };
+    enum class Mode { learn, measure, build };
     void setMode(Mode mode);
     Mode mode() const { return m_mode; }
     const AccuracyStudy &study() const { return *m_study; }
@@ -81,6 +83,13 @@ private:
     void makeTimeActions();
     void makeViewActions();
     void makeModeActions();
+    void makeBuilding();
+    QList<QAction *> makeToolActions();
+    void makeBuildActions();
+    void explainBuilding();
+    void followWorkshop();
+    void openWorkshop();
+    void leaveWorkshop();
     QWidget *modeSwitch();
     void arrangeForMeasuring();
     QWidget *header();
@@ -114,6 +123,8 @@ private:
     StabilityWatch *m_stability;
     Mode m_mode = Mode::learn;
     QByteArray m_learnDocks; ///< the arrangement that the learner left for measuring
+    QString m_leftLesson;    ///< the one that the learner left for building
+    QString m_leftStep;
     std::vector<Listed> m_actions;
     QMenu *m_file = nullptr;
     QMenu *m_edit = nullptr;
@@ -126,6 +137,10 @@ private:
     QAction *m_helpAction = nullptr;
     QAction *m_dark = nullptr;
     QActionGroup *m_modes = nullptr;
+    QAction *m_take = nullptr;             ///< takes the scene to the workshop
+    std::vector<QAction *> m_buildActions; ///< that do something only while a scene is built
+    Workbench *m_bench = nullptr;
+    BuildPanel *m_build = nullptr;
 
     LearnPanel *m_learn = nullptr;
     SceneBar *m_sceneBar = nullptr;
