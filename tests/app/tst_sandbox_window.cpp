@@ -337,13 +337,14 @@ private slots:
             for (const Scheme scheme : {Scheme::light, Scheme::dark}) {
                 Bench bench(size);
                 bench.world.theme.setScheme(scheme);
+                bench.world.theme.apply(*qApp);
                 bench.build();
                 const QString name =
                     QStringLiteral("%1/%2_%3").arg(folder).arg(size.width()).arg(int(scheme));
                 for (std::size_t i : {std::size_t(1), std::size_t(3), std::size_t(7)}) {
                     const lessons::Example example = bench.session().step().examples[i];
                     QTest::mouseClick(bench.button("Examples"), Qt::LeftButton);
-                    QTest::qWait(1200);
+                    QTest::qWait(i == 1 ? 6000 : 100);
                     if (i == 1)
                         bench.panel().gallery().grab().save(name + "_gallery.png");
                     QTest::mouseClick(bench.panel().gallery().cards()[i], Qt::LeftButton);
@@ -353,6 +354,7 @@ private slots:
                     QTest::qWait(50);
                     bench.window.grab().save(name + QStringLiteral("_%1.png").arg(i));
                     bench.session().goTo({60, 0});
+                    QTest::qWait(50);
                     bench.window.grab().save(name + QStringLiteral("_%1_run.png").arg(i));
                     bench.session().rewind();
                 }

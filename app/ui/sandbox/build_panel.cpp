@@ -44,7 +44,9 @@ QToolButton *toolButton(QAction *action, const Theme &theme, QWidget *parent)
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     button->setFocusPolicy(Qt::TabFocus);
     button->setAccessibleName(action->iconText());
-    const auto dress = [action, &theme] { action->setIcon(theme.icon(action->property("icon").toString())); };
+    const auto dress = [action, &theme] {
+        action->setIcon(theme.icon(action->property("iconName").toString()));
+    };
     dress();
     QObject::connect(&theme, &Theme::changed, button, dress);
     return button;
@@ -115,6 +117,7 @@ QWidget *BuildPanel::page()
     auto *column = new QVBoxLayout(content);
     column->setContentsMargins(0, 0, 0, 8);
     column->setSpacing(0);
+    column->setSizeConstraint(QLayout::SetMinimumSize); // rows are not squeezed: the page scrolls
     m_hint = new QLabel(content);
     m_hint->setWordWrap(true);
     m_hint->setContentsMargins(sideMargin, 10, sideMargin, 6);
@@ -220,6 +223,33 @@ void BuildPanel::refreshEffects()
     }
 }
 
+QString BuildPanel::waitHint() const
+{
+    if (m_session.isPlaying())
+        return tr("The scene plays. Building happens at the start of the run.");
+    return tr("You are at frame %1. Building happens at the start of the run.")
+        .arg(m_session.timeline().at().frame);
+}
+
+QString BuildPanel::toolHint() const
+{
+    switch (m_bench.tool()) {
+    case BuildTool::point:
+        return tr("Click where a point shall be.");
+    case BuildTool::nail:
+        return tr("Click a point to nail it down or to free it, or where a nail shall be.");
+    case BuildTool::spring:
+        return tr("Click two points: a spring goes from one to the other.");
+    case BuildTool::stick:
+        return tr("Click two points: a stick goes from one to the other.");
+    case BuildTool::foot:
+        return tr("Click a body, then each of its feet.");
+    case BuildTool::select:
+        break;
+    }
+    return tr("Click a part to choose it, drag it to move it, or draw a box round several.");
+}
+
 void BuildPanel::refreshProperties()
 {
     const bool can = m_bench.canBuild();
@@ -227,36 +257,13 @@ void BuildPanel::refreshProperties()
     m_away->setVisible(!can);
     m_hint->setVisible(!any);
     m_properties->setVisible(any);
-    if (!can) {
-        m_hint->setText(m_session.isPlaying()
-                            ? tr("The scene plays. Building happens at the start of the run.")
-                            : tr("You are at frame %1. Building happens at the start of the run.")
-                                  .arg(m_session.timeline().at().frame));
-    } else {
-        switch (m_bench.tool()) {
-        case BuildTool::select:
-            m_hint->setText(
-                tr("Click a part to choose it, drag it to move it, or draw a box round several."));
-            break;
-        case BuildTool::point:
-            m_hint->setText(tr("Click where a point shall be."));
-            break;
-        case BuildTool::nail:
-            m_hint->setText(tr("Click a point to nail it down or to free it, or where a nail shall be."));
-            break;
-        case BuildTool::spring:
-            m_hint->setText(tr("Click two points: a spring goes from one to the other."));
-            break;
-        case BuildTool::stick:
-            m_hint->setText(tr("Click two points: a stick goes from one to the other."));
-            break;
-        case BuildTool::foot:
-            m_hint->setText(tr("Click a body, then each of its feet."));
-            break;
-        }
-    }
-    if (!any)
+    m_hint->setText(can ? toolHint() : waitHint());
+    if (!any) {
+        if (!m_rows.empty())
+            makeRows({}); // they know parts by number
+        m_shownKey.clear();
         return;
+    }
     std::vector<BuiltProperty> properties = propertiesOf(m_bench.plan(), m_bench.chosen());
     QString key;
     for (const BuiltProperty &one : properties)

@@ -48,6 +48,9 @@ private:
     QWidget *page();
     QWidget *feet();
     QLabel *heading(const QString &text);
+    /// What to do with the tool in hand, and why it has to wait.
+    QString toolHint() const;
+    QString waitHint() const;
     void makeEffects();
     void refresh();
     void refreshTitle();

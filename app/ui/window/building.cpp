@@ -43,7 +43,7 @@ QList<QAction *> MainWindow::makeToolActions()
         QAction *made = action(text, {QKeySequence(key)}, tr("Build"));
         made->setIconText(name);
         made->setToolTip(tr("%1 (%2)").arg(tip, key));
-        made->setProperty("icon", icon);
+        made->setProperty("iconName", icon);
         made->setCheckable(true);
         group->addAction(made);
         m_buildActions.push_back(made);
