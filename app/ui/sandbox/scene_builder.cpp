@@ -1,5 +1,6 @@
 #include "app/ui/sandbox/scene_builder.h"
 
+#include "app/ui/scene/arrow_key.h"
 #include "app/ui/scene/hand.h"
 #include "app/ui/scene/scene_view.h"
 
@@ -18,22 +19,6 @@ constexpr double clickSlack = 3.0; ///< px of the screen that a click may move
 constexpr double dragLink = 10.0;  ///< px of the screen from which a drag makes a link
 constexpr double stride = 10.0;    ///< px that an arrow key goes
 constexpr double fineStride = 1.0; ///< with Shift
-
-std::optional<sim::Vec2> arrowOf(int key)
-{
-    switch (key) {
-    case Qt::Key_Left:
-        return sim::Vec2{-1.0, 0.0};
-    case Qt::Key_Right:
-        return sim::Vec2{1.0, 0.0};
-    case Qt::Key_Up:
-        return sim::Vec2{0.0, -1.0};
-    case Qt::Key_Down:
-        return sim::Vec2{0.0, 1.0};
-    default:
-        return std::nullopt;
-    }
-}
 
 bool isEnter(int key)
 {
@@ -263,7 +248,7 @@ bool SceneBuilder::takes(const QKeyEvent &key) const
     if (!m_bench.canBuild() || m_bench.tool() == BuildTool::select)
         return false;
     const auto modifiers = key.modifiers() & ~(Qt::KeypadModifier | Qt::ShiftModifier);
-    return modifiers == Qt::NoModifier && (arrowOf(key.key()) || isEnter(key.key()));
+    return modifiers == Qt::NoModifier && (arrowKey(key.key()) || isEnter(key.key()));
 }
 
 sim::Vec2 SceneBuilder::cursor() const
@@ -298,7 +283,7 @@ bool SceneBuilder::keyDown(const QKeyEvent &key)
         m_bench.chooseNextLink(key.key() == Qt::Key_BraceRight ? 1 : -1);
         return true;
     }
-    const std::optional<sim::Vec2> way = arrowOf(key.key());
+    const std::optional<sim::Vec2> way = arrowKey(key.key());
     const bool carries = way && (key.modifiers() & Qt::AltModifier);
     if (!carries && !takes(key))
         return false;
