@@ -50,6 +50,8 @@ BuiltProperty propertyOf(const Named &named, Parts parts, Numbers numbers, Field
     property.get = [=](const sim::Blueprint &plan, const Chosen &chosen) -> std::optional<double> {
         std::optional<double> common;
         for (const int one : numbers(chosen)) {
+            if (std::size_t(one) >= parts(plan).size())
+                return {};
             auto part = parts(plan)[std::size_t(one)];
             const double value = static_cast<double>(field(part));
             if (common && *common != value)
@@ -60,6 +62,8 @@ BuiltProperty propertyOf(const Named &named, Parts parts, Numbers numbers, Field
     };
     property.set = [=](sim::Blueprint &plan, const Chosen &chosen, double value) {
         for (const int one : numbers(chosen)) {
+            if (std::size_t(one) >= parts(plan).size())
+                return;
             auto &number = field(parts(plan)[std::size_t(one)]);
             number = static_cast<std::remove_reference_t<decltype(number)>>(value);
         }

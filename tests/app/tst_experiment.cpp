@@ -116,7 +116,7 @@ private slots:
         const QByteArray format = "\"format\": \"springstep-experiment/1\"";
         const QString lessons =
             "\"single_spring\", \"two_body\", \"multi_foot\", \"gravity_walls\", \"walking_gait\", "
-            "\"swaying_tree\", \"rigid_constraint\", \"codeling\", \"accuracy\", \"hard_cases\"";
+            "\"swaying_tree\", \"rigid_constraint\", \"codeling\", \"accuracy\", \"hard_cases\", \"sandbox\"";
         row("nothing in it", "{}",
             "line 1: the file has no \"format\"; it takes \"springstep-experiment/1\".");
         row("another format", "{\"format\": \"drawing\"}",

@@ -33,12 +33,21 @@ private slots:
     {
         const LessonLibrary library = LessonLibrary::load({LESSON_DIR});
         QVERIFY(library.problems.empty());
-        QCOMPARE(library.lessons.size(), QDir(LESSON_DIR).entryList({"*.so"}).size());
+        QCOMPARE(library.entries(), std::size_t(QDir(LESSON_DIR).entryList({"*.so"}).size()));
         for (std::size_t i = 1; i < library.lessons.size(); ++i)
             QVERIFY(library.lessons[i - 1].order <= library.lessons[i].order);
         const LessonEntry *first = library.lesson("single_spring");
         QVERIFY(first && first->step("radial") && !first->step("sideways"));
         QVERIFY(!library.lesson("double_spring"));
+    }
+
+    void aLessonWhoseSceneIsBuiltIsNoneOfTheLessons()
+    {
+        const LessonLibrary library = LessonLibrary::load({LESSON_DIR});
+        QCOMPARE(library.lessons.size(), std::size_t(10));
+        QCOMPARE(library.workshops.size(), std::size_t(1));
+        QCOMPARE(library.lesson("sandbox"), &library.workshops.front());
+        QCOMPARE(&library.entry(10), &library.workshops.front());
     }
 
     void aLessonIsOneFolderAndOneLine()
@@ -131,7 +140,7 @@ private slots:
                             folder.filePath("libcopy.so")));
         const LessonLibrary library = LessonLibrary::load({LESSON_DIR, folder.path(), LESSON_DIR});
         QVERIFY(library.problems.empty());
-        QCOMPARE(library.lessons.size(), QDir(LESSON_DIR).entryList({"*.so"}).size());
+        QCOMPARE(library.entries(), std::size_t(QDir(LESSON_DIR).entryList({"*.so"}).size()));
     }
 
     void foldersComeFromTheEnvironmentFirst()

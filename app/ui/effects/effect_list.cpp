@@ -195,7 +195,8 @@ void EffectDelegate::drawFigures(QPainter &painter, const QRectF &row, const Eff
         painter.drawText(QRectF(row.x() + right - 140.0, row.y(), 140.0, row.height()),
                          Qt::AlignRight | Qt::AlignVCenter, text);
     };
-    const bool isPale = line.role == EffectRole::absent || line.role == EffectRole::off;
+    const bool isPale =
+        line.role == EffectRole::absent || line.role == EffectRole::off || line.role == EffectRole::offered;
     painter.setFont(m_theme.mono(12));
     painter.setPen(isPale ? t.ink3 : t.ink);
     put(columns.frameRight, line.frame);

@@ -47,6 +47,7 @@ ParameterPanel::ParameterPanel(Session &session, const Theme &theme, QWidget *pa
     column->addWidget(makeTitle());
     column->addWidget(m_area, 1);
     connect(&session, &Session::stepOpened, this, &ParameterPanel::open);
+    connect(&session, &Session::runChanged, this, &ParameterPanel::followEffects);
     connect(&session, &Session::runChanged, this, &ParameterPanel::refreshNow);
     connect(&session, &Session::playingChanged, this, &ParameterPanel::refreshNow);
     connect(&session, &Session::moved, this, &ParameterPanel::refresh);
@@ -128,10 +129,35 @@ void ParameterPanel::open()
     refreshNow();
 }
 
+QStringList ParameterPanel::offered() const
+{
+    QStringList ids;
+    std::vector<sim::EffectPtr> listed;
+    for (const lessons::Parameter &parameter : m_session.step().parameters) {
+        if (!parameter.effects.isEmpty() && listed.empty())
+            listed = m_session.listedEffects();
+        const bool isRead = std::any_of(listed.begin(), listed.end(), [&](const sim::EffectPtr &one) {
+            return parameter.effects.contains(QString::fromStdString(one->id()));
+        });
+        if (parameter.effects.isEmpty() || isRead)
+            ids << parameter.id;
+    }
+    return ids;
+}
+
+void ParameterPanel::followEffects()
+{
+    if (m_session.isWorkshop() && offered() != m_offered)
+        open();
+}
+
 void ParameterPanel::addRows()
 {
     QStringList rest;
+    m_offered = offered();
     for (const lessons::Parameter &parameter : m_session.step().parameters) {
+        if (!m_offered.contains(parameter.id))
+            continue;
         if (m_rows.size() == alwaysShown)
             m_column->addWidget(m_more);
         if (m_rows.size() >= alwaysShown)

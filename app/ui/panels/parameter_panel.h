@@ -48,6 +48,9 @@ private:
     void makeDisclosure();
     void showPresets();
     void open();
+    /// The ids of the parameters that the scene has a use for.
+    QStringList offered() const;
+    void followEffects();
     void addRows();
     void alignColumns();
     void nameRest();
@@ -66,7 +69,8 @@ private:
     QScrollArea *m_area = nullptr;
     QVBoxLayout *m_column = nullptr;
     QToolButton *m_more = nullptr;
-    QString m_rest; ///< the names of the parameters that m_more unfolds
+    QStringList m_offered; ///< as the rows show
+    QString m_rest;        ///< the names of the parameters that m_more unfolds
     std::vector<ParameterRow *> m_rows;
     QElapsedTimer m_sinceRefresh;
     bool m_placed = false; ///< whether it was given a size

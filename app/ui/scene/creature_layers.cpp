@@ -41,6 +41,17 @@ bool isInCrowd(const Canvas &canvas, int point)
     return shown.isCrowd() && isDisc && shown.radius(point) * canvas.camera.zoom < smallestFace;
 }
 
+/// The head of a nail: a cross in the disc, in the colour of what is behind it.
+void drawNail(const Canvas &canvas, QPointF centre, double radius)
+{
+    const double arm = std::max(2.0, 0.45 * radius);
+    QPainter &p = canvas.painter;
+    p.setPen(solid(canvas.tokens().scene, std::clamp(0.3 * radius, 1.2, 3.0)));
+    p.drawLine(centre - QPointF(arm, arm), centre + QPointF(arm, arm));
+    p.drawLine(centre - QPointF(arm, -arm), centre + QPointF(arm, -arm));
+    p.setPen(Qt::NoPen);
+}
+
 void drawBody(const Canvas &canvas, int point)
 {
     const Shown &shown = canvas.shown;
@@ -50,13 +61,16 @@ void drawBody(const Canvas &canvas, int point)
     const double radius = canvas.camera.radius(shown.radius(point));
     if (!canvas.reaches(centre, radius))
         return;
-    if (shown.shape(point) == lessons::BodyLook::Shape::joint) {
+    const bool isFixed = shown.look().bodies[static_cast<std::size_t>(point)].fixed;
+    if (shown.shape(point) == lessons::BodyLook::Shape::joint && !isFixed) {
         drawJoint(canvas, centre, radius);
         return;
     }
     canvas.painter.setBrush(canvas.tokens().body);
     canvas.painter.drawEllipse(centre, radius, radius);
-    if (shown.extras.eyes && shown.isBody(point))
+    if (isFixed)
+        drawNail(canvas, centre, radius);
+    else if (shown.extras.eyes && shown.isBody(point))
         drawEyes(canvas, {centre, radius, {1.0, 0.0}, {0.0, -eyesUp}, shown.state().speed(point)});
 }
 

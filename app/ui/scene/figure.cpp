@@ -188,6 +188,9 @@ void drawOutlines(const Canvas &canvas, const Figure &figure, const OutlineStyle
     for (const lessons::StickLook &stick : figure.look.sticks)
         p.drawLine(canvas.cut(canvas.camera.at(figure.state.at(stick.a)),
                               canvas.camera.at(figure.state.at(stick.b))));
+    for (const lessons::SpringLook &spring : figure.look.springs)
+        p.drawLine(canvas.cut(canvas.camera.at(figure.state.at(spring.a)),
+                              canvas.camera.at(figure.state.at(spring.b))));
     p.setBrush(style.fill);
     for (const lessons::LimbLook &limb : figure.look.limbs)
         p.drawPath(limbPath(canvas, figure.state, limb));

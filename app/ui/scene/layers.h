@@ -23,6 +23,7 @@ enum class Height {
     skins,
     chains,
     legs,
+    springs,
     sticks,
     bodies,
     reference,
@@ -132,6 +133,16 @@ class LimbLayer : public Layer
 {
 public:
     LimbLayer(const Shown &shown, const Theme &theme) : Layer(shown, theme, Height::limbs) {}
+
+protected:
+    void draw(const Canvas &canvas) const override;
+};
+
+/// Springs as coils.
+class SpringLayer : public Layer
+{
+public:
+    SpringLayer(const Shown &shown, const Theme &theme) : Layer(shown, theme, Height::springs) {}
 
 protected:
     void draw(const Canvas &canvas) const override;

@@ -205,6 +205,25 @@ void SceneBar::attach(SceneView &view)
     showZoom(view.zoom());
 }
 
+void SceneBar::addTool(QAction &action, const QString &icon)
+{
+    FlatButton *tool = button({});
+    tool->setIconName(icon);
+    tool->setFixedSize(28, 28);
+    const auto follow = [tool, &action] {
+        tool->setEnabled(action.isEnabled());
+        tool->setToolTip(action.toolTip());
+        tool->setAccessibleName(action.text().remove('&'));
+    };
+    follow();
+    connect(&action, &QAction::changed, tool, follow);
+    connect(tool, &QToolButton::clicked, &action, &QAction::trigger);
+    auto *row = static_cast<QHBoxLayout *>(layout());
+    row->insertWidget(row->indexOf(m_show), tool);
+    m_toolsWidth += tool->width();
+    arrange();
+}
+
 void SceneBar::fillShow()
 {
     struct Item
@@ -295,7 +314,8 @@ void SceneBar::arrange()
 
 int SceneBar::widthWith(int method, int step) const
 {
-    return 2 * sideMargin + method + step + m_show->fullWidth() + m_zoom->fullWidth() + m_fit->width();
+    return 2 * sideMargin + method + step + m_toolsWidth + m_show->fullWidth() + m_zoom->fullWidth() +
+           m_fit->width();
 }
 
 QSize SceneBar::minimumSizeHint() const

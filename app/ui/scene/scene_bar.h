@@ -28,6 +28,8 @@ public:
     void choose(const QString &id, bool on);
     /// The ids of the entries of "Show".
     QStringList choices() const;
+    /// A button with an icon of the theme, before "Show", that does what `action` does.
+    void addTool(QAction &action, const QString &icon);
     /// Without the captions of method and step.
     QSize minimumSizeHint() const override;
 
@@ -63,6 +65,7 @@ private:
     FlatButton *m_show;
     FlatButton *m_zoom;
     FlatButton *m_fit;
+    int m_toolsWidth = 0; ///< px, of all buttons that were added
     QMenu *m_steps = nullptr;
     QLineEdit *m_other = nullptr;
     QLabel *m_unit = nullptr; ///< of what is typed there

@@ -1,5 +1,6 @@
 // Mouse, wheel and keys of the scene view.
 
+#include "app/ui/scene/arrow_key.h"
 #include "app/ui/scene/body_text.h"
 #include "app/ui/scene/scene_view.h"
 
@@ -28,22 +29,6 @@ bool isPad(const QWheelEvent &event)
 {
     return event.device()->type() == QInputDevice::DeviceType::TouchPad ||
            event.phase() != Qt::NoScrollPhase || !event.pixelDelta().isNull();
-}
-
-std::optional<sim::Vec2> arrowKey(int key)
-{
-    switch (key) {
-    case Qt::Key_Left:
-        return sim::Vec2{-1.0, 0.0};
-    case Qt::Key_Right:
-        return sim::Vec2{1.0, 0.0};
-    case Qt::Key_Up:
-        return sim::Vec2{0.0, -1.0};
-    case Qt::Key_Down:
-        return sim::Vec2{0.0, 1.0};
-    default:
-        return std::nullopt;
-    }
 }
 
 }

@@ -57,7 +57,7 @@ SceneView::SceneView(Session &session, const Theme &theme, QWidget *parent)
     m_scene.setItemIndexMethod(QGraphicsScene::NoIndex);
     m_scene.setSceneRect(-worldReach, -worldReach, 2.0 * worldReach, 2.0 * worldReach);
     addLayers<RoomLayer, GroundLayer, GhostLayer, OnionLayer, TrailLayer, TreeLayer, MeadowLayer, LimbLayer,
-              SkinLayer, ChainLayer, LegLayer, StickLayer, BodyLayer, ReferenceLayer, GuideLayer, ArrowLayer>(
+              SkinLayer, ChainLayer, LegLayer, SpringLayer, StickLayer, BodyLayer, ReferenceLayer, GuideLayer, ArrowLayer>(
         m_scene, m_shown, theme);
     addLayers<RoomLayer, LimbLayer, SkinLayer, ChainLayer, LegLayer, StickLayer, BodyLayer, GuideLayer,
               NameLayer>(m_scene, m_beside, theme);

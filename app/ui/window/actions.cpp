@@ -239,6 +239,7 @@ void MainWindow::showHelp()
         m_helpPage->addGesture(accuracy, tr("Arrow keys"), tr("walk through the points of a plot"));
         m_helpPage->addGesture(accuracy, tr("Enter or a click"), tr("use the method and step of a point"));
         m_helpPage->addGesture(accuracy, tr("+ and −, or drag the line"), tr("how far off is near enough"));
+        explainBuilding();
     }
     m_helpPage->show();
     m_helpPage->raise();

@@ -50,6 +50,7 @@ MainWindow::MainWindow(Session &session, Theme &theme, StudyFunction study, Cost
     makeDocks(std::move(cost));
     makeStability();
     makeActions();
+    makeBuilding();
     setMenuWidget(header());
     makeStatus();
     connect(&theme, &Theme::changed, this, [this] { m_theme.apply(*qApp); });

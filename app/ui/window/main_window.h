@@ -21,6 +21,7 @@ namespace app {
 
 class AccuracyPanel;
 class BranchesPanel;
+class BuildPanel;
 class CodePanel;
 class Course;
 class EffectsPanel;
@@ -43,6 +44,7 @@ class TimelineStrip;
 class Tour;
 class TransportBar;
 struct TourStop;
+class Workbench;
 
 /// The window: lessons on the left, the scene with its time in the middle, code and parameters on the right.
 class MainWindow : public QMainWindow
@@ -55,7 +57,7 @@ public:
     ~MainWindow() override;
 
     /// What the window is arranged for.
-    enum class Mode { learn, measure };
+    enum class Mode { learn, measure, build };
     void setMode(Mode mode);
     Mode mode() const { return m_mode; }
     const AccuracyStudy &study() const { return *m_study; }
@@ -117,6 +119,13 @@ private:
     void setFocusMode(bool on);
     void makeLanguageMenu();
     void chooseLanguage(const QString &code);
+    void makeBuilding();
+    QList<QAction *> makeToolActions();
+    void makeBuildActions();
+    void explainBuilding();
+    void followWorkshop();
+    void openWorkshop();
+    void leaveWorkshop();
     QWidget *modeSwitch();
     void arrangeForMeasuring();
     QWidget *header();
@@ -183,6 +192,8 @@ private:
     StabilityWatch *m_stability;
     Mode m_mode = Mode::learn;
     QByteArray m_learnDocks; ///< the arrangement that the learner left for measuring
+    QString m_leftLesson;    ///< the one that the learner left for building
+    QString m_leftStep;
     std::vector<Listed> m_actions;
     QMenu *m_file = nullptr;
     QMenu *m_recent = nullptr;
@@ -197,6 +208,10 @@ private:
     QAction *m_focusAction = nullptr;
     QByteArray m_docksBeforeFocus; ///< the arrangement that comes back when focus mode ends
     QActionGroup *m_modes = nullptr;
+    QAction *m_take = nullptr;             ///< takes the scene to the workshop
+    std::vector<QAction *> m_buildActions; ///< that do something only while a scene is built
+    Workbench *m_bench = nullptr;
+    BuildPanel *m_build = nullptr;
 
     LearnPanel *m_learn = nullptr;
     SceneBar *m_sceneBar = nullptr;

@@ -10,6 +10,8 @@
 #include <QMenu>
 #include <QToolButton>
 
+#include <utility>
+
 namespace app {
 
 namespace {
@@ -33,6 +35,7 @@ void MainWindow::makeModeActions()
     };
     add(tr("L&earn"), "F5", tr("Lessons, scene and code"), Mode::learn);
     add(tr("&Measure"), "F6", tr("What accuracy costs in time, on this scene"), Mode::measure);
+    add(tr("&Build"), "F7", tr("A scene of your own: points, springs, sticks, feet"), Mode::build);
     m_view->addSeparator();
 }
 
@@ -50,6 +53,7 @@ QWidget *MainWindow::modeSwitch()
         button->setToolTip(mode->toolTip());
         button->setCheckable(true);
         button->setChecked(mode->isChecked());
+        button->setEnabled(mode->isEnabled());
         button->setFocusPolicy(Qt::TabFocus);
         row->addWidget(button);
         connect(button, &QToolButton::clicked, mode, [button, mode] {
@@ -66,17 +70,21 @@ void MainWindow::setMode(Mode mode)
     if (mode == m_mode)
         return;
     showStability(false);
-    m_mode = mode;
+    const Mode before = std::exchange(m_mode, mode);
     m_modes->actions().at(static_cast<int>(mode))->setChecked(true);
     if (mode == Mode::measure) {
         m_learnDocks = saveState();
         removeDockWidget(m_plotsDock); // arrangePlots() finds its place among those that stay
         arrangeForMeasuring();
-    } else {
+    } else if (before == Mode::measure) {
         restoreState(m_learnDocks);
         m_accuracyDock->hide();
     }
     arrangePlots();
+    if (mode == Mode::build)
+        openWorkshop();
+    else if (mode == Mode::learn)
+        leaveWorkshop();
     fitParameters();
 }
 

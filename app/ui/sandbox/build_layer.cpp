@@ -1,0 +1,83 @@
+// What is drawn over the scene while it is built.
+
+#include "app/ui/sandbox/scene_builder.h"
+
+namespace app {
+
+namespace {
+
+constexpr double ringGap = 5.0;  ///< px of the screen
+constexpr double crossArm = 9.0; ///< px of the screen
+constexpr double bandWidth = 9.0;
+constexpr double bandShade = 0.22;
+
+QPointF placeOn(const Canvas &canvas, int point)
+{
+    return canvas.camera.at(canvas.shown.state().at(point));
+}
+
+void drawRing(const Canvas &canvas, int point, double more)
+{
+    const double radius = canvas.camera.radius(canvas.shown.radius(point)) + ringGap + more;
+    canvas.painter.drawEllipse(placeOn(canvas, point), radius, radius);
+}
+
+/// A band under the chosen links.
+template <class Links>
+void drawBands(const Canvas &canvas, const Links &links, const std::vector<int> &chosen)
+{
+    canvas.painter.setPen(solid(faded(canvas.tokens().ink, bandShade), bandWidth));
+    for (const int one : chosen) {
+        const auto &link = links[std::size_t(one)];
+        canvas.painter.drawLine(canvas.cut(placeOn(canvas, link.a), placeOn(canvas, link.b)));
+    }
+}
+
+void drawCross(const Canvas &canvas, QPointF at)
+{
+    canvas.painter.setPen(solid(canvas.tokens().ink, 1.5));
+    canvas.painter.drawLine(at - QPointF(crossArm, 0.0), at + QPointF(crossArm, 0.0));
+    canvas.painter.drawLine(at - QPointF(0.0, crossArm), at + QPointF(0.0, crossArm));
+}
+
+void drawBox(const Canvas &canvas, const QRectF &box)
+{
+    const QRectF seen(canvas.camera.at({box.left(), box.top()}),
+                      canvas.camera.at({box.right(), box.bottom()}));
+    canvas.painter.setPen(dashed(canvas.tokens().ink2, 1.0, {4.0, 3.0}));
+    canvas.painter.setBrush(faded(canvas.tokens().ink, 0.06));
+    canvas.painter.drawRect(seen);
+    canvas.painter.setBrush(Qt::NoBrush);
+}
+
+}
+
+void BuildLayer::draw(const Canvas &canvas) const
+{
+    const Workbench &bench = *m_marks.bench;
+    if (!bench.isOpen() || std::size_t(canvas.shown.points()) != bench.plan().points.size())
+        return;
+    QPainter &p = canvas.painter;
+    p.setBrush(Qt::NoBrush);
+    drawBands(canvas, bench.plan().springs, bench.chosen().springs);
+    drawBands(canvas, bench.plan().sticks, bench.chosen().sticks);
+    p.setPen(solid(canvas.tokens().ink, 1.5));
+    for (const int point : bench.chosen().points)
+        drawRing(canvas, point, 0.0);
+    if (!bench.canBuild())
+        return;
+    const std::optional<sim::Vec2> end = m_marks.cursor ? m_marks.cursor : m_marks.pointer;
+    if (bench.first()) {
+        drawRing(canvas, *bench.first(), 3.0);
+        if (end) {
+            p.setPen(dashed(canvas.tokens().ink2, 1.5, {4.0, 3.0}));
+            p.drawLine(canvas.cut(placeOn(canvas, *bench.first()), canvas.camera.at(*end)));
+        }
+    }
+    if (m_marks.cursor)
+        drawCross(canvas, canvas.camera.at(*m_marks.cursor));
+    if (m_marks.box)
+        drawBox(canvas, *m_marks.box);
+}
+
+}

@@ -1,0 +1,321 @@
+#include "app/ui/sandbox/build_panel.h"
+
+#include "app/model/sentences.h"
+#include "app/model/workshop.h"
+#include "app/ui/panels/panel_title.h"
+#include "app/ui/sandbox/example_gallery.h"
+#include "app/ui/sandbox/property_row.h"
+#include "sim/purpose.h"
+
+#include <QAction>
+#include <QCheckBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace app {
+
+namespace {
+
+constexpr int sideMargin = 16;
+constexpr int toolColumns = 3;
+
+QFrame *dividerIn(QWidget *parent)
+{
+    auto *line = new QFrame(parent);
+    line->setObjectName("divider");
+    line->setFixedHeight(1);
+    return line;
+}
+
+/// A button that does what `action` does, and looks pressed while that is on.
+QToolButton *toolButton(QAction *action, const Theme &theme, QWidget *parent)
+{
+    auto *button = new QToolButton(parent);
+    button->setObjectName("tool");
+    button->setDefaultAction(action);
+    button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
+    button->setIconSize({20, 20});
+    button->setFixedHeight(48);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    button->setFocusPolicy(Qt::TabFocus);
+    button->setAccessibleName(action->iconText());
+    const auto dress = [action, &theme] {
+        action->setIcon(theme.icon(action->property("iconName").toString()));
+    };
+    dress();
+    QObject::connect(&theme, &Theme::changed, button, dress);
+    return button;
+}
+
+}
+
+BuildPanel::BuildPanel(Session &session, Workbench &bench, const QList<QAction *> &tools, const Theme &theme,
+                       QWidget *parent)
+    : QWidget(parent), m_session(session), m_bench(bench), m_theme(theme),
+      m_title(new PanelTitle(tr("Build"), PanelTitle::CaptionPlace::right, theme, this)),
+      m_gallery(new ExampleGallery(session, theme, this))
+{
+    setObjectName("panel");
+    setAttribute(Qt::WA_StyledBackground);
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 4, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(m_title);
+    column->addWidget(palette(tools));
+    column->addWidget(dividerIn(this));
+    column->addWidget(page(), 1);
+    column->addWidget(dividerIn(this));
+    column->addWidget(feet());
+    connect(&bench, &Workbench::changed, this, &BuildPanel::refresh);
+    connect(&session, &Session::stepOpened, this, [this] {
+        makeEffects();
+        refresh();
+    });
+    connect(&session, &Session::runChanged, this, &BuildPanel::refresh);
+    connect(&session, &Session::moved, this, [this] {
+        if (m_bench.isOpen() && !m_bench.canBuild())
+            refreshProperties(); // it says where the run is
+    });
+    makeEffects();
+    refresh();
+}
+
+QWidget *BuildPanel::palette(const QList<QAction *> &tools)
+{
+    auto *box = new QWidget(this);
+    auto *grid = new QGridLayout(box);
+    grid->setContentsMargins(12, 0, 12, 8);
+    grid->setSpacing(4);
+    for (int i = 0; i < tools.size(); ++i)
+        grid->addWidget(toolButton(tools[i], m_theme, box), i / toolColumns, i % toolColumns);
+    return box;
+}
+
+QLabel *BuildPanel::heading(const QString &text)
+{
+    auto *label = new QLabel(text, this);
+    label->setObjectName("heading");
+    label->setContentsMargins(sideMargin, 10, sideMargin, 2);
+    return label;
+}
+
+QWidget *BuildPanel::page()
+{
+    auto *area = new QScrollArea(this);
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setFocusPolicy(Qt::NoFocus);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    auto *content = new QWidget;
+    content->setObjectName("panel");
+    content->setAttribute(Qt::WA_StyledBackground);
+    auto *column = new QVBoxLayout(content);
+    column->setContentsMargins(0, 0, 0, 8);
+    column->setSpacing(0);
+    column->setSizeConstraint(QLayout::SetMinimumSize); // rows are not squeezed: the page scrolls
+    m_hint = new QLabel(content);
+    m_hint->setWordWrap(true);
+    m_hint->setContentsMargins(sideMargin, 10, sideMargin, 6);
+    m_away = new QWidget(content);
+    auto *start = new QPushButton(tr("Go to the start"), m_away);
+    start->setToolTip(tr("Go to frame 0, where the scene can be changed (Home)"));
+    connect(start, &QPushButton::clicked, this, [this] {
+        m_session.pause();
+        m_session.rewind();
+    });
+    auto *row = new QHBoxLayout(m_away);
+    row->setContentsMargins(sideMargin, 0, sideMargin, 8);
+    row->addWidget(start);
+    row->addStretch(1);
+    m_properties = new QWidget(content);
+    m_column = new QVBoxLayout(m_properties);
+    m_column->setContentsMargins(0, 0, 0, 4);
+    m_column->setSpacing(0);
+    m_effects = new QWidget(content);
+    column->addWidget(m_hint);
+    column->addWidget(m_away);
+    column->addWidget(m_properties);
+    column->addWidget(heading(tr("Acts on everything")));
+    column->addWidget(m_effects);
+    column->addStretch(1);
+    area->setWidget(content);
+    return area;
+}
+
+QWidget *BuildPanel::feet()
+{
+    auto *box = new QWidget(this);
+    auto *row = new QHBoxLayout(box);
+    row->setContentsMargins(12, 8, 12, 10);
+    row->setSpacing(8);
+    const auto add = [&](const QString &text, const QString &tip, auto slot) {
+        auto *button = new QPushButton(text, box);
+        button->setToolTip(tip);
+        connect(button, &QPushButton::clicked, this, slot);
+        row->addWidget(button);
+        return button;
+    };
+    QPushButton *examples =
+        add(tr("Examples"), tr("Ten scenes to start from; undo brings yours back"), [] {});
+    examples->setObjectName("examples");
+    connect(examples, &QPushButton::clicked, this, [this, examples] { m_gallery->popUp(*examples); });
+    add(tr("New"), tr("A scene with one point; undo brings yours back"), [this] { startEmpty(m_session); });
+    row->addStretch(1);
+    add(tr("Lessons"), tr("Back to the lessons; what you built stays here (F5)"), [this] { emit leaving(); });
+    return box;
+}
+
+void BuildPanel::makeEffects()
+{
+    m_switches.clear();
+    delete m_effects->layout();
+    qDeleteAll(m_effects->findChildren<QCheckBox *>(Qt::FindDirectChildrenOnly));
+    auto *grid = new QGridLayout(m_effects);
+    grid->setContentsMargins(sideMargin, 2, sideMargin, 4);
+    grid->setSpacing(6);
+    int place = 0;
+    for (const sim::EffectPtr &effect : m_session.step().catalogue) {
+        const QString id = QString::fromStdString(effect->id());
+        auto *box = new QCheckBox(capitalised(phrase(effect->title())), m_effects);
+        box->setToolTip(phrase(sim::purposeOf(*effect)));
+        box->setAccessibleDescription(box->toolTip());
+        connect(box, &QCheckBox::clicked, this, [this, id](bool on) {
+            m_bench.setEffect(id, on);
+            refreshEffects(); // it may not have been the time for it
+        });
+        grid->addWidget(box, place / 2, place % 2);
+        m_switches[id] = box;
+        ++place;
+    }
+}
+
+QString BuildPanel::hint() const
+{
+    return m_hint->text();
+}
+
+void BuildPanel::refresh()
+{
+    if (!m_bench.isOpen())
+        return;
+    refreshTitle();
+    refreshProperties();
+    refreshEffects();
+}
+
+void BuildPanel::refreshTitle()
+{
+    const sim::Blueprint &plan = m_bench.plan();
+    const std::size_t links = plan.springs.size() + plan.sticks.size() + plan.feet.size();
+    m_title->setCaption(tr("%1 points, %2 links").arg(plan.points.size()).arg(links));
+}
+
+void BuildPanel::refreshEffects()
+{
+    for (const auto &[id, box] : m_switches) {
+        const QSignalBlocker silent(box);
+        box->setChecked(m_bench.has(id));
+    }
+}
+
+QString BuildPanel::waitHint() const
+{
+    if (m_session.isPlaying())
+        return tr("The scene plays. Building happens at the start of the run.");
+    return tr("You are at frame %1. Building happens at the start of the run.")
+        .arg(m_session.timeline().at().frame);
+}
+
+QString BuildPanel::toolHint() const
+{
+    switch (m_bench.tool()) {
+    case BuildTool::point:
+        return tr("Click where a point shall be.");
+    case BuildTool::nail:
+        return tr("Click a point to nail it down or to free it, or where a nail shall be.");
+    case BuildTool::spring:
+        return tr("Click two points: a spring goes from one to the other.");
+    case BuildTool::stick:
+        return tr("Click two points: a stick goes from one to the other.");
+    case BuildTool::foot:
+        return tr("Click a body, then each of its feet.");
+    case BuildTool::select:
+        break;
+    }
+    return tr("Click a part to choose it, drag it to move it, or draw a box round several.");
+}
+
+void BuildPanel::refreshProperties()
+{
+    const bool can = m_bench.canBuild();
+    const bool any = can && !m_bench.chosen().isEmpty();
+    m_away->setVisible(!can);
+    m_hint->setVisible(!any);
+    m_properties->setVisible(any);
+    m_hint->setText(can ? toolHint() : waitHint());
+    if (!any) {
+        if (!m_rows.empty())
+            makeRows({}); // they know parts by number
+        m_shownKey.clear();
+        return;
+    }
+    std::vector<BuiltProperty> properties = propertiesOf(m_bench.plan(), m_bench.chosen());
+    QString key;
+    for (const BuiltProperty &one : properties)
+        key += one.section + '/' + one.about.id + QString::number(one.about.max) + ' ';
+    if (key != m_shownKey) {
+        m_shownKey = key;
+        makeRows(std::move(properties));
+    }
+    for (PropertyRow *row : m_rows)
+        row->refresh();
+}
+
+void BuildPanel::makeRows(std::vector<BuiltProperty> properties)
+{
+    // Later, not here: one of these rows may be the one that led here.
+    while (QLayoutItem *item = m_column->takeAt(0)) {
+        item->widget()->hide();
+        item->widget()->deleteLater();
+        delete item;
+    }
+    m_rows.clear();
+    QString section;
+    bool hasFoot = false;
+    for (BuiltProperty &one : properties) {
+        if (one.section != section)
+            m_column->addWidget(heading(one.section));
+        section = one.section;
+        hasFoot = hasFoot || one.about.id == QStringLiteral("gait");
+        m_rows.push_back(new PropertyRow(m_bench, std::move(one), m_theme, m_properties));
+        m_column->addWidget(m_rows.back());
+    }
+    if (hasFoot)
+        makeGaitButton();
+}
+
+void BuildPanel::makeGaitButton()
+{
+    auto *box = new QWidget(m_properties);
+    auto *row = new QHBoxLayout(box);
+    row->setContentsMargins(sideMargin, 4, sideMargin, 4);
+    auto *button = new QPushButton(tr("New gait group"), box);
+    button->setToolTip(tr("Gives this foot a gait group of its own, with a clock of its own"));
+    connect(button, &QPushButton::clicked, this, [this] {
+        const std::vector<int> points = m_bench.chosen().points;
+        const std::optional<int> foot =
+            points.size() == 1 ? footOf(m_bench.plan(), points.front()) : std::nullopt;
+        if (foot)
+            m_bench.addGaitFor(*foot);
+    });
+    row->addWidget(button);
+    row->addStretch(1);
+    m_column->addWidget(box);
+}
+
+}

@@ -1,0 +1,77 @@
+#pragma once
+
+#include "app/model/built_properties.h"
+#include "app/model/workbench.h"
+#include "app/ui/theme/theme.h"
+
+#include <QPointer>
+#include <QWidget>
+
+#include <map>
+#include <vector>
+
+class QActionGroup;
+class QCheckBox;
+class QLabel;
+class QToolButton;
+class QVBoxLayout;
+
+namespace app {
+
+class ExampleGallery;
+class PanelTitle;
+class PropertyRow;
+
+/// The left panel while a scene is built: tools, what can be set of what is chosen, and what acts on the whole scene.
+class BuildPanel : public QWidget
+{
+    Q_OBJECT
+
+public:
+    /// `tools`: the commands that take a tool, in order. All must outlive this.
+    BuildPanel(Session &session, Workbench &bench, const QList<QAction *> &tools, const Theme &theme,
+               QWidget *parent = nullptr);
+
+    /// What is said where nothing is chosen, or building has to wait.
+    QString hint() const;
+    const std::vector<PropertyRow *> &rows() const { return m_rows; }
+    ExampleGallery &gallery() const { return *m_gallery; }
+
+    QSize minimumSizeHint() const override { return {240, 300}; }
+
+signals:
+    /// The learner wants to go back to the lessons.
+    void leaving();
+
+private:
+    QWidget *palette(const QList<QAction *> &tools);
+    QWidget *page();
+    QWidget *feet();
+    QLabel *heading(const QString &text);
+    /// What to do with the tool in hand, and why it has to wait.
+    QString toolHint() const;
+    QString waitHint() const;
+    void makeEffects();
+    void refresh();
+    void refreshTitle();
+    void refreshProperties();
+    void refreshEffects();
+    void makeRows(std::vector<BuiltProperty> properties);
+    void makeGaitButton();
+
+    Session &m_session;
+    Workbench &m_bench;
+    const Theme &m_theme;
+    PanelTitle *m_title;
+    QWidget *m_away;       ///< says that building has to wait, with the way to the start
+    QLabel *m_hint;        ///< in place of properties
+    QWidget *m_properties; ///< of what is chosen
+    QVBoxLayout *m_column; ///< of those
+    QWidget *m_effects;
+    std::vector<PropertyRow *> m_rows;
+    QString m_shownKey; ///< which properties the rows are of
+    std::map<QString, QCheckBox *> m_switches;
+    ExampleGallery *m_gallery;
+};
+
+}

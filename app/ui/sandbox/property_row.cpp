@@ -1,0 +1,96 @@
+#include "app/ui/sandbox/property_row.h"
+
+#include "app/model/words.h"
+#include "app/ui/panels/number_box.h"
+
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+
+#include <algorithm>
+#include <cmath>
+
+namespace app {
+
+namespace {
+
+constexpr int sideMargin = 16;
+constexpr int labelWidth = 88;
+
+}
+
+PropertyRow::PropertyRow(Workbench &bench, BuiltProperty property, const Theme &theme, QWidget *parent)
+    : QWidget(parent), m_bench(bench), m_property(std::move(property)),
+      m_name(new QLabel(m_property.about.name, this)), m_unit(new QLabel(this))
+{
+    setFixedHeight(height);
+    const lessons::Parameter &about = m_property.about;
+    m_unit->setObjectName("caption");
+    m_name->setMinimumWidth(labelWidth);
+    auto *row = new QHBoxLayout(this);
+    row->setContentsMargins(sideMargin, 0, sideMargin, 0);
+    row->setSpacing(8);
+    row->addWidget(m_name);
+    if (m_property.isTruth) {
+        makeSwitch();
+        row->addWidget(m_switch);
+    } else {
+        makeBox(theme);
+        row->addWidget(m_box);
+    }
+    row->addWidget(m_unit);
+    row->addStretch(1);
+    setToolTip(m_property.isTruth
+                   ? about.help
+                   : tr("%1 From %2 to %3.").arg(about.help, exactNumber(about.min), exactNumber(about.max)));
+    refresh();
+}
+
+void PropertyRow::makeBox(const Theme &theme)
+{
+    m_box = new NumberBox(m_property.about, theme, this);
+    m_name->setBuddy(m_box);
+    const lessons::Parameter &about = m_property.about;
+    const QString name = about.unit.isEmpty() ? about.name : about.name + ", " + about.unit;
+    m_box->setAccessibleName(m_property.section + ": " + name);
+    m_box->setAccessibleDescription(about.help);
+    connect(m_box, &NumberBox::chosen, this, &PropertyRow::choose);
+}
+
+void PropertyRow::makeSwitch()
+{
+    m_switch = new QCheckBox(this);
+    m_name->setBuddy(m_switch);
+    m_switch->setAccessibleName(m_property.section + ": " + m_property.about.name);
+    m_switch->setAccessibleDescription(m_property.about.help);
+    connect(m_switch, &QCheckBox::clicked, this, [this](bool on) { choose(on ? 1.0 : 0.0); });
+}
+
+void PropertyRow::choose(double value)
+{
+    const lessons::Parameter &about = m_property.about;
+    value = std::clamp(value, about.min, about.max);
+    if (about.isWhole())
+        value = std::round(value);
+    const Chosen chosen = m_bench.chosen();
+    m_bench.change(about.name, [&](sim::Blueprint &plan) { m_property.set(plan, chosen, value); });
+    refresh(); // what was refused, or was out of range, is not shown
+}
+
+void PropertyRow::refresh()
+{
+    if (!m_bench.isOpen())
+        return;
+    const std::optional<double> value = m_property.get(m_bench.plan(), m_bench.chosen());
+    m_unit->setText(value ? m_property.about.unit : tr("differ"));
+    if (m_box && value)
+        m_box->show(*value);
+    if (!m_switch)
+        return;
+    const QSignalBlocker silent(m_switch);
+    m_switch->setTristate(!value);
+    m_switch->setCheckState(!value ? Qt::PartiallyChecked : *value != 0.0 ? Qt::Checked : Qt::Unchecked);
+}
+
+}

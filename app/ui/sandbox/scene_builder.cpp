@@ -1,0 +1,298 @@
+#include "app/ui/sandbox/scene_builder.h"
+
+#include "app/ui/scene/arrow_key.h"
+#include "app/ui/scene/hand.h"
+#include "app/ui/scene/scene_view.h"
+
+#include <QKeyEvent>
+#include <QLineF>
+#include <QMouseEvent>
+
+#include <algorithm>
+#include <cmath>
+
+namespace app {
+
+namespace {
+
+constexpr double clickSlack = 3.0; ///< px of the screen that a click may move
+constexpr double dragLink = 10.0;  ///< px of the screen from which a drag makes a link
+constexpr double stride = 10.0;    ///< px that an arrow key goes
+constexpr double fineStride = 1.0; ///< with Shift
+
+bool isEnter(int key)
+{
+    return key == Qt::Key_Return || key == Qt::Key_Enter;
+}
+
+sim::Vec2 rounded(sim::Vec2 place)
+{
+    return {std::round(place.x), std::round(place.y)};
+}
+
+/// How far `at` is from the line from `a` to `b`.
+double distanceTo(QPointF at, QPointF a, QPointF b)
+{
+    const QPointF way = b - a;
+    const double square = QPointF::dotProduct(way, way);
+    const double share = square > 0.0 ? std::clamp(QPointF::dotProduct(at - a, way) / square, 0.0, 1.0) : 0.0;
+    return QLineF(at, a + share * way).length();
+}
+
+}
+
+SceneBuilder::SceneBuilder(Session &session, Workbench &bench, SceneView &view, const Theme &theme)
+    : QObject(&view), m_session(session), m_bench(bench), m_view(view)
+{
+    m_marks.bench = &bench;
+    view.scene()->addItem(new BuildLayer(m_marks, view.shown(), theme));
+    view.installEventFilter(this);
+    view.viewport()->installEventFilter(this);
+    connect(&bench, &Workbench::changed, this, &SceneBuilder::refresh);
+    connect(&session, &Session::selectionChanged, this, [this] {
+        // The keys that choose a body take the keyboard's cross along.
+        const int point = m_view.shown().selected;
+        if (m_marks.cursor && m_bench.isOpen() && point >= 0)
+            m_marks.cursor = m_view.shown().state().at(point);
+    });
+}
+
+void SceneBuilder::refresh()
+{
+    if (m_bench.tool() == BuildTool::select || !m_bench.canBuild())
+        m_marks.cursor.reset();
+    if (!m_bench.first())
+        m_marks.pointer.reset();
+    if (!m_bench.canBuild()) {
+        m_pressed.reset();
+        m_isDragging = m_isBoxing = false;
+        m_marks.box.reset();
+    }
+    m_view.viewport()->update();
+}
+
+bool SceneBuilder::eventFilter(QObject *watched, QEvent *event)
+{
+    if (!m_bench.isOpen())
+        return QObject::eventFilter(watched, event);
+    if (watched == m_view.viewport() && mouse(*event))
+        return true;
+    if (watched == &m_view && event->type() == QEvent::ShortcutOverride &&
+        takes(*static_cast<QKeyEvent *>(event))) {
+        event->accept();
+        return true;
+    }
+    if (watched == &m_view && event->type() == QEvent::KeyPress &&
+        keyDown(*static_cast<QKeyEvent *>(event))) {
+        event->accept();
+        return true;
+    }
+    return QObject::eventFilter(watched, event);
+}
+
+bool SceneBuilder::mouse(QEvent &event)
+{
+    switch (event.type()) {
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseButtonDblClick:
+        return press(static_cast<QMouseEvent &>(event));
+    case QEvent::MouseMove:
+        return move(static_cast<QMouseEvent &>(event));
+    case QEvent::MouseButtonRelease:
+        return release(static_cast<QMouseEvent &>(event));
+    default:
+        return false;
+    }
+}
+
+sim::Vec2 SceneBuilder::placeOf(QPointF at) const
+{
+    return Camera(m_view.viewportTransform()).back(at);
+}
+
+int SceneBuilder::pointAt(QPointF at) const
+{
+    return Hand::bodyAt(m_view.shown(), Camera(m_view.viewportTransform()), at);
+}
+
+Chosen SceneBuilder::linkAt(QPointF at) const
+{
+    const Camera camera(m_view.viewportTransform());
+    const auto distance = [&](const auto &link) {
+        const std::vector<sim::BuiltPoint> &points = m_bench.plan().points;
+        return distanceTo(at, camera.at(points[std::size_t(link.a)].x),
+                          camera.at(points[std::size_t(link.b)].x));
+    };
+    Chosen nearest;
+    double least = near;
+    const auto look = [&](const auto &links, std::vector<int> Chosen::*list) {
+        for (std::size_t i = 0; i < links.size(); ++i) {
+            const double away = distance(links[i]);
+            if (away >= least)
+                continue;
+            least = away;
+            nearest = {};
+            nearest.*list = {static_cast<int>(i)};
+        }
+    };
+    look(m_bench.plan().springs, &Chosen::springs);
+    look(m_bench.plan().sticks, &Chosen::sticks);
+    return nearest;
+}
+
+bool SceneBuilder::press(const QMouseEvent &event)
+{
+    if (event.button() != Qt::LeftButton)
+        return false;
+    const bool builds = m_bench.tool() != BuildTool::select;
+    if (!m_bench.canBuild()) {
+        if (builds) // it says why not
+            m_bench.change({}, [](sim::Blueprint &) {});
+        return builds;
+    }
+    m_view.setFocus(Qt::MouseFocusReason);
+    m_marks.cursor.reset();
+    m_pressed = event.position();
+    m_moved = {};
+    if (builds)
+        m_bench.use(rounded(placeOf(event.position())), pointAt(event.position()));
+    else
+        choosePart(event);
+    return true;
+}
+
+void SceneBuilder::choosePart(const QMouseEvent &event)
+{
+    const bool adds = event.modifiers() & Qt::ShiftModifier;
+    const int point = pointAt(event.position());
+    if (point >= 0) {
+        const std::vector<int> &chosen = m_bench.chosen().points;
+        if (adds)
+            m_bench.togglePoint(point);
+        else if (!std::binary_search(chosen.begin(), chosen.end(), point))
+            m_bench.choose({{point}, {}, {}});
+        m_isDragging = true;
+        return;
+    }
+    const Chosen link = linkAt(event.position());
+    if (!link.isEmpty() && adds && !link.springs.empty())
+        m_bench.toggleSpring(link.springs.front());
+    else if (!link.isEmpty() && adds)
+        m_bench.toggleStick(link.sticks.front());
+    else if (!link.isEmpty())
+        m_bench.choose(link);
+    else
+        m_isBoxing = true;
+}
+
+bool SceneBuilder::move(const QMouseEvent &event)
+{
+    if (!m_bench.canBuild())
+        return false;
+    const bool builds = m_bench.tool() != BuildTool::select;
+    if (m_bench.first()) {
+        m_marks.pointer = placeOf(event.position());
+        m_view.viewport()->update();
+    }
+    if (builds)
+        m_view.viewport()->setCursor(Qt::CrossCursor);
+    if (!m_pressed)
+        return builds;
+    const bool isClick = QLineF(*m_pressed, event.position()).length() < clickSlack;
+    if (m_isDragging && (!isClick || m_moved != sim::Vec2{}))
+        dragTo(placeOf(event.position()));
+    if (m_isBoxing && !isClick) {
+        const sim::Vec2 from = placeOf(*m_pressed), to = placeOf(event.position());
+        m_marks.box = QRectF(QPointF(from.x, from.y), QPointF(to.x, to.y)).normalized();
+        m_view.viewport()->update();
+    }
+    return true;
+}
+
+void SceneBuilder::dragTo(sim::Vec2 place)
+{
+    const sim::Vec2 total = rounded(place - placeOf(*m_pressed));
+    m_bench.moveChosen(total - m_moved);
+    m_moved = total;
+}
+
+bool SceneBuilder::release(const QMouseEvent &event)
+{
+    if (event.button() != Qt::LeftButton || !m_pressed)
+        return false;
+    const QPointF pressed = *std::exchange(m_pressed, std::nullopt);
+    if (m_isDragging)
+        m_session.endGesture();
+    if (m_isBoxing)
+        chooseWithBox();
+    m_isDragging = m_isBoxing = false;
+    // A link can be dragged from one point to the other, too.
+    const bool dragged = QLineF(pressed, event.position()).length() > dragLink;
+    if (dragged && m_bench.first() && m_bench.canBuild())
+        m_bench.use(rounded(placeOf(event.position())), pointAt(event.position()));
+    return true;
+}
+
+void SceneBuilder::chooseWithBox()
+{
+    const std::optional<QRectF> box = std::exchange(m_marks.box, std::nullopt);
+    if (box)
+        m_bench.choose(inBox(m_bench.plan(), {box->left(), box->top()}, {box->right(), box->bottom()}));
+    else
+        m_bench.choose({});
+    m_view.viewport()->update();
+}
+
+bool SceneBuilder::takes(const QKeyEvent &key) const
+{
+    if (!m_bench.canBuild() || m_bench.tool() == BuildTool::select)
+        return false;
+    const auto modifiers = key.modifiers() & ~(Qt::KeypadModifier | Qt::ShiftModifier);
+    return modifiers == Qt::NoModifier && (arrowKey(key.key()) || isEnter(key.key()));
+}
+
+sim::Vec2 SceneBuilder::cursor() const
+{
+    if (m_marks.cursor)
+        return *m_marks.cursor;
+    if (m_bench.first())
+        return m_bench.plan().points[std::size_t(*m_bench.first())].x;
+    return rounded(placeOf(QPointF(m_view.viewport()->rect().center())));
+}
+
+bool SceneBuilder::arrow(sim::Vec2 way, Qt::KeyboardModifiers modifiers)
+{
+    const double far = modifiers & Qt::ShiftModifier ? fineStride : stride;
+    if (modifiers & Qt::AltModifier) {
+        if (m_bench.chosen().points.empty() || !m_bench.canBuild())
+            return false;
+        m_bench.moveChosen(far * way);
+        m_session.endGesture();
+        return true;
+    }
+    m_marks.cursor = cursor() + far * way;
+    m_view.viewport()->update();
+    return true;
+}
+
+bool SceneBuilder::keyDown(const QKeyEvent &key)
+{
+    if (key.key() == Qt::Key_Escape)
+        return m_bench.leave();
+    if (key.key() == Qt::Key_BraceRight || key.key() == Qt::Key_BraceLeft) {
+        m_bench.chooseNextLink(key.key() == Qt::Key_BraceRight ? 1 : -1);
+        return true;
+    }
+    const std::optional<sim::Vec2> way = arrowKey(key.key());
+    const bool carries = way && (key.modifiers() & Qt::AltModifier);
+    if (!carries && !takes(key))
+        return false;
+    if (way)
+        return arrow(*way, key.modifiers());
+    m_marks.cursor = cursor();
+    const Camera camera(m_view.viewportTransform());
+    m_bench.use(*m_marks.cursor, pointAt(camera.at(*m_marks.cursor)));
+    return true;
+}
+
+}
