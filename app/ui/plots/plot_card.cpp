@@ -3,12 +3,12 @@
 #include "app/model/quantity_words.h"
 #include "app/model/sentences.h"
 #include "app/ui/plots/plot_export.h"
+#include "app/ui/plots/plot_value.h"
 #include "app/ui/plots/quantity_menu.h"
 #include "app/ui/scene/flat_button.h"
 
 #include <QContextMenuEvent>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QMenu>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -19,8 +19,9 @@ namespace app {
 
 namespace {
 
-constexpr int headerHeight = 30; ///< px
-constexpr int gap = 4;           ///< px
+constexpr int headerHeight = 30;       ///< px
+constexpr int gap = 4;                 ///< px
+constexpr int valueMilliseconds = 100; ///< between two numbers while playing: faster ones cannot be read
 
 }
 
@@ -64,9 +65,7 @@ QWidget *PlotCard::header()
     connect(across, &QuantityMenu::chosen, this, [this](const Quantity &one) { choose(one, false); });
     m_up = chooser(up, tr("What is plotted"));
     m_across = chooser(across, tr("Against what: time, or another quantity"));
-    m_value = new QLabel(row);
-    m_value->setObjectName("plotValue");
-    m_value->setToolTip(tr("The number at the cursor"));
+    m_value = new PlotValue(m_theme, row);
     m_more = new QToolButton(row);
     m_more->setObjectName("plotMenu");
     m_more->setFocusPolicy(Qt::TabFocus);
@@ -81,8 +80,7 @@ QWidget *PlotCard::header()
     layout->setSizeConstraint(QLayout::SetNoConstraint); // what does not fit gives way: see fitHeader()
     layout->addWidget(m_up);
     layout->addWidget(m_across);
-    layout->addStretch(1);
-    layout->addWidget(m_value);
+    layout->addWidget(m_value, 1);
     layout->addSpacing(gap);
     layout->addWidget(m_more);
     return row;
@@ -92,7 +90,6 @@ void PlotCard::dress()
 {
     m_more->setIcon(m_theme.icon("more"));
     m_more->setIconSize({16, 16});
-    m_value->setFont(m_theme.mono(12));
 }
 
 void PlotCard::setSpec(const PlotSpec &spec)
@@ -103,22 +100,30 @@ void PlotCard::setSpec(const PlotSpec &spec)
 void PlotCard::refresh(const std::vector<double> &now)
 {
     m_plot->refresh(now);
-    m_up->setTexts({}, quantityTitle(m_course.bound(spec().up)));
-    m_across->setTexts(tr("against"), quantityTitle(m_course.bound(spec().across)));
-    m_plot->setAccessibleName(m_plot->title());
+    writeHeader();
+    if (m_session.isPlaying() && m_sinceValue.isValid() && !m_sinceValue.hasExpired(valueMilliseconds))
+        return;
+    m_sinceValue.start();
     // Of a plot without time, both numbers take too much room here: the axes tell them.
     m_value->setText(spec().isAgainstTime() && m_plot->emptyText().isEmpty() ? m_plot->valueText()
                                                                              : QString());
+}
+
+/// Only where it changes: each time, all of the window is laid out anew.
+void PlotCard::writeHeader()
+{
+    if (m_plot->title() == m_plot->accessibleName())
+        return;
+    m_up->setTexts({}, quantityTitle(m_course.bound(spec().up)));
+    m_across->setTexts(tr("against"), quantityTitle(m_course.bound(spec().across)));
+    m_plot->setAccessibleName(m_plot->title());
     fitHeader();
 }
 
 void PlotCard::fitHeader()
 {
-    // What the plot shows stays; the number gives way first, then the word between.
     const int room = width() - 16 - m_more->width() - gap;
-    const int names = m_up->fullWidth() + m_across->fullWidth();
-    m_across->setShort(names > room);
-    m_value->setVisible(names + gap + m_value->sizeHint().width() <= room);
+    m_across->setShort(m_up->fullWidth() + m_across->fullWidth() > room);
 }
 
 void PlotCard::resizeEvent(QResizeEvent *event)

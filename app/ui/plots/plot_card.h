@@ -3,14 +3,15 @@
 #include "app/ui/plots/plot_export.h"
 #include "app/ui/plots/quantity_plot.h"
 
+#include <QElapsedTimer>
 #include <QWidget>
 
-class QLabel;
 class QToolButton;
 
 namespace app {
 
 class FlatButton;
+class PlotValue;
 class QuantityMenu;
 
 /// A plot with what is above it: what it shows, the number at the cursor, and what can be done with it.
@@ -45,6 +46,7 @@ private:
     FlatButton *chooser(QuantityMenu *menu, const QString &tip);
     void dress();
     void fitHeader();
+    void writeHeader();
     void openMenu(const QPoint &place);
     void choose(const Quantity &quantity, bool isUp);
     std::optional<NumberSheet> numbers() const;
@@ -57,7 +59,8 @@ private:
     PlotExport *m_export;
     FlatButton *m_up = nullptr;
     FlatButton *m_across = nullptr;
-    QLabel *m_value = nullptr;
+    PlotValue *m_value = nullptr;
+    QElapsedTimer m_sinceValue;
     QToolButton *m_more = nullptr;
 };
 

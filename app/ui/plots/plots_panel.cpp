@@ -22,6 +22,8 @@ namespace app {
 namespace {
 
 constexpr int patienceMilliseconds = 300;
+constexpr int heightOfOne = 250; ///< px, with the panel's title
+constexpr int heightOfTwo = 420;
 
 }
 
@@ -217,8 +219,14 @@ void PlotsPanel::removeCard(PlotCard &card)
         m_cards[std::min(index, m_cards.size() - 1)]->plot().setFocus(Qt::OtherFocusReason);
 }
 
+QSize PlotsPanel::sizeHint() const
+{
+    return {400, m_cards.size() > 1 ? heightOfTwo : heightOfOne};
+}
+
 void PlotsPanel::rebuild()
 {
+    const int wanted = m_wantedHeight;
     while (m_cards.size() < m_list.plots().size())
         m_cards.push_back(makeCard());
     while (m_cards.size() > m_list.plots().size()) {
@@ -231,6 +239,9 @@ void PlotsPanel::rebuild()
     m_pages->setCurrentIndex(m_cards.empty() ? 1 : 0);
     m_course.setQuantities(m_list.quantities());
     refreshSoon();
+    m_wantedHeight = sizeHint().height();
+    if (m_wantedHeight != wanted)
+        emit wantedHeightChanged();
 }
 
 void PlotsPanel::refreshSoon()

@@ -45,12 +45,14 @@ public:
     void setCovered(bool covered);
     bool isCovered() const { return m_isCovered; }
 
-    QSize sizeHint() const override { return {400, 250}; }
+    /// Room for the first two plots: the others are scrolled to.
+    QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return {260, 170}; }
 
 signals:
     void said(const QString &sentence);
     void failed(const QString &sentence);
+    void wantedHeightChanged();
 
 protected:
     void showEvent(QShowEvent *event) override;
@@ -88,8 +90,9 @@ private:
     QWidget *m_saving = nullptr;
     QProgressBar *m_progress = nullptr;
     bool m_isCovered = false;
-    QTimer m_soon;     ///< all that changes together is drawn together
-    QTimer m_patience; ///< what takes longer shows how far it is
+    int m_wantedHeight = 0; ///< px
+    QTimer m_soon;          ///< all that changes together is drawn together
+    QTimer m_patience;      ///< what takes longer shows how far it is
 };
 
 }

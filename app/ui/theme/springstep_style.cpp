@@ -85,6 +85,8 @@ int SpringstepStyle::styleHint(StyleHint hint, const QStyleOption *option, const
 void SpringstepStyle::drawPrimitive(PrimitiveElement element, const QStyleOption *option, QPainter *painter,
                                     const QWidget *widget) const
 {
+    if (element == PE_FrameTabBarBase)
+        return; // tabs of docks stand on nothing
     switch (element) {
     case PE_IndicatorCheckBox:
     case PE_IndicatorItemViewItemCheck:

@@ -110,7 +110,7 @@ void MainWindow::fitParameters()
         resizeDocks({above, m_parameterDock}, {std::max(1, height() - wanted), wanted}, Qt::Vertical);
         return;
     }
-    const int plots = std::max(m_plots->sizeHint().height(), m_plotsDock->height());
+    const int plots = m_plots->sizeHint().height();
     resizeDocks({above, m_plotsDock, m_parameterDock},
                 {std::max(1, height() - wanted - plots), plots, wanted}, Qt::Vertical);
 }

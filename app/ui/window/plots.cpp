@@ -31,6 +31,7 @@ void MainWindow::makePlots()
     m_codeDock->setWindowTitle(tr("Code"));
     connect(m_plots, &PlotsPanel::said, &m_session, &Session::said);
     connect(m_plots, &PlotsPanel::failed, m_notice, &Notice::say);
+    connect(m_plots, &PlotsPanel::wantedHeightChanged, this, &MainWindow::fitParameters);
     for (const PlotExport *exports : {&m_energy->exports(), &m_accuracy->exports()}) {
         connect(exports, &PlotExport::said, &m_session, &Session::said);
         connect(exports, &PlotExport::failed, m_notice, &Notice::say);

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "app/ui/theme/theme.h"
+
+#include <QPainter>
+#include <QWidget>
+
+namespace app {
+
+/// A number that changes many times a second, at the right end of its place: nothing is laid out anew for it. Where it
+/// does not fit, it is not there.
+class PlotValue : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit PlotValue(const Theme &theme, QWidget *parent = nullptr) : QWidget(parent), m_theme(theme)
+    {
+        setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+        setToolTip(tr("The number at the cursor"));
+        connect(&theme, &Theme::changed, this, qOverload<>(&QWidget::update));
+    }
+
+    QString text() const { return m_text; }
+    void setText(const QString &text)
+    {
+        if (text == m_text)
+            return;
+        m_text = text;
+        update();
+    }
+
+protected:
+    void paintEvent(QPaintEvent *) override
+    {
+        QPainter painter(this);
+        painter.setFont(m_theme.mono(12));
+        painter.setPen(m_theme.tokens().ink);
+        if (painter.fontMetrics().horizontalAdvance(m_text) <= width())
+            painter.drawText(rect(), Qt::AlignRight | Qt::AlignVCenter, m_text);
+    }
+
+private:
+    const Theme &m_theme;
+    QString m_text;
+};
+
+}
