@@ -41,12 +41,14 @@ QString Branches::ownName(const QString &name, int id) const
     return numbered;
 }
 
-void Branches::add(Branch branch)
+void Branches::add(Branch branch, std::int64_t leftAt)
 {
     while (const Branch *same = find(*branch.script)) {
         branch.isKept = branch.isKept || same->isKept;
         remove(same->id);
     }
+    if (!branch.isNamed && leftAt > 0 && ownName(branch.name, branch.id) != branch.name)
+        branch.name = QCoreApplication::translate("Branches", "%1 at frame %2").arg(branch.name).arg(leftAt);
     branch.name = ownName(branch.name, branch.id);
     m_all.push_back(std::move(branch));
 }

@@ -49,9 +49,9 @@ public:
     const OwnRun &own() const { return m_own; }
     void setOwn(OwnRun own) { m_own = std::move(own); }
 
-    /// Adds the newest one, with a number after its name if another one has that. A branch that is the same run gives
-    /// way to it, and stays kept.
-    void add(Branch branch);
+    /// Adds the newest one. If another one has its name, the frame at which it was left tells them apart, and a number if
+    /// that does not. A branch that is the same run gives way to it, and stays kept.
+    void add(Branch branch, std::int64_t leftAt = 0);
     /// The run in use is `script`: a branch that is the same run is one no more, and hands on its name.
     void settle(const sim::Script &script);
     void rename(int id, const QString &name);

@@ -43,7 +43,8 @@ QString differenceSentence(const DifferenceCourse &course)
 QString branchLine(const Branch &branch, const sim::Script &run)
 {
     const std::int64_t shared = lastShared(run, *branch.script);
-    const QString place = shared > 0 ? Text::tr("from frame %1").arg(shared) : Text::tr("from the start");
+    const QString place =
+        shared > 0 ? Text::tr("parts at frame %1").arg(shared) : Text::tr("parts at the start");
     return branch.isKept ? Text::tr("%1, %2, kept").arg(branch.name, place)
                          : Text::tr("%1, %2").arg(branch.name, place);
 }

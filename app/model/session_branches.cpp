@@ -65,7 +65,7 @@ Branch Session::leftRun(const Stand &before, std::int64_t computed, const QStrin
 void Session::branchOff(const Stand &before, std::int64_t computed, const Deed &deed)
 {
     const QString differs = deed.before.isEmpty() ? deed.what : deed.before;
-    m_branches.add(leftRun(before, computed, tr("before: %1").arg(differs)));
+    m_branches.add(leftRun(before, computed, tr("before: %1").arg(differs)), m_timeline->at().frame);
     m_branches.setOwn({});
     m_branches.limit();
 }

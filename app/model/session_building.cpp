@@ -1,6 +1,8 @@
 // The scene of a workshop, which the learner builds.
 
+#include "app/model/sentences.h"
 #include "app/model/session.h"
+#include "sim/error.h"
 
 #include <algorithm>
 
@@ -23,21 +25,21 @@ bool Session::takeUp(const Deed &deed, const sim::Script &script)
     pause();
     letGo();
     letUp();
-    sim::Script before = m_timeline->script();
-    const bool built = change({}, [&](sim::Timeline &timeline) {
-        const sim::Cursor was = timeline.at();
-        timeline.seek({});
-        try {
-            timeline.replace(script);
-        } catch (...) {
-            timeline.seek(was);
-            throw;
-        }
-        timeline.forgetGhost(); // what was built before is no other run of this scene
+    Stand before = stand();
+    const sim::Cursor was = m_timeline->at();
+    try {
+        m_timeline->seek({});
+        m_timeline->replace(script);
+    } catch (const sim::Error &error) {
+        m_timeline->seek(was);
+        emit said(sentenceFor(error));
         return false;
-    });
-    if (!built)
-        return false;
+    }
+    m_timeline->forgetGhost(); // what was built before is no other run of this scene
+    m_branches = {};
+    m_coming.reset();
+    m_beside = 0;
+    runIsAnother();
     remember(deed, std::move(before));
     const std::vector<std::string> &names = m_timeline->track().shown().scene.names;
     if (m_timeline->track().shown().scene.find(m_selected.toStdString()) < 0)

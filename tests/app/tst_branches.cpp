@@ -32,11 +32,12 @@ private slots:
         QCOMPARE(branch.end, 60);
         QVERIFY(branch.script->input.empty());
         QCOMPARE(lastShared(world.session.timeline().script(), *branch.script), 30);
-        QCOMPARE(branchLine(branch, world.session.timeline().script()), "before: gravity 0.5, from frame 30");
+        QCOMPARE(branchLine(branch, world.session.timeline().script()),
+                 "before: gravity 0.5, parts at frame 30");
         world.session.setMethod("rk4");
         QCOMPARE(world.names().size(), 2);
         QVERIFY(branchLine(world.session.branches().all().back(), world.session.timeline().script())
-                    .endsWith("from the start"));
+                    .endsWith("parts at the start"));
     }
 
     void whatGoesOnAtTheEndLeavesNoBranch()
@@ -160,8 +161,10 @@ private slots:
             world.session.moveHand({100.0 + i, 100});
             world.session.letGo();
         }
-        QCOMPARE(world.names(),
-                 (QStringList{"before: your hand", "before: your hand (2)", "before: your hand (3)"}));
+        QCOMPARE(world.names(), (QStringList{"before: your hand", "before: your hand at frame 30",
+                                             "before: your hand at frame 30 (2)"}));
+        world.session.renameBranch(world.newest(), "before: your hand");
+        QCOMPARE(world.names().back(), "before: your hand (2)");
     }
 
     void theOldestGoesThatIsNotKept()

@@ -93,7 +93,7 @@ private slots:
         QVERIFY(bench.strip().hintAt(bench.mark(60)).startsWith("2 other runs"));
         QTest::mouseClick(&bench.strip(), Qt::LeftButton, {}, bench.mark(60));
         QTRY_VERIFY(bench.openMenu());
-        QCOMPARE(bench.openMenu()->actions().front()->text(), "before: gravity 0.75, from frame 60");
+        QCOMPARE(bench.openMenu()->actions().front()->text(), "before: gravity 0.75, parts at frame 60");
         QTest::keyClick(bench.openMenu(), Qt::Key_Down);  // the newest run
         QTest::keyClick(bench.openMenu(), Qt::Key_Right); // its menu: show beside
         QTest::keyClick(bench.openMenu(), Qt::Key_Return);
@@ -150,7 +150,7 @@ private slots:
         QTest::keyClick(edit, Qt::Key_Return);
         QCOMPARE(bench.session().branches().find(id)->name, "heavy & slow");
         bench.menu().popup({0, 0});
-        QCOMPARE(bench.menu().actions().front()->text(), "heavy && slow, from frame 60, kept");
+        QCOMPARE(bench.menu().actions().front()->text(), "heavy && slow, parts at frame 60, kept");
         bench.menu().close();
         choose("Delete");
         QVERIFY(bench.branches().empty());

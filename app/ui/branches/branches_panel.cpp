@@ -41,8 +41,15 @@ BranchesPanel::BranchesPanel(Session &session, const Theme &theme, QWidget *pare
     connect(&session, &Session::playingChanged, this, &BranchesPanel::refresh);
     connect(&session, &Session::selectionChanged, this, &BranchesPanel::nameBodies);
     connect(&session, &Session::stepOpened, this, &BranchesPanel::nameBodies);
-    connect(&theme, &Theme::changed, this, &BranchesPanel::refreshNow);
+    connect(&theme, &Theme::changed, this, &BranchesPanel::dress);
     nameBodies();
+    dress();
+}
+
+void BranchesPanel::dress()
+{
+    m_runsButton->setIcon(m_theme.icon("runs"));
+    refreshNow();
 }
 
 QToolButton *BranchesPanel::tab(const QString &name, const QString &tip)
@@ -75,6 +82,7 @@ QWidget *BranchesPanel::tabs()
     connect(m_selected, &QToolButton::clicked, this, [this] { setOf(DifferenceCourse::Of::selected); });
     m_runsButton = tab(tr("Runs"), tr("Choose the run to compare with, keep, name and delete runs"));
     m_runsButton->setCheckable(false);
+    m_runsButton->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     layout->addSpacing(8);
     layout->addWidget(m_runsButton);
     connect(m_runsButton, &QToolButton::clicked, this, [this] { m_runs->popupAbove(*m_runsButton); });

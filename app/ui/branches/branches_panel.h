@@ -44,6 +44,7 @@ private:
     QWidget *foot();
     void goToLargest();
     void nameBodies();
+    void dress();
     void refresh();
     void refreshNow();
 
