@@ -50,7 +50,7 @@ About aboutOf(Measured what);
 /// How settings name it: lower case with underscores.
 QString idOf(Measured what);
 std::optional<Measured> measuredFrom(const QString &id);
-/// Whether it grows downwards in the picture, so that plots of it do, too.
+/// Whether it grows downwards in the picture, so that the vertical axis of a plot does, too.
 bool pointsDown(Measured what);
 /// Whether it takes the state before, too.
 bool comparesRows(Measured what);

@@ -88,7 +88,6 @@ void QuantityPlot::setSpec(const PlotSpec &spec)
         return;
     m_spec = spec;
     axisRect()->setMargins(spec.isAgainstTime() ? besideTime : besideQuantity);
-    xAxis->setRangeReversed(pointsDown(spec.across.what));
     yAxis->setRangeReversed(pointsDown(spec.up.what));
     m_upRange = m_acrossRange = {};
     m_axesAreOld = true;
