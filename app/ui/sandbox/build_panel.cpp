@@ -212,7 +212,7 @@ void BuildPanel::refreshTitle()
 {
     const sim::Blueprint &plan = m_bench.plan();
     const std::size_t links = plan.springs.size() + plan.sticks.size() + plan.feet.size();
-    m_title->setCaption(tr("%1 points, %2 links").arg(plan.points.size()).arg(links));
+    m_title->setCaption(tr("points %1, links %2").arg(plan.points.size()).arg(links));
 }
 
 void BuildPanel::refreshEffects()

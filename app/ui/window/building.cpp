@@ -105,6 +105,12 @@ void MainWindow::followWorkshop()
     const bool builds = m_session.isWorkshop();
     const bool hasWorkshop = workshopOf(m_session.library());
     auto *pages = findChild<QStackedWidget *>("leftPages");
+    const auto measure = [](QWidget *page, bool shown) { // only what is seen needs room
+        const auto policy = shown ? QSizePolicy::Preferred : QSizePolicy::Ignored;
+        page->setSizePolicy(policy, policy);
+    };
+    measure(m_learn, !builds);
+    measure(m_build, builds);
     pages->setCurrentIndex(builds ? 1 : 0);
     for (QAction *one : m_buildActions)
         one->setEnabled(builds);
