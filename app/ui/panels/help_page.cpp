@@ -113,7 +113,7 @@ void HelpPage::addRow(const QString &group, const QString &text, QWidget *caps)
     auto *what = label(text, "action", to.box);
     what->setWordWrap(true);
     what->setAccessibleName(tr("%1: %2").arg(text, caps->accessibleName()));
-    to.grid->addWidget(what, to.rows, 0, Qt::AlignVCenter);
+    to.grid->addWidget(what, to.rows, 0); // all of the row: where it is aligned a second line is cut
     to.grid->addWidget(caps, to.rows, 1, Qt::AlignRight | Qt::AlignVCenter);
     to.grid->setRowMinimumHeight(to.rows, rowHeight);
 }
