@@ -3,7 +3,6 @@
 #include "app/model/language.h"
 #include "app/model/numbers.h"
 #include "app/model/sentences.h"
-#include "app/ui/panels/help_page.h"
 #include "app/ui/window/main_window.h"
 #include "drawn_text.h"
 #include "sim/methods/methods.h"
@@ -208,7 +207,7 @@ private slots:
     void noLetterOpensTwoEntriesOfAMenu();
     void nothingIsCut_data();
     void nothingIsCut();
-    void whatOpensIsNotCut();
+    void theReasonsOfStabilityAreNotCut();
     void theChoiceOfALanguageIsRemembered();
     void cleanupTestCase() { m_shown.reset(); }
 
@@ -376,7 +375,7 @@ void GermanTest::nothingIsCut()
     QVERIFY2(cut.isEmpty(), qPrintable('\n' + cut.join('\n')));
 }
 
-void GermanTest::whatOpensIsNotCut()
+void GermanTest::theReasonsOfStabilityAreNotCut()
 {
     m_shown.reset();
     German german;
@@ -386,19 +385,9 @@ void GermanTest::whatOpensIsNotCut()
         for (const QString &where : cutIn(*at))
             cut << QString("%1: %2").arg(what, where);
     };
-    for (QAction *action : german.window.actions()) {
-        if (action->shortcuts().contains(QKeySequence(Qt::Key_F1)))
-            action->trigger();
-    }
-    auto *help = german.window.findChild<HelpPage *>();
-    QVERIFY(help && help->isVisible());
-    look("help", help);
-    help->hide();
     german.session.openStep("multi_foot", "any_number");
     german.window.showStability(true);
     look("stability", &german.window);
-    german.window.showGrowthMap(MapPlane::damping);
-    look("map", &german.window);
     QVERIFY2(cut.isEmpty(), qPrintable('\n' + cut.join('\n')));
 }
 

@@ -19,8 +19,6 @@ namespace {
 constexpr int columnWidth = 360;
 constexpr int margin = 24;
 constexpr int rowHeight = 28;
-constexpr int lineGap = 4;    ///< px between rows of more than one line
-constexpr int scrollBar = 12; ///< px that it takes of a column at most
 constexpr int longestPage = 720;
 constexpr int headHeight = 90;
 
@@ -105,7 +103,7 @@ HelpPage::Group &HelpPage::groupCalled(const QString &name)
     grid->setColumnStretch(0, 1);
     grid->addWidget(label(name, "heading", box), 0, 0, 1, 2);
     grid->setRowMinimumHeight(0, rowHeight);
-    return m_groups.emplace(name, Group{box, grid}).first->second;
+    return m_groups.emplace(name, Group{box, grid, 0}).first->second;
 }
 
 void HelpPage::addRow(const QString &group, const QString &text, QWidget *caps)
@@ -114,33 +112,18 @@ void HelpPage::addRow(const QString &group, const QString &text, QWidget *caps)
     ++to.rows;
     auto *what = label(text, "action", to.box);
     what->setWordWrap(true);
-    // A grid whose rows depend on its width forgets their least heights: fitRows() says what each needs.
-    what->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
     what->setAccessibleName(tr("%1: %2").arg(text, caps->accessibleName()));
-    to.grid->addWidget(what, to.rows, 0); // all of the row: where it is aligned a second line is cut
+    to.grid->addWidget(what, to.rows, 0, Qt::AlignVCenter);
     to.grid->addWidget(caps, to.rows, 1, Qt::AlignRight | Qt::AlignVCenter);
-    to.lines.push_back({what, caps});
     to.grid->setRowMinimumHeight(to.rows, rowHeight);
-}
-
-void HelpPage::fitRows(const Group &group)
-{
-    int widest = 0;
-    for (const Line &line : group.lines)
-        widest = std::max(widest, line.caps->sizeHint().width());
-    const int room = columnWidth - scrollBar - group.grid->horizontalSpacing() - widest;
-    for (const Line &line : group.lines)
-        line.what->setMinimumHeight(std::max(rowHeight, line.what->heightForWidth(room) + lineGap));
 }
 
 void HelpPage::arrange()
 {
     // Only now is it known how long each group is: the longest first, each where there is more room.
     std::vector<const Group *> groups;
-    for (const auto &[name, group] : m_groups) {
-        fitRows(group);
+    for (const auto &[name, group] : m_groups)
         groups.push_back(&group);
-    }
     std::stable_sort(groups.begin(), groups.end(),
                      [](const Group *a, const Group *b) { return a->rows > b->rows; });
     int rows[2] = {0, 0};

@@ -5,7 +5,6 @@
 #include <QDialog>
 
 #include <map>
-#include <vector>
 
 class QAction;
 class QGridLayout;
@@ -29,22 +28,14 @@ public:
     void setVisible(bool visible) override;
 
 private:
-    struct Line
-    {
-        QWidget *what;
-        QWidget *caps;
-    };
     struct Group
     {
         QWidget *box;
         QGridLayout *grid;
         int rows = 0;
-        std::vector<Line> lines = {};
     };
 
     void arrange();
-    /// Gives each line the height that its text takes.
-    static void fitRows(const Group &group);
     void addRow(const QString &group, const QString &text, QWidget *caps);
     Group &groupCalled(const QString &name);
 
