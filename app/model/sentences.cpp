@@ -50,7 +50,7 @@ QString bodyTitle(const QString &name)
             ++digits;
         const QString word = phrase(part.left(part.size() - digits).toStdString());
         // A letter and its number stay together, as in formulas: "p3".
-        const QString gap = digits == 0 || word.size() == 1 ? QString() : QStringLiteral(" ");
+        const QString gap = digits == 0 || word.size() <= 1 ? QString() : QStringLiteral(" ");
         parts << word + gap + part.right(digits);
     }
     return parts.join(QStringLiteral(", "));
