@@ -65,7 +65,7 @@ HelpPage::HelpPage(const Theme &theme, QWidget *parent) : QDialog(parent), m_the
     page->addSpacing(16);
     page->addLayout(columns);
     page->addStretch(1);
-    auto *area = new QScrollArea(this);
+    auto *area = m_area = new QScrollArea(this);
     area->setWidgetResizable(true);
     area->setFrameShape(QFrame::NoFrame);
     area->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
@@ -112,10 +112,10 @@ void HelpPage::addRow(const QString &group, const QString &text, QWidget *caps)
     ++to.rows;
     auto *what = label(text, "action", to.box);
     what->setWordWrap(true);
+    what->setMinimumHeight(rowHeight); // a grid forgets the least height of a row whose text wraps
     what->setAccessibleName(tr("%1: %2").arg(text, caps->accessibleName()));
     to.grid->addWidget(what, to.rows, 0, Qt::AlignVCenter);
     to.grid->addWidget(caps, to.rows, 1, Qt::AlignRight | Qt::AlignVCenter);
-    to.grid->setRowMinimumHeight(to.rows, rowHeight);
 }
 
 void HelpPage::arrange()
@@ -137,7 +137,15 @@ void HelpPage::arrange()
     }
     const int high = std::max(rows[0], rows[1]) * rowHeight + headHeight;
     const int most = screen()->availableGeometry().height() - 80;
+    m_page->setMinimumHeight(0);
     resize(2 * (columnWidth + margin) + 2 * margin, std::min({high, longestPage, most}));
+}
+
+void HelpPage::resizeEvent(QResizeEvent *event)
+{
+    QDialog::resizeEvent(event);
+    // A scroll area does not ask how high its page is at the width that it gives it: texts that wrap would be squashed.
+    m_page->setMinimumHeight(m_page->layout()->totalHeightForWidth(m_area->viewport()->width()));
 }
 
 void HelpPage::setVisible(bool visible)

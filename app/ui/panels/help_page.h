@@ -8,6 +8,7 @@
 
 class QAction;
 class QGridLayout;
+class QScrollArea;
 class QVBoxLayout;
 
 namespace app {
@@ -27,6 +28,9 @@ public:
 
     void setVisible(bool visible) override;
 
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+
 private:
     struct Group
     {
@@ -41,6 +45,7 @@ private:
 
     const Theme &m_theme;
     QWidget *m_page;
+    QScrollArea *m_area = nullptr;
     QVBoxLayout *m_columns[2]; ///< groups go where there is more room
     std::map<QString, Group> m_groups;
 };

@@ -114,7 +114,9 @@ void SummaryPage::refresh()
     m_title->setText(tr("%1: what you learnt").arg(summary.title));
     m_text->setText(textOf(summary));
     m_next->setEnabled(summary.next);
-    m_next->setFullText(summary.next ? tr("Next: %1").arg(summary.next->title) : tr("The last lesson"));
+    const QString last = tr("The last lesson");
+    m_next->setFullText(summary.next ? tr("Next: %1").arg(summary.next->title) : last,
+                        summary.next ? summary.next->title : last);
     m_next->setToolTip(summary.next ? tr("Next: %1").arg(summary.next->title)
                                     : tr("No lesson comes after this one."));
     const bool canGiveBack = !m_forgotten.isEmpty();
