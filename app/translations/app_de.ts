@@ -268,6 +268,73 @@
     </message>
 </context>
 <context>
+    <name>BlueprintReader</name>
+    <message>
+        <source>%1 is %2; it can be %3 to %4.</source>
+        <translation>%1 ist %2; möglich ist %3 bis %4.</translation>
+    </message>
+    <message>
+        <source>%1 has %2 entries; the most is %3.</source>
+        <translation>%1 hat %2 Einträge; höchstens sind es %3.</translation>
+    </message>
+    <message>
+        <source>an object in { }</source>
+        <translation>ein Objekt in { }</translation>
+    </message>
+    <message>
+        <source>&quot;bodies&quot; is empty; a scene needs at least one body.</source>
+        <translation>&quot;bodies&quot; ist leer; eine Szene braucht mindestens einen Körper.</translation>
+    </message>
+    <message>
+        <source>a body cannot be called %1; a name is a letter, then up to %2 letters, digits, dots and _.</source>
+        <translation>ein Körper kann nicht %1 heißen; ein Name ist ein Buchstabe, dann bis zu %2 Buchstaben, Ziffern, Punkte und _.</translation>
+    </message>
+    <message>
+        <source>a body&apos;s name</source>
+        <translation>der Name eines Körpers</translation>
+    </message>
+    <message>
+        <source>there is no body %1 in this scene; %2 takes the name of one of its &quot;bodies&quot;.</source>
+        <translation>in dieser Szene gibt es keinen Körper %1; %2 verlangt den Namen von einem aus &quot;bodies&quot;.</translation>
+    </message>
+    <message>
+        <source>%1 has %2 at both ends; give it two bodies.</source>
+        <translation>%1 hat %2 an beiden Enden; nenne zwei Körper.</translation>
+    </message>
+    <message>
+        <source>a spring</source>
+        <translation>eine Feder</translation>
+    </message>
+    <message>
+        <source>a stick</source>
+        <translation>ein Stab</translation>
+    </message>
+    <message>
+        <source>a gait group</source>
+        <translation>eine Ganggruppe</translation>
+    </message>
+    <message>
+        <source>a foot</source>
+        <translation>ein Fuß</translation>
+    </message>
+    <message>
+        <source>a foot belongs to a gait group, and there is none; add &quot;gaits&quot;: [{}].</source>
+        <translation>ein Fuß gehört zu einer Ganggruppe, und es gibt keine; füge &quot;gaits&quot;: [{}] hinzu.</translation>
+    </message>
+    <message>
+        <source>%1 is a foot twice; it can be the foot of one body.</source>
+        <translation>%1 ist zweimal ein Fuß; möglich ist nur der Fuß eines einzigen Körpers.</translation>
+    </message>
+    <message>
+        <source>a scene cannot have the effect %1; it can have %2, and its springs, sticks and feet act of themselves.</source>
+        <translation>eine Szene kann den Effekt %1 nicht haben; möglich ist %2, und ihre Federn, Stäbe und Füße wirken von selbst.</translation>
+    </message>
+    <message>
+        <source>the effect %1 is given twice; keep one.</source>
+        <translation>der Effekt %1 ist zweimal angegeben; behalte einen.</translation>
+    </message>
+</context>
+<context>
     <name>BodyText</name>
     <message>
         <source>%1 at (%2, %3)</source>
@@ -280,6 +347,223 @@
     <message>
         <source>%1, moving %2 px a frame</source>
         <translation>%1, bewegt sich um %2 px pro Bild</translation>
+    </message>
+</context>
+<context>
+    <name>Branches</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 at frame %2</source>
+        <translation>%1 bei Bild %2</translation>
+    </message>
+</context>
+<context>
+    <name>BreakWatch</name>
+    <message>
+        <source>%1, line %2</source>
+        <translation>%1, Zeile %2</translation>
+    </message>
+    <message>
+        <source>Stopped at frame %1 before %2: %3.</source>
+        <translation>Angehalten bei Bild %1 vor „%2“: %3.</translation>
+    </message>
+</context>
+<context>
+    <name>BuiltProperties</name>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source>How far to the right it starts.</source>
+        <translation>Wie weit rechts er beginnt.</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>How far down it starts.</source>
+        <translation>Wie weit unten er beginnt.</translation>
+    </message>
+    <message>
+        <source>Speed x</source>
+        <translation>Tempo x</translation>
+    </message>
+    <message>
+        <source>px/frame</source>
+        <translation>px/Bild</translation>
+    </message>
+    <message>
+        <source>How fast it starts to the right.</source>
+        <translation>Wie schnell er nach rechts startet.</translation>
+    </message>
+    <message>
+        <source>Speed y</source>
+        <translation>Tempo y</translation>
+    </message>
+    <message>
+        <source>How fast it starts downwards.</source>
+        <translation>Wie schnell er nach unten startet.</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>How much it takes to move it; a usual body has 1.</source>
+        <translation>Wie viel es braucht, ihn zu bewegen; ein üblicher Körper hat 1.</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Its width: walls stop its edge, and wind takes hold of it.</source>
+        <translation>Seine Breite: Wände halten seinen Rand auf, und der Wind greift an ihr an.</translation>
+    </message>
+    <message>
+        <source>Nailed</source>
+        <translation>Genagelt</translation>
+    </message>
+    <message>
+        <source>Whether it stays where it is.</source>
+        <translation>Ob er bleibt, wo er ist.</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Steifigkeit</translation>
+    </message>
+    <message>
+        <source>1/frame²</source>
+        <translation>1/Bild²</translation>
+    </message>
+    <message>
+        <source>How hard it pulls a usual body: this share of the missing distance, each frame.</source>
+        <translation>Wie stark an einem üblichen Körper gezogen wird: um diesen Anteil des fehlenden Abstands, in jedem Bild.</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>How far apart it wants its two ends.</source>
+        <translation>Wie weit auseinander die zwei Enden sein sollen.</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation>Anteil</translation>
+    </message>
+    <message>
+        <source>The part of a wrong length that its first end makes good; the other end does the rest.</source>
+        <translation>Der Teil einer falschen Länge, den das erste Ende ausgleicht; das andere Ende macht den Rest.</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Where the foot belongs, seen from its body: 0 is left of it, 90 above it.</source>
+        <translation>Wohin der Fuß gehört, von seinem Körper aus gesehen: 0 ist links davon, 90 darüber.</translation>
+    </message>
+    <message>
+        <source>Leg</source>
+        <translation>Bein</translation>
+    </message>
+    <message>
+        <source>How long the legs of this gait group are.</source>
+        <translation>Wie lang die Beine dieser Ganggruppe sind.</translation>
+    </message>
+    <message>
+        <source>Drop</source>
+        <translation>Absenkung</translation>
+    </message>
+    <message>
+        <source>How far below the body the legs of this gait group end.</source>
+        <translation>Wie weit unter dem Körper die Beine dieser Ganggruppe enden.</translation>
+    </message>
+    <message>
+        <source>Swing</source>
+        <translation>Schwung</translation>
+    </message>
+    <message>
+        <source>rad/frame</source>
+        <translation>rad/Bild</translation>
+    </message>
+    <message>
+        <source>How fast the clock of this gait group turns its legs. 0: they stand still.</source>
+        <translation>Wie schnell die Uhr dieser Ganggruppe ihre Beine dreht. 0: Sie stehen still.</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>Beginn</translation>
+    </message>
+    <message>
+        <source>rad</source>
+        <translation>rad</translation>
+    </message>
+    <message>
+        <source>Where that clock begins: groups that begin apart step in turn.</source>
+        <translation>Wo diese Uhr beginnt: Gruppen, die versetzt beginnen, treten im Wechsel.</translation>
+    </message>
+    <message>
+        <source>Carries</source>
+        <translation>Trägt</translation>
+    </message>
+    <message>
+        <source>Whether the body feels its feet: without that they do not carry it.</source>
+        <translation>Ob der Körper seine Füße spürt: Sonst tragen sie ihn nicht.</translation>
+    </message>
+    <message>
+        <source>Point %1</source>
+        <translation>Punkt %1</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 Punkte</translation>
+    </message>
+    <message>
+        <source>Spring</source>
+        <translation>Feder</translation>
+    </message>
+    <message>
+        <source>%1 springs</source>
+        <translation>%1 Federn</translation>
+    </message>
+    <message>
+        <source>Stick</source>
+        <translation>Stab</translation>
+    </message>
+    <message>
+        <source>%1 sticks</source>
+        <translation>%1 Stäbe</translation>
+    </message>
+    <message>
+        <source>Foot of %1</source>
+        <translation>Fuß von %1</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Gruppe</translation>
+    </message>
+    <message>
+        <source>The gait group: its feet swing to one clock.</source>
+        <translation>Die Ganggruppe: Ihre Füße schwingen nach einer Uhr.</translation>
+    </message>
+    <message>
+        <source>Gait group %1</source>
+        <translation>Ganggruppe %1</translation>
     </message>
 </context>
 <context>
@@ -322,6 +606,88 @@
     <message>
         <source>%1 points</source>
         <translation>%1 Punkte</translation>
+    </message>
+</context>
+<context>
+    <name>CodeSteering</name>
+    <message>
+        <source>%1 can be %2, and not %3.</source>
+        <translation>%1 kann %2 sein, aber nicht %3.</translation>
+    </message>
+    <message>
+        <source>%1 can be a whole number from %2 to %3, and not %4.</source>
+        <translation>%1 kann eine ganze Zahl von %2 bis %3 sein, aber nicht %4.</translation>
+    </message>
+    <message>
+        <source>%1 can be a number from %2 to %3, and not %4.</source>
+        <translation>%1 kann eine Zahl von %2 bis %3 sein, aber nicht %4.</translation>
+    </message>
+</context>
+<context>
+    <name>CodeSymbols</name>
+    <message>
+        <source>Where the body is, seen from the place it hangs on.</source>
+        <translation>Wo der Körper ist, gesehen vom Ort, an dem er hängt.</translation>
+    </message>
+    <message>
+        <source>The direction away from the place it hangs on, 1 long.</source>
+        <translation>Die Richtung weg vom Ort, an dem er hängt, mit Länge 1.</translation>
+    </message>
+    <message>
+        <source>The same direction, as an angle.</source>
+        <translation>Dieselbe Richtung, als Winkel.</translation>
+    </message>
+    <message>
+        <source>How far the body is from the place it hangs on.</source>
+        <translation>Wie weit der Körper von dem Ort entfernt ist, an dem er hängt.</translation>
+    </message>
+    <message>
+        <source>Where the spring pulls the body to.</source>
+        <translation>Wohin die Feder den Körper zieht.</translation>
+    </message>
+    <message>
+        <source>The way from the body to where the spring pulls it.</source>
+        <translation>Der Weg vom Körper dorthin, wohin die Feder ihn zieht.</translation>
+    </message>
+    <message>
+        <source>What all springs together add to the velocity each frame.</source>
+        <translation>Was alle Federn zusammen in jedem Bild zur Geschwindigkeit addieren.</translation>
+    </message>
+    <message>
+        <source>What gravity adds to the velocity each frame.</source>
+        <translation>Was die Schwerkraft in jedem Bild zur Geschwindigkeit addiert.</translation>
+    </message>
+    <message>
+        <source>The way from the body to its target.</source>
+        <translation>Der Weg vom Körper zu seinem Ziel.</translation>
+    </message>
+    <message>
+        <source>The share of the velocity that is left after this step.</source>
+        <translation>Der Anteil der Geschwindigkeit, der nach diesem Zeitschritt übrig ist.</translation>
+    </message>
+    <message>
+        <source>What is added to the velocity each frame.</source>
+        <translation>Was in jedem Bild zur Geschwindigkeit addiert wird.</translation>
+    </message>
+    <message>
+        <source>Where the body is: x to the right, y down.</source>
+        <translation>Wo der Körper ist: x nach rechts, y nach unten.</translation>
+    </message>
+    <message>
+        <source>The velocity: how far the body goes in a frame.</source>
+        <translation>Die Geschwindigkeit: wie weit der Körper in einem Bild kommt.</translation>
+    </message>
+    <message>
+        <source>How far the two are from each other.</source>
+        <translation>Wie weit die beiden voneinander entfernt sind.</translation>
+    </message>
+    <message>
+        <source>How fast it turns.</source>
+        <translation>Wie schnell er sich dreht.</translation>
+    </message>
+    <message>
+        <source>The direction in which it points.</source>
+        <translation>Die Richtung, in die er zeigt.</translation>
     </message>
 </context>
 <context>
@@ -414,32 +780,6 @@
         <translation>Misst die Bilder nach Bild N (Vorgabe 0).</translation>
     </message>
     <message>
-        <source>Physically based animation, step by step.
-
-Without a verb the window opens, with an experiment if FILE names one.
-
-Verbs; each has its own --help, and none needs a display:
-  lessons [--json]                            lists lessons, steps, parameters, methods
-  trace FILE                                  writes the run of an experiment as CSV
-  accuracy FILE|LESSON/STEP [--json] [--svg OUT] [--tolerance E]
-                                              measures errors and costs of the methods
-  hardcases [--case ID] [--json]              tells which methods hold where runs break
-  cost FILE|LESSON/STEP [--json] [--frame N]  measures what each effect costs in a frame
-  screenshot LESSON/STEP --frame N OUT.png    draws the window</source>
-        <translation>Physikalisch basierte Animation, Schritt für Schritt.
-
-Ohne Verb öffnet sich das Fenster, mit einem Experiment, wenn FILE eines nennt.
-
-Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
-  lessons [--json]                            listet Lektionen, Schritte, Parameter und Verfahren auf
-  trace FILE                                  schreibt den Lauf eines Experiments als CSV
-  accuracy FILE|LESSON/STEP [--json] [--svg OUT] [--tolerance E]
-                                              misst Fehler und Kosten der Verfahren
-  hardcases [--case ID] [--json]              sagt, welche Verfahren halten, wo Läufe brechen
-  cost FILE|LESSON/STEP [--json] [--frame N]  misst, was jeder Effekt pro Bild kostet
-  screenshot LESSON/STEP --frame N OUT.png    zeichnet das Fenster</translation>
-    </message>
-    <message>
         <source>An experiment to open.</source>
         <translation>Ein Experiment, das geöffnet wird.</translation>
     </message>
@@ -484,10 +824,6 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>--size ist %1; möglich ist BREITExHÖHE in Pixeln, beides von 100 bis 9999, zum Beispiel 1280x800.</translation>
     </message>
     <message>
-        <source>--theme is %1; it can be &quot;light&quot; or &quot;dark&quot;.</source>
-        <translation>--theme ist %1; möglich ist &quot;light&quot; oder &quot;dark&quot;.</translation>
-    </message>
-    <message>
         <source>--mode is %1; it can be &quot;learn&quot; or &quot;measure&quot;.</source>
         <translation>--mode ist %1; möglich ist &quot;learn&quot; oder &quot;measure&quot;.</translation>
     </message>
@@ -524,10 +860,6 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>Breite und Höhe in Pixeln (Vorgabe 1280x800).</translation>
     </message>
     <message>
-        <source>light or dark (default light).</source>
-        <translation>light oder dark (Vorgabe light).</translation>
-    </message>
-    <message>
         <source>learn or measure (default learn).</source>
         <translation>learn oder measure (Vorgabe learn).</translation>
     </message>
@@ -542,6 +874,197 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     <message>
         <source>gauge, reasons, or a map: step or damping (default gauge).</source>
         <translation>gauge, reasons oder eine Karte: step oder damping (Vorgabe gauge).</translation>
+    </message>
+    <message>
+        <source>Physically based animation, step by step.
+
+Without a verb the window opens, with an experiment if FILE names one.
+
+Verbs; each has its own --help, and none needs a display:
+  lessons [--json]                            lists lessons, steps, parameters, methods
+  trace FILE                                  writes the run of an experiment as CSV
+  accuracy FILE|LESSON/STEP [--json] [--svg OUT] [--tolerance E]
+                                              measures errors and costs of the methods
+  hardcases [--case ID] [--json]              tells which methods hold where runs break
+  cost FILE|LESSON/STEP [--json] [--frame N]  measures what each effect costs in a frame
+  screenshot LESSON/STEP --frame N OUT.png    draws the window
+  film FILE OUT.gif|OUT_%04d.png              makes a film of an experiment&apos;s run</source>
+        <translation>Physikalisch basierte Animation, Schritt für Schritt.
+
+Ohne Verb öffnet sich das Fenster, mit einem Experiment, wenn FILE eines nennt.
+
+Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
+  lessons [--json]                            listet Lektionen, Schritte, Parameter und Verfahren auf
+  trace FILE                                  schreibt den Lauf eines Experiments als CSV
+  accuracy FILE|LESSON/STEP [--json] [--svg OUT] [--tolerance E]
+                                              misst Fehler und Kosten der Verfahren
+  hardcases [--case ID] [--json]              sagt, welche Verfahren halten, wo Läufe brechen
+  cost FILE|LESSON/STEP [--json] [--frame N]  misst, was jeder Effekt pro Bild kostet
+  screenshot LESSON/STEP --frame N OUT.png    zeichnet das Fenster
+  film FILE OUT.gif|OUT_%04d.png              macht einen Film vom Lauf eines Experiments</translation>
+    </message>
+    <message>
+        <source>--fps is for a GIF; PNG files have no time in them. Leave it out.</source>
+        <translation>--fps ist für ein GIF; PNG-Dateien enthalten keine Zeit. Lass es weg.</translation>
+    </message>
+    <message>
+        <source>--fps is %1; it can be %2 to %3.</source>
+        <translation>--fps ist %1; möglich ist %2 bis %3.</translation>
+    </message>
+    <message>
+        <source>Makes a film of an experiment&apos;s run: an animated GIF, or a PNG for each frame.</source>
+        <translation>Macht einen Film vom Lauf eines Experiments: ein animiertes GIF oder ein PNG für jedes Bild.</translation>
+    </message>
+    <message>
+        <source>The film: OUT.gif, or OUT_%04d.png with the frame&apos;s number for %04d.</source>
+        <translation>Der Film: OUT.gif, oder OUT_%04d.png mit der Nummer des Bildes für %04d.</translation>
+    </message>
+    <message>
+        <source>Width and height in pixels (default 640x480).</source>
+        <translation>Breite und Höhe in Pixeln (Vorgabe 640x480).</translation>
+    </message>
+    <message>
+        <source>light, dark or contrast (default light).</source>
+        <translation>light, dark oder contrast (Vorgabe light).</translation>
+    </message>
+    <message>
+        <source>The first frame (default 0).</source>
+        <translation>Das erste Bild (Vorgabe 0).</translation>
+    </message>
+    <message>
+        <source>The last frame (default: the file&apos;s frames).</source>
+        <translation>Das letzte Bild (Vorgabe: die Bilder der Datei).</translation>
+    </message>
+    <message>
+        <source>Frames a second of a GIF, up to 50 (default 30).</source>
+        <translation>Bilder pro Sekunde eines GIFs, bis 50 (Vorgabe 30).</translation>
+    </message>
+    <message>
+        <source>--theme is %1; it can be &quot;light&quot;, &quot;dark&quot; or &quot;contrast&quot;.</source>
+        <translation>--theme ist %1; möglich ist &quot;light&quot;, &quot;dark&quot; oder &quot;contrast&quot;.</translation>
+    </message>
+    <message>
+        <source>Show the plots.</source>
+        <translation>Zeigt die Kurven.</translation>
+    </message>
+</context>
+<context>
+    <name>Condition</name>
+    <message>
+        <source>Character %1: %2</source>
+        <translation>Zeichen %1: %2</translation>
+    </message>
+    <message>
+        <source>this is too long; leave it at %1 characters.</source>
+        <translation>das ist zu lang; belass es bei %1 Zeichen.</translation>
+    </message>
+    <message>
+        <source>a number says neither yes nor no; compare it, as in %1.</source>
+        <translation>eine Zahl sagt weder ja noch nein; vergleiche sie, wie in %1.</translation>
+    </message>
+    <message>
+        <source>this is true or false, and no number; join questions with and, or.</source>
+        <translation>das ist wahr oder falsch und keine Zahl; verbinde Fragen mit and, or.</translation>
+    </message>
+    <message>
+        <source>a phase can only be compared with its name, as in phase == &quot;%1&quot;.</source>
+        <translation>eine Phase lässt sich nur mit ihrem Namen vergleichen, wie in phase == &quot;%1&quot;.</translation>
+    </message>
+    <message>
+        <source>%1 is a choice; compare it with one of its values, as in %1 == &quot;%2&quot;.</source>
+        <translation>%1 ist eine Auswahl; vergleiche sie mit einem ihrer Werte, wie in %1 == &quot;%2&quot;.</translation>
+    </message>
+    <message>
+        <source>%1 is a text; only phase and choices are compared with one.</source>
+        <translation>%1 ist ein Text; mit einem Text vergleicht man nur phase und Auswahlen.</translation>
+    </message>
+    <message>
+        <source>a number does not fit here.</source>
+        <translation>eine Zahl passt hier nicht.</translation>
+    </message>
+    <message>
+        <source>nothing is asked yet; write a comparison, as in %1.y &gt; 380.</source>
+        <translation>noch ist nichts gefragt; schreibe einen Vergleich, wie in %1.y &gt; 380.</translation>
+    </message>
+    <message>
+        <source>no parenthesis is open here; take this one away.</source>
+        <translation>hier ist keine Klammer offen; nimm diese weg.</translation>
+    </message>
+    <message>
+        <source>%1 does not follow from what is before it; put and, or, or a sign such as + or &lt; between.</source>
+        <translation>%1 schließt nicht an das an, was davor steht; setze and, or oder ein Zeichen wie + oder &lt; dazwischen.</translation>
+    </message>
+    <message>
+        <source>one question compares two things; join two of them with and.</source>
+        <translation>eine Frage vergleicht zwei Dinge; verbinde zwei Fragen mit and.</translation>
+    </message>
+    <message>
+        <source>names are equal or not; write == or !=.</source>
+        <translation>Namen sind gleich oder nicht; schreibe == oder !=.</translation>
+    </message>
+    <message>
+        <source>this parenthesis does not end; close it with ).</source>
+        <translation>diese Klammer endet nicht; schließe sie mit ).</translation>
+    </message>
+    <message>
+        <source>%1 does not fit here; a sign or ) is missing before it.</source>
+        <translation>%1 passt hier nicht; davor fehlt ein Zeichen oder ).</translation>
+    </message>
+    <message>
+        <source>something is missing at the end; add a number or a name.</source>
+        <translation>am Ende fehlt etwas; füge eine Zahl oder einen Namen hinzu.</translation>
+    </message>
+    <message>
+        <source>a number or a name is missing before %1; add it.</source>
+        <translation>vor %1 fehlt eine Zahl oder ein Name; füge das hinzu.</translation>
+    </message>
+    <message>
+        <source>what %1 is taken of goes into parentheses, as in %1(%2.vy).</source>
+        <translation>wovon %1 genommen wird, steht in Klammern, wie in %1(%2.vy).</translation>
+    </message>
+    <message>
+        <source>there is no phase %1; there are %2.</source>
+        <translation>es gibt keine Phase %1; es gibt %2.</translation>
+    </message>
+    <message>
+        <source>%1 is never %2; it can be %3.</source>
+        <translation>%1 ist nie %2; möglich ist %3.</translation>
+    </message>
+    <message>
+        <source>there is no body %1 here; there are %2.</source>
+        <translation>hier gibt es keinen Körper %1; es gibt %2.</translation>
+    </message>
+    <message>
+        <source>%1 has no %2; it has %3.</source>
+        <translation>%1 hat kein %2; es gibt %3.</translation>
+    </message>
+    <message>
+        <source>%1 is a body; ask for one of its numbers, as in %1.y (%2).</source>
+        <translation>%1 ist ein Körper; frag nach einer seiner Zahlen, wie in %1.y (%2).</translation>
+    </message>
+    <message>
+        <source>there is no %1 here; there are %2, and numbers of bodies, as in %3.y.</source>
+        <translation>hier gibt es kein %1; es gibt %2 und Zahlen von Körpern, wie in %3.y.</translation>
+    </message>
+    <message>
+        <source>%1 is no number; write one like 380, 0.5 or 1e-3.</source>
+        <translation>%1 ist keine Zahl; schreibe eine wie 380, 0.5 oder 1e-3.</translation>
+    </message>
+    <message>
+        <source>This text does not end; close it with %1.</source>
+        <translation>Dieser Text endet nicht; schließe ihn mit %1.</translation>
+    </message>
+    <message>
+        <source>One “=” sets a value; write == to ask whether two are equal.</source>
+        <translation>Ein „=“ setzt einen Wert; schreibe ==, um zu fragen, ob zwei gleich sind.</translation>
+    </message>
+    <message>
+        <source>A comma has no meaning here; write 0.5 with a point, and join questions with “and”.</source>
+        <translation>Ein Komma hat hier keine Bedeutung; schreibe 0.5 mit Punkt, und verbinde Fragen mit „and“.</translation>
+    </message>
+    <message>
+        <source>%1 has no meaning here; there are numbers, names, + - * / ( ), comparisons, and, or, not.</source>
+        <translation>%1 hat hier keine Bedeutung; es gibt Zahlen, Namen, + - * / ( ), Vergleiche, and, or, not.</translation>
     </message>
 </context>
 <context>
@@ -609,6 +1132,57 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     <message>
         <source>Each line is measured by itself; effects and method come to %1 of the whole frame.</source>
         <translation>Jede Zeile wird für sich gemessen; Effekte und Verfahren ergeben zusammen %1 des ganzen Bildes.</translation>
+    </message>
+</context>
+<context>
+    <name>DifferenceWords</name>
+    <message>
+        <source>The other run is being computed again…</source>
+        <translation>Der andere Lauf wird neu berechnet …</translation>
+    </message>
+    <message>
+        <source>There is no other run beside this one.</source>
+        <translation>Neben diesem gibt es keinen anderen Lauf.</translation>
+    </message>
+    <message>
+        <source>More than %1 points: too many to compare at every frame.</source>
+        <translation>Mehr als %1 Punkte: zu viele, um sie bei jedem Bild zu vergleichen.</translation>
+    </message>
+    <message>
+        <source>The other run does not have the body that is chosen.</source>
+        <translation>Den gewählten Körper gibt es im anderen Lauf nicht.</translation>
+    </message>
+    <message>
+        <source>The two runs have no body in common.</source>
+        <translation>Die zwei Läufe haben keinen Körper gemeinsam.</translation>
+    </message>
+    <message>
+        <source>No difference up to frame %1. Play on to see what comes of it.</source>
+        <translation>Kein Unterschied bis Bild %1. Spiel weiter, um zu sehen, was daraus wird.</translation>
+    </message>
+    <message>
+        <source>Largest: %1&#x2009;px apart, %2, at frame %3.</source>
+        <translation>Am größten: %1&#x2009;px auseinander, %2, bei Bild %3.</translation>
+    </message>
+    <message>
+        <source>Looked at every %1 frames.</source>
+        <translation>Verglichen alle %1 Bilder.</translation>
+    </message>
+    <message>
+        <source>parts at frame %1</source>
+        <translation>trennt sich bei Bild %1</translation>
+    </message>
+    <message>
+        <source>parts at the start</source>
+        <translation>trennt sich am Anfang</translation>
+    </message>
+    <message>
+        <source>%1, %2, kept</source>
+        <translation>%1, %2, behalten</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
     </message>
 </context>
 <context>
@@ -723,6 +1297,10 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     <message>
         <source>%1%2ns a frame, ±%3</source>
         <translation>%1%2ns pro Bild, ±%3</translation>
+    </message>
+    <message>
+        <source>Not in this scene, so it costs nothing.</source>
+        <translation>Nicht in dieser Szene, also kostet es nichts.</translation>
     </message>
 </context>
 <context>
@@ -958,6 +1536,10 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <source>Not saved: the step %1 is not installed any more.</source>
         <translation>Nicht gespeichert: Der Schritt %1 ist nicht mehr installiert.</translation>
     </message>
+    <message>
+        <source>the step %1 has its sticks in &quot;scene&quot;; move &quot;links&quot; there and call it &quot;sticks&quot;.</source>
+        <translation>der Schritt %1 hat seine Stäbe in &quot;scene&quot;; verschiebe &quot;links&quot; dorthin und nenne es &quot;sticks&quot;.</translation>
+    </message>
 </context>
 <context>
     <name>ExperimentInput</name>
@@ -972,6 +1554,37 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     <message>
         <source>true or false</source>
         <translation>true oder false</translation>
+    </message>
+</context>
+<context>
+    <name>ExperimentLine</name>
+    <message>
+        <source>The text begins as an experiment does, but it is not whole. Copy all of it, from “springstep:” to its end.</source>
+        <translation>Der Text beginnt wie ein Experiment, ist aber nicht vollständig. Kopiere ihn ganz, von „springstep:“ bis zum Ende.</translation>
+    </message>
+    <message>
+        <source>The text holds more than %1 MiB, which is the most for an experiment.</source>
+        <translation>Der Text enthält mehr als %1 MiB, und mehr darf ein Experiment nicht haben.</translation>
+    </message>
+    <message>
+        <source>This run has so much input that it does not fit a message. Save it as a file (Ctrl+S), and send that.</source>
+        <translation>Dieser Lauf hat so viele Eingaben, dass er nicht in eine Nachricht passt. Speichere ihn als Datei (Strg+S) und verschicke diese.</translation>
+    </message>
+    <message>
+        <source>There is no text to paste. Copy an experiment first: it begins with “springstep:” or {.</source>
+        <translation>Es gibt keinen Text zum Einfügen. Kopiere zuerst ein Experiment: Es beginnt mit „springstep:“ oder {.</translation>
+    </message>
+    <message>
+        <source>The text that was copied is no experiment: one begins with “springstep:” or {.</source>
+        <translation>Der kopierte Text ist kein Experiment: Eines beginnt mit „springstep:“ oder {.</translation>
+    </message>
+    <message>
+        <source>The text is too long for an experiment in one line. Open it as a file.</source>
+        <translation>Der Text ist zu lang für ein Experiment in einer Zeile. Öffne ihn als Datei.</translation>
+    </message>
+    <message>
+        <source>Pasted text</source>
+        <translation>Eingefügter Text</translation>
     </message>
 </context>
 <context>
@@ -1015,6 +1628,43 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     <message>
         <source>a link has %1 at both ends; give it two points.</source>
         <translation>ein Stab hat %1 an beiden Enden; gib ihm zwei Punkte.</translation>
+    </message>
+</context>
+<context>
+    <name>Film</name>
+    <message>
+        <source>The last frame, %1, comes before the first, %2. Swap them.</source>
+        <translation>Das letzte Bild, %1, kommt vor dem ersten, %2. Vertausche sie.</translation>
+    </message>
+    <message>
+        <source>A GIF shows at most %1 pictures a second, and this would be %2. Choose fewer, or PNG files.</source>
+        <translation>Ein GIF zeigt höchstens %1 Bilder pro Sekunde, und hier wären es %2. Wähle weniger oder PNG-Dateien.</translation>
+    </message>
+    <message>
+        <source>The run does not reach frame %1: it stops at frame %2. Begin the film earlier.</source>
+        <translation>Der Lauf kommt nicht bis Bild %1: Er hält bei Bild %2 an. Beginne den Film früher.</translation>
+    </message>
+</context>
+<context>
+    <name>FilmFile</name>
+    <message>
+        <source>%1 cannot be written: %2. Make room, or choose another folder.</source>
+        <translation>%1 lässt sich nicht schreiben: %2. Schaffe Platz oder wähle einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>%1 is no film&apos;s name: it ends in .gif, or, for a picture of each frame, in .png with %04d where the frame&apos;s number goes, such as walk_%04d.png.</source>
+        <translation>%1 ist kein Name für einen Film: Der endet auf .gif oder, für eine Datei pro Bild, auf .png, mit %04d dort, wo die Nummer des Bildes hinkommt, zum Beispiel walk_%04d.png.</translation>
+    </message>
+</context>
+<context>
+    <name>FilmVerb</name>
+    <message>
+        <source>Frame %1 of %2, %3 %</source>
+        <translation>Bild %1 von %2, %3 %</translation>
+    </message>
+    <message>
+        <source>Stopped at frame %1 of %2.</source>
+        <translation>Angehalten bei Bild %1 von %2.</translation>
     </message>
 </context>
 <context>
@@ -1062,6 +1712,13 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     <message>
         <source>Inside frame %1: %2</source>
         <translation>Innerhalb von Bild %1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>GifFile</name>
+    <message>
+        <source>%1 cannot be written: %2. Make room, or choose another folder.</source>
+        <translation>%1 lässt sich nicht schreiben: %2. Schaffe Platz oder wähle einen anderen Ordner.</translation>
     </message>
 </context>
 <context>
@@ -1449,6 +2106,13 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     </message>
 </context>
 <context>
+    <name>PictureFile</name>
+    <message>
+        <source>%1 cannot be written: %2. Choose another folder or name.</source>
+        <translation>%1 lässt sich nicht schreiben: %2. Wähle einen anderen Ordner oder Namen.</translation>
+    </message>
+</context>
+<context>
     <name>Position</name>
     <message>
         <source>step %1 of %2</source>
@@ -1478,12 +2142,183 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
 <context>
     <name>PullCard</name>
     <message>
-        <source>sum so far</source>
-        <translation>Summe bisher</translation>
+        <source>px/frame²</source>
+        <translation>px/Bild²</translation>
+    </message>
+</context>
+<context>
+    <name>Quantity</name>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>velocity x</source>
+        <translation>Geschwindigkeit x</translation>
+    </message>
+    <message>
+        <source>velocity y</source>
+        <translation>Geschwindigkeit y</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>acceleration x</source>
+        <translation>Beschleunigung x</translation>
+    </message>
+    <message>
+        <source>acceleration y</source>
+        <translation>Beschleunigung y</translation>
+    </message>
+    <message>
+        <source>size of acceleration</source>
+        <translation>Betrag der Beschleunigung</translation>
+    </message>
+    <message>
+        <source>angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>turning speed</source>
+        <translation>Drehtempo</translation>
+    </message>
+    <message>
+        <source>kinetic energy</source>
+        <translation>kinetische Energie</translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>kinetic energy of all</source>
+        <translation>kinetische Energie von allem</translation>
+    </message>
+    <message>
+        <source>potential energy of all</source>
+        <translation>potenzielle Energie von allem</translation>
+    </message>
+    <message>
+        <source>total energy</source>
+        <translation>Gesamtenergie</translation>
+    </message>
+    <message>
+        <source>Frames since the start of the run</source>
+        <translation>Bilder seit dem Anfang des Laufs</translation>
+    </message>
+    <message>
+        <source>How far to the right it is</source>
+        <translation>Wie weit rechts er ist</translation>
+    </message>
+    <message>
+        <source>How far down it is: y grows downwards, in the picture and in plots</source>
+        <translation>Wie weit unten er ist: y wächst nach unten, in der Szene und in Kurven</translation>
+    </message>
+    <message>
+        <source>How far it comes to the right in a frame</source>
+        <translation>Wie weit er in einem Bild nach rechts kommt</translation>
+    </message>
+    <message>
+        <source>How far it comes down in a frame</source>
+        <translation>Wie weit er in einem Bild nach unten kommt</translation>
+    </message>
+    <message>
+        <source>How far it comes in a frame, whichever way</source>
+        <translation>Wie weit er in einem Bild kommt, egal wohin</translation>
+    </message>
+    <message>
+        <source>By how much its velocity to the right changed in the last frame</source>
+        <translation>Um wie viel sich seine Geschwindigkeit nach rechts im letzten Bild änderte</translation>
+    </message>
+    <message>
+        <source>By how much its velocity downwards changed in the last frame</source>
+        <translation>Um wie viel sich seine Geschwindigkeit nach unten im letzten Bild änderte</translation>
+    </message>
+    <message>
+        <source>By how much its velocity changed in the last frame, whichever way</source>
+        <translation>Um wie viel sich seine Geschwindigkeit im letzten Bild änderte, egal wohin</translation>
+    </message>
+    <message>
+        <source>Where it points: 0° is to the right, and 90° is down</source>
+        <translation>Wohin er zeigt: 0° ist nach rechts, und 90° ist nach unten</translation>
+    </message>
+    <message>
+        <source>By how much its angle changes in a frame</source>
+        <translation>Um wie viel sich sein Winkel in einem Bild ändert</translation>
+    </message>
+    <message>
+        <source>Half its mass times the square of its speed</source>
+        <translation>Seine halbe Masse mal das Quadrat seines Tempos</translation>
+    </message>
+    <message>
+        <source>How far two bodies are from each other, centre to centre</source>
+        <translation>Wie weit zwei Körper voneinander entfernt sind, von Mitte zu Mitte</translation>
+    </message>
+    <message>
+        <source>The energy of motion of everything together</source>
+        <translation>Die Bewegungsenergie von allem zusammen</translation>
+    </message>
+    <message>
+        <source>What springs hold, and what lies high</source>
+        <translation>Was Federn halten und was in der Höhe liegt</translation>
+    </message>
+    <message>
+        <source>Kinetic and potential energy of everything together</source>
+        <translation>Kinetische und potenzielle Energie von allem zusammen</translation>
+    </message>
+    <message>
+        <source>frames</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source>px/frame</source>
+        <translation>px/Bild</translation>
     </message>
     <message>
         <source>px/frame²</source>
         <translation>px/Bild²</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>Grad</translation>
+    </message>
+    <message>
+        <source>degrees/frame</source>
+        <translation>Grad/Bild</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>%1 %2 – %3</source>
+        <translation>%1 %2 – %3</translation>
+    </message>
+    <message>
+        <source>Nothing here is called %1. The curve comes back with the next step that has one; or choose another body above.</source>
+        <translation>Hier heißt nichts %1. Die Kurve kommt mit dem nächsten Schritt zurück, der so etwas hat; oder wähle oben einen anderen Körper.</translation>
+    </message>
+    <message>
+        <source>Something else puts %1 where it goes, so it keeps no velocity. Its position can be plotted: choose that above.</source>
+        <translation>Etwas anderes setzt %1 dorthin, wo es hingehört, darum gibt es keine eigene Geschwindigkeit. Die Position hat eine Kurve: Wähle sie oben.</translation>
+    </message>
+    <message>
+        <source>What this scene moves are points: they have no angle. Branches of a tree have one.</source>
+        <translation>Was diese Szene bewegt, sind Punkte: Sie haben keinen Winkel. Zweige eines Baums haben einen.</translation>
     </message>
 </context>
 <context>
@@ -1491,6 +2326,32 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     <message>
         <source>%1 off the reference here</source>
         <translation>%1 neben der Referenz hier</translation>
+    </message>
+</context>
+<context>
+    <name>RestWords</name>
+    <message>
+        <source>Everything rests: a frame costs nothing until something is touched.</source>
+        <translation>Alles ruht: Ein Bild kostet nichts, bis etwas berührt wird.</translation>
+    </message>
+    <message>
+        <source>Nothing rests now: “%1” changes with the time.</source>
+        <translation>Jetzt ruht nichts: „%1“ ändert sich mit der Zeit.</translation>
+    </message>
+    <message>
+        <source>With a method that chooses its own steps, what rests costs as much as what moves.</source>
+        <translation>Bei einem Verfahren, das seine Zeitschritte selbst wählt, kostet das Ruhende so viel wie das Bewegte.</translation>
+    </message>
+    <message>
+        <source>What comes to rest costs nothing until it is touched.</source>
+        <translation>Was zur Ruhe kommt, kostet nichts, bis es berührt wird.</translation>
+    </message>
+</context>
+<context>
+    <name>Ruler</name>
+    <message>
+        <source>%1&#x2009;px, %2°</source>
+        <translation>%1&#x2009;px, %2°</translation>
     </message>
 </context>
 <context>
@@ -1522,6 +2383,10 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     <message>
         <source>sum so far</source>
         <translation>Summe bisher</translation>
+    </message>
+    <message>
+        <source>sum of all pulls</source>
+        <translation>Summe aller Züge</translation>
     </message>
 </context>
 <context>
@@ -1629,6 +2494,10 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     <message>
         <source>It began in “%1”.</source>
         <translation>Begonnen hat es in „%1“.</translation>
+    </message>
+    <message>
+        <source>Spring %1 ends at p%2, and there is no such point: there are %3, and the first is p0.</source>
+        <translation>Feder %1 endet bei p%2, und diesen Punkt gibt es nicht: Es sind %3, und der erste ist p0.</translation>
     </message>
 </context>
 <context>
@@ -1867,6 +2736,49 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     </message>
 </context>
 <context>
+    <name>Workshop</name>
+    <message>
+        <source>This is your own copy of the scene: change what you like.</source>
+        <translation>Das ist deine eigene Kopie der Szene: Ändere, was du magst.</translation>
+    </message>
+    <message>
+        <source>This is your own copy of the scene. What could not be taken along: %1.</source>
+        <translation>Das ist deine eigene Kopie der Szene. Was nicht mitkommen konnte: %1.</translation>
+    </message>
+    <message>
+        <source>This scene has %1 points; one that you build can have %2.</source>
+        <translation>Diese Szene hat %1 Punkte; eine, die du baust, kann %2 haben.</translation>
+    </message>
+    <message>
+        <source>This scene cannot be built from points: its branches turn in their joints. Take another one, or open the sandbox and look at its examples.</source>
+        <translation>Diese Szene lässt sich nicht aus Punkten bauen: Ihre Zweige drehen sich in ihren Gelenken. Nimm eine andere, oder öffne den Sandkasten und sieh dir seine Beispiele an.</translation>
+    </message>
+    <message>
+        <source>Scene taken over</source>
+        <translation>Szene übernommen</translation>
+    </message>
+    <message>
+        <source>Example %1</source>
+        <translation>Beispiel %1</translation>
+    </message>
+    <message>
+        <source>Building happens at the start of the run: press Home to go there.</source>
+        <translation>Gebaut wird am Anfang des Laufs: Drücke Pos1, um dorthin zu gehen.</translation>
+    </message>
+    <message>
+        <source>%1 added</source>
+        <translation>%1 hinzugefügt</translation>
+    </message>
+    <message>
+        <source>%1 removed</source>
+        <translation>%1 entfernt</translation>
+    </message>
+    <message>
+        <source>New scene</source>
+        <translation>Neue Szene</translation>
+    </message>
+</context>
+<context>
     <name>app::AccuracyPanel</name>
     <message>
         <source>Accuracy</source>
@@ -1962,6 +2874,151 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     </message>
 </context>
 <context>
+    <name>app::BranchesPanel</name>
+    <message>
+        <source>Two runs</source>
+        <translation>Zwei Läufe</translation>
+    </message>
+    <message>
+        <source>Farthest off</source>
+        <translation>Am weitesten weg</translation>
+    </message>
+    <message>
+        <source>At each frame the body that is farthest from where it is in the other run</source>
+        <translation>Bei jedem Bild der Körper, der am weitesten von seinem Ort im anderen Lauf entfernt ist</translation>
+    </message>
+    <message>
+        <source>Only the body that is chosen in the picture</source>
+        <translation>Nur der Körper, der in der Szene gewählt ist</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Läufe</translation>
+    </message>
+    <message>
+        <source>Choose the run to compare with, keep, name and delete runs</source>
+        <translation>Den Lauf zum Vergleichen wählen; Läufe behalten, benennen und löschen</translation>
+    </message>
+    <message>
+        <source>Go there</source>
+        <translation>Hingehen</translation>
+    </message>
+    <message>
+        <source>Go to the frame with the largest difference</source>
+        <translation>Zum Bild mit dem größten Unterschied gehen</translation>
+    </message>
+    <message>
+        <source>this one and “%1”</source>
+        <translation>dieser und „%1“</translation>
+    </message>
+</context>
+<context>
+    <name>app::BuildPanel</name>
+    <message>
+        <source>Build</source>
+        <translation>Bauen</translation>
+    </message>
+    <message>
+        <source>Go to the start</source>
+        <translation>Zum Anfang</translation>
+    </message>
+    <message>
+        <source>Go to frame 0, where the scene can be changed (Home)</source>
+        <translation>Zu Bild 0 gehen, wo sich die Szene ändern lässt (Pos1)</translation>
+    </message>
+    <message>
+        <source>Acts on everything</source>
+        <translation>Wirkt auf alles</translation>
+    </message>
+    <message>
+        <source>Examples</source>
+        <translation>Beispiele</translation>
+    </message>
+    <message>
+        <source>Ten scenes to start from; undo brings yours back</source>
+        <translation>Zehn Szenen als Anfang; Rückgängig bringt deine zurück</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Neu</translation>
+    </message>
+    <message>
+        <source>A scene with one point; undo brings yours back</source>
+        <translation>Eine Szene mit einem Punkt; Rückgängig bringt deine zurück</translation>
+    </message>
+    <message>
+        <source>Lessons</source>
+        <translation>Lektionen</translation>
+    </message>
+    <message>
+        <source>Back to the lessons; what you built stays here (F5)</source>
+        <translation>Zurück zu den Lektionen; was du gebaut hast, bleibt hier (F5)</translation>
+    </message>
+    <message>
+        <source>points %1, links %2</source>
+        <translation>Punkte %1, Verbindungen %2</translation>
+    </message>
+    <message>
+        <source>The scene plays. Building happens at the start of the run.</source>
+        <translation>Die Szene läuft. Gebaut wird am Anfang des Laufs.</translation>
+    </message>
+    <message>
+        <source>You are at frame %1. Building happens at the start of the run.</source>
+        <translation>Du bist bei Bild %1. Gebaut wird am Anfang des Laufs.</translation>
+    </message>
+    <message>
+        <source>Click where a point shall be.</source>
+        <translation>Klicke dorthin, wo ein Punkt sein soll.</translation>
+    </message>
+    <message>
+        <source>Click a point to nail it down or to free it, or where a nail shall be.</source>
+        <translation>Klicke auf einen Punkt, um ihn festzunageln oder zu lösen, oder dorthin, wo ein Nagel sein soll.</translation>
+    </message>
+    <message>
+        <source>Click two points: a spring goes from one to the other.</source>
+        <translation>Klicke auf zwei Punkte: Eine Feder geht vom einen zum anderen.</translation>
+    </message>
+    <message>
+        <source>Click two points: a stick goes from one to the other.</source>
+        <translation>Klicke auf zwei Punkte: Ein Stab geht vom einen zum anderen.</translation>
+    </message>
+    <message>
+        <source>Click a body, then each of its feet.</source>
+        <translation>Klicke auf einen Körper, dann auf jeden seiner Füße.</translation>
+    </message>
+    <message>
+        <source>Click a part to choose it, drag it to move it, or draw a box round several.</source>
+        <translation>Klicke auf ein Teil, um es zu wählen, zieh es, um es zu verschieben, oder zieh einen Rahmen um mehrere.</translation>
+    </message>
+    <message>
+        <source>New gait group</source>
+        <translation>Neue Ganggruppe</translation>
+    </message>
+    <message>
+        <source>Gives this foot a gait group of its own, with a clock of its own</source>
+        <translation>Gibt diesem Fuß eine eigene Ganggruppe mit eigener Uhr</translation>
+    </message>
+</context>
+<context>
+    <name>app::CodeCard</name>
+    <message>
+        <source>%1: %2. %3</source>
+        <translation>%1: %2. %3</translation>
+    </message>
+    <message>
+        <source>Drag it sideways, or double-click it to type.</source>
+        <translation>Zieh die Zahl seitwärts, oder doppelklicke darauf, um zu tippen.</translation>
+    </message>
+    <message>
+        <source>frame %1</source>
+        <translation>Bild %1</translation>
+    </message>
+    <message>
+        <source>x solid, y dashed</source>
+        <translation>x durchgezogen, y gestrichelt</translation>
+    </message>
+</context>
+<context>
     <name>app::CodePanel</name>
     <message>
         <source>Lines that the step before does not have. Click to go through them.</source>
@@ -1995,6 +3052,78 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <source>%1 lines new</source>
         <translation>%1 Zeilen neu</translation>
     </message>
+    <message>
+        <source>%1 Enter takes it, Esc leaves it as it was.</source>
+        <translation>%1 Eingabe übernimmt, Esc lässt es, wie es war.</translation>
+    </message>
+    <message>
+        <source>No number is known of “%1”.</source>
+        <translation>Von „%1“ ist keine Zahl bekannt.</translation>
+    </message>
+    <message>
+        <source>Of %1, in “%2”.</source>
+        <translation>Von %1, in „%2“.</translation>
+    </message>
+    <message>
+        <source>none yet</source>
+        <translation>noch keine</translation>
+    </message>
+    <message>
+        <source>This line sets the scene up, before the first frame. Choose a line of a phase to stop at.</source>
+        <translation>Diese Zeile baut die Szene auf, vor dem ersten Bild. Wähle zum Anhalten die Zeile einer Phase.</translation>
+    </message>
+    <message>
+        <source>This line says in which order phases run. Choose a line of a phase to stop at.</source>
+        <translation>Diese Zeile sagt, in welcher Reihenfolge Phasen laufen. Wähle zum Anhalten die Zeile einer Phase.</translation>
+    </message>
+    <message>
+        <source>%1, line %2</source>
+        <translation>%1, Zeile %2</translation>
+    </message>
+    <message>
+        <source>Stops before %1.</source>
+        <translation>Hält vor %1 an.</translation>
+    </message>
+    <message>
+        <source>No longer stops before %1.</source>
+        <translation>Hält nicht mehr vor %1 an.</translation>
+    </message>
+    <message>
+        <source>This line sets the scene up, before the first frame. Click a line of a phase to run to it.</source>
+        <translation>Diese Zeile baut die Szene auf, vor dem ersten Bild. Klicke auf die Zeile einer Phase, um bis zu ihr zu laufen.</translation>
+    </message>
+    <message>
+        <source>This line says in which order phases run. Click a line of a phase to run to it.</source>
+        <translation>Diese Zeile sagt, in welcher Reihenfolge Phasen laufen. Klicke auf die Zeile einer Phase, um bis zu ihr zu laufen.</translation>
+    </message>
+    <message>
+        <source>Run to here</source>
+        <translation>Bis hierher laufen</translation>
+    </message>
+    <message>
+        <source>Take the stop away</source>
+        <translation>Haltepunkt entfernen</translation>
+    </message>
+    <message>
+        <source>Stop here</source>
+        <translation>Hier anhalten</translation>
+    </message>
+    <message>
+        <source>Stop here when…</source>
+        <translation>Hier anhalten, wenn …</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy “%1”</source>
+        <translation>„%1“ kopieren</translation>
+    </message>
+    <message>
+        <source>Copy all that is shown</source>
+        <translation>Alles Gezeigte kopieren</translation>
+    </message>
 </context>
 <context>
     <name>app::CodeView</name>
@@ -2003,18 +3132,49 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>Code, der läuft</translation>
     </message>
     <message>
-        <source>Up and Down go from heading to heading, Enter folds, Ctrl+C copies.</source>
-        <translation>Pfeil hoch und Pfeil runter gehen von Überschrift zu Überschrift, Eingabe klappt ein und aus, Strg+C kopiert.</translation>
-    </message>
-    <message>
         <source>%1
 Click to fold or unfold (Enter)</source>
         <translation>%1
 Klick klappt ein oder aus (Eingabe)</translation>
     </message>
     <message>
-        <source>New in this step</source>
-        <translation>Neu in diesem Schritt</translation>
+        <source>Up and Down go from line to line. Enter runs to a line, or folds at a heading. F9 sets a stop, F2 changes a parameter, Ctrl+I tells a value, Ctrl+C copies.</source>
+        <translation>Pfeil hoch und Pfeil runter gehen von Zeile zu Zeile. Eingabe läuft bis zu einer Zeile oder klappt bei einer Überschrift ein und aus. F9 setzt einen Haltepunkt, F2 ändert einen Parameter, Strg+I nennt einen Wert, Strg+C kopiert.</translation>
+    </message>
+    <message>
+        <source>The run stops before this line&apos;s phase. Click to take the stop away (F9).</source>
+        <translation>Der Lauf hält vor der Phase dieser Zeile an. Ein Klick entfernt den Haltepunkt (F9).</translation>
+    </message>
+    <message>
+        <source>Click to stop before this line&apos;s phase (F9)</source>
+        <translation>Ein Klick lässt den Lauf vor der Phase dieser Zeile anhalten (F9)</translation>
+    </message>
+    <message>
+        <source>New in this step. %1</source>
+        <translation>Neu in diesem Schritt. %1</translation>
+    </message>
+</context>
+<context>
+    <name>app::DifferencePlot</name>
+    <message>
+        <source>Distance between the two runs over time</source>
+        <translation>Abstand der zwei Läufe über der Zeit</translation>
+    </message>
+    <message>
+        <source>Press or drag to go to a frame</source>
+        <translation>Drücken oder Ziehen führt zu einem Bild</translation>
+    </message>
+    <message>
+        <source>px apart</source>
+        <translation>px auseinander</translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>%1&#x2009;px</source>
+        <translation>%1&#x2009;px</translation>
     </message>
 </context>
 <context>
@@ -2169,6 +3329,164 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <source>down</source>
         <translation>nach unten</translation>
     </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>energy</source>
+        <translation>Energie</translation>
+    </message>
+    <message>
+        <source>momentum</source>
+        <translation>Impuls</translation>
+    </message>
+</context>
+<context>
+    <name>app::ExampleGallery</name>
+    <message>
+        <source>Examples</source>
+        <translation>Beispiele</translation>
+    </message>
+    <message>
+        <source>%1 Undo brings your scene back.</source>
+        <translation>%1 Rückgängig bringt deine Szene zurück.</translation>
+    </message>
+</context>
+<context>
+    <name>app::FilmDialog</name>
+    <message>
+        <source>Film of the run</source>
+        <translation>Film vom Lauf</translation>
+    </message>
+    <message>
+        <source>How much of the film is made</source>
+        <translation>Wie viel vom Film gemacht ist</translation>
+    </message>
+    <message>
+        <source>First frame</source>
+        <translation>Erstes Bild</translation>
+    </message>
+    <message>
+        <source>The first frame of the film</source>
+        <translation>Das erste Bild des Films</translation>
+    </message>
+    <message>
+        <source>Last frame</source>
+        <translation>Letztes Bild</translation>
+    </message>
+    <message>
+        <source>The last frame of the film; the run is computed up to there</source>
+        <translation>Das letzte Bild des Films; der Lauf wird bis dahin berechnet</translation>
+    </message>
+    <message>
+        <source>Frames a second</source>
+        <translation>Bilder pro Sekunde</translation>
+    </message>
+    <message>
+        <source>How fast the film plays: 30 is as fast as the window does</source>
+        <translation>Wie schnell der Film läuft: 30 ist so schnell wie im Fenster</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Width and height of the pictures, in pixels</source>
+        <translation>Breite und Höhe der Bilder, in Pixeln</translation>
+    </message>
+    <message>
+        <source>&amp;First frame</source>
+        <translation>&amp;Erstes Bild</translation>
+    </message>
+    <message>
+        <source>&amp;Last frame</source>
+        <translation>&amp;Letztes Bild</translation>
+    </message>
+    <message>
+        <source>Frames a &amp;second</source>
+        <translation>Bilder pro &amp;Sekunde</translation>
+    </message>
+    <message>
+        <source>Si&amp;ze</source>
+        <translation>&amp;Größe</translation>
+    </message>
+    <message>
+        <source>F&amp;ile</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>A name that ends in .gif makes one file. A name such as walk_%04d.png makes a picture of each frame, with its number in place of %04d.</source>
+        <translation>Ein Name, der auf .gif endet, ergibt eine Datei. Ein Name wie walk_%04d.png ergibt für jedes Bild eine Datei, mit seiner Nummer anstelle von %04d.</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Where the film goes</source>
+        <translation>Wohin der Film kommt</translation>
+    </message>
+    <message>
+        <source>&amp;Choose…</source>
+        <translation>&amp;Wählen …</translation>
+    </message>
+    <message>
+        <source>Choose a folder and a name</source>
+        <translation>Einen Ordner und einen Namen wählen</translation>
+    </message>
+    <message>
+        <source>&amp;Make the film</source>
+        <translation>Film &amp;erstellen</translation>
+    </message>
+    <message>
+        <source>Make the film; the window can be used meanwhile</source>
+        <translation>Den Film erstellen; das Fenster ist derweil benutzbar</translation>
+    </message>
+    <message>
+        <source>Films (*.gif);;Pictures of each frame (*.png)</source>
+        <translation>Filme (*.gif);;Ein Bild je Einzelbild (*.png)</translation>
+    </message>
+    <message>
+        <source>Looking at its colours…</source>
+        <translation>Sieht sich die Farben an …</translation>
+    </message>
+    <message>
+        <source>Frame %1 of %2</source>
+        <translation>Bild %1 von %2</translation>
+    </message>
+    <message>
+        <source>%1 is made, up to where the run stops. %2</source>
+        <translation>%1 ist fertig, bis dahin, wo der Lauf anhält. %2</translation>
+    </message>
+    <message>
+        <source>%1 is made.</source>
+        <translation>%1 ist fertig.</translation>
+    </message>
+    <message>
+        <source>Stopped. No file was written.</source>
+        <translation>Angehalten. Keine Datei wurde geschrieben.</translation>
+    </message>
+    <message>
+        <source>Stopped. The pictures up to frame %1 are there.</source>
+        <translation>Angehalten. Die Bilder bis Bild %1 sind da.</translation>
+    </message>
+    <message>
+        <source>S&amp;top</source>
+        <translation>An&amp;halten</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Give the film up (Esc)</source>
+        <translation>Den Film aufgeben (Esc)</translation>
+    </message>
+    <message>
+        <source>Close this page (Esc)</source>
+        <translation>Diese Seite schließen (Esc)</translation>
+    </message>
 </context>
 <context>
     <name>app::FootfallStrip</name>
@@ -2226,6 +3544,37 @@ Klick klappt ein oder aus (Eingabe)</translation>
     <message>
         <source>A frame is a whole number from 0 to %1.</source>
         <translation>Ein Bild ist eine ganze Zahl von 0 bis %1.</translation>
+    </message>
+</context>
+<context>
+    <name>app::GlossaryPage</name>
+    <message>
+        <source>Glossary</source>
+        <translation>Glossar</translation>
+    </message>
+    <message>
+        <source>The words that the lessons teach. Esc closes this page.</source>
+        <translation>Die Begriffe, die die Lektionen lehren. Esc schließt diese Seite.</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Search the glossary</source>
+        <translation>Das Glossar durchsuchen</translation>
+    </message>
+    <message>
+        <source>Part of a word, or of what it means</source>
+        <translation>Teil eines Begriffs oder dessen, was er bedeutet</translation>
+    </message>
+    <message>
+        <source>Words</source>
+        <translation>Begriffe</translation>
+    </message>
+    <message>
+        <source>No word is found for “%1”. Try a part of it.</source>
+        <translation>Zu „%1“ ist kein Begriff zu finden. Versuch es mit einem Teil davon.</translation>
     </message>
 </context>
 <context>
@@ -2382,6 +3731,18 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>%1 files are not lessons</source>
         <translation>%1 Dateien sind keine Lektionen</translation>
+    </message>
+    <message>
+        <source>What you learnt</source>
+        <translation>Was du gelernt hast</translation>
+    </message>
+    <message>
+        <source>What the steps of this lesson taught, and what is still to try</source>
+        <translation>Was die Schritte dieser Lektion gelehrt haben, und was noch auszuprobieren ist</translation>
+    </message>
+    <message>
+        <source>%1: what you learnt</source>
+        <translation>%1: was du gelernt hast</translation>
     </message>
 </context>
 <context>
@@ -2687,10 +4048,6 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>Code</translation>
     </message>
     <message>
-        <source>%1 – Springstep</source>
-        <translation>%1 – Springstep</translation>
-    </message>
-    <message>
         <source>Experiment not opened: %1 Your scene is unchanged.</source>
         <translation>Experiment nicht geöffnet: %1 Deine Szene ist unverändert.</translation>
     </message>
@@ -2802,6 +4159,641 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <source>Effec&amp;ts</source>
         <translation>E&amp;ffekte</translation>
     </message>
+    <message>
+        <source>&amp;New: the step as published</source>
+        <translation>&amp;Neu: der Schritt wie veröffentlicht</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>&amp;Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>Other runs</source>
+        <translation>Andere Läufe</translation>
+    </message>
+    <message>
+        <source>Click the dots below a ring</source>
+        <translation>Auf die Punkte unter einem Ring klicken</translation>
+    </message>
+    <message>
+        <source>show the run that parts there beside this one; right-click: more</source>
+        <translation>den Lauf, der dort abzweigt, neben diesem zeigen; Rechtsklick: mehr</translation>
+    </message>
+    <message>
+        <source>Drag an end of the ruler</source>
+        <translation>Ein Ende des Lineals ziehen</translation>
+    </message>
+    <message>
+        <source>measure a length and an angle (switch it on under Show)</source>
+        <translation>eine Länge und einen Winkel messen (einzuschalten unter „Zeigen“)</translation>
+    </message>
+    <message>
+        <source>Ctrl, Alt and an arrow key</source>
+        <translation>Strg, Alt und eine Pfeiltaste</translation>
+    </message>
+    <message>
+        <source>move the ruler&apos;s far end 5 px; with Shift the near one</source>
+        <translation>das ferne Ende des Lineals um 5 px bewegen; mit Umschalt das nahe</translation>
+    </message>
+    <message>
+        <source>Drop a file on the window</source>
+        <translation>Eine Datei auf das Fenster ziehen</translation>
+    </message>
+    <message>
+        <source>open it</source>
+        <translation>sie öffnen</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Diagramme</translation>
+    </message>
+    <message>
+        <source>Press or drag</source>
+        <translation>Drücken oder ziehen</translation>
+    </message>
+    <message>
+        <source>go to a frame</source>
+        <translation>zu einem Bild gehen</translation>
+    </message>
+    <message>
+        <source>+ and −, or Ctrl and the wheel</source>
+        <translation>+ und −, oder Strg und das Mausrad</translation>
+    </message>
+    <message>
+        <source>fewer or more frames</source>
+        <translation>weniger oder mehr Bilder</translation>
+    </message>
+    <message>
+        <source>The names above a plot</source>
+        <translation>Die Namen über einem Diagramm</translation>
+    </message>
+    <message>
+        <source>menus of what it shows</source>
+        <translation>Menüs dafür, was es zeigt</translation>
+    </message>
+    <message>
+        <source>Menu key, or right-click</source>
+        <translation>Menütaste oder Rechtsklick</translation>
+    </message>
+    <message>
+        <source>save, copy, keep or remove it</source>
+        <translation>es speichern, kopieren, festhalten oder entfernen</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Entf</translation>
+    </message>
+    <message>
+        <source>remove it</source>
+        <translation>es entfernen</translation>
+    </message>
+    <message>
+        <source>Click a line, or Enter</source>
+        <translation>Auf eine Zeile klicken, oder Eingabe</translation>
+    </message>
+    <message>
+        <source>run to its phase</source>
+        <translation>bis zu ihrer Phase laufen</translation>
+    </message>
+    <message>
+        <source>Click left of a line, or F9</source>
+        <translation>Links neben eine Zeile klicken, oder F9</translation>
+    </message>
+    <message>
+        <source>stop before its phase, or no longer</source>
+        <translation>vor ihrer Phase anhalten, oder nicht mehr</translation>
+    </message>
+    <message>
+        <source>Drag a dotted word</source>
+        <translation>Ein gepunktetes Wort ziehen</translation>
+    </message>
+    <message>
+        <source>change that parameter; with Shift finely</source>
+        <translation>diesen Parameter ändern; mit Umschalt fein</translation>
+    </message>
+    <message>
+        <source>Double-click it, or F2</source>
+        <translation>Doppelklick darauf, oder F2</translation>
+    </message>
+    <message>
+        <source>type the parameter&apos;s value</source>
+        <translation>den Wert des Parameters eintippen</translation>
+    </message>
+    <message>
+        <source>Point at a word, or Ctrl+I</source>
+        <translation>Auf ein Wort zeigen, oder Strg+I</translation>
+    </message>
+    <message>
+        <source>its value, and its last 120 frames</source>
+        <translation>sein Wert und seine letzten 120 Bilder</translation>
+    </message>
+    <message>
+        <source>Up and Down</source>
+        <translation>Auf und Ab</translation>
+    </message>
+    <message>
+        <source>from line to line; with Ctrl from heading to heading</source>
+        <translation>von Zeile zu Zeile; mit Strg von Überschrift zu Überschrift</translation>
+    </message>
+    <message>
+        <source>Ctrl and Left or Right</source>
+        <translation>Strg und Links oder Rechts</translation>
+    </message>
+    <message>
+        <source>from word to word</source>
+        <translation>von Wort zu Wort</translation>
+    </message>
+    <message>
+        <source>Enter, on a heading</source>
+        <translation>Eingabe auf einer Überschrift</translation>
+    </message>
+    <message>
+        <source>fold or unfold</source>
+        <translation>zuklappen oder aufklappen</translation>
+    </message>
+    <message>
+        <source>Ctrl+C</source>
+        <translation>Strg+C</translation>
+    </message>
+    <message>
+        <source>copy what is selected, or the whole region</source>
+        <translation>das Ausgewählte kopieren, oder den ganzen Bereich</translation>
+    </message>
+    <message>
+        <source>Stop when…</source>
+        <translation>Anhalten, wenn …</translation>
+    </message>
+    <message>
+        <source>the field below the code: stop when that comes true</source>
+        <translation>das Feld unter dem Code: anhalten, wenn das wahr wird</translation>
+    </message>
+    <message>
+        <source>Less &amp;motion</source>
+        <translation>&amp;Weniger Bewegung</translation>
+    </message>
+    <message>
+        <source>Panels come and go at once; only the scene moves</source>
+        <translation>Leisten kommen und gehen sofort; nur die Szene bewegt sich</translation>
+    </message>
+    <message>
+        <source>&amp;High contrast</source>
+        <translation>&amp;Hoher Kontrast</translation>
+    </message>
+    <message>
+        <source>Si&amp;ze of text and controls</source>
+        <translation>Größe von &amp;Text und Bedienelementen</translation>
+    </message>
+    <message>
+        <source>%1&#x2009;%</source>
+        <translation>%1&#x2009;%</translation>
+    </message>
+    <message>
+        <source>Text, buttons and the picture, from the next start on</source>
+        <translation>Text, Knöpfe und Szene, ab dem nächsten Start</translation>
+    </message>
+    <message>
+        <source>This screen is too small for the scene with its time at that size</source>
+        <translation>Für die Szene mit ihrer Zeit ist dieser Bildschirm bei dieser Größe zu klein</translation>
+    </message>
+    <message>
+        <source>At its next start, Springstep is drawn at %1&#x2009;%.</source>
+        <translation>Ab dem nächsten Start wird Springstep mit %1&#x2009;% gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Scene &amp;only</source>
+        <translation>&amp;Nur die Szene</translation>
+    </message>
+    <message>
+        <source>Nothing but the scene and its time; again brings the panels back (F11)</source>
+        <translation>Nichts als die Szene und ihre Zeit; noch einmal holt die Leisten zurück (F11)</translation>
+    </message>
+    <message>
+        <source>Two runs</source>
+        <translation>Zwei Läufe</translation>
+    </message>
+    <message>
+        <source>Choose among the other runs…</source>
+        <translation>Unter den anderen Läufen wählen …</translation>
+    </message>
+    <message>
+        <source>Show one beside, go back to it, keep, name or delete it</source>
+        <translation>Einen daneben zeigen, zu ihm zurückgehen, ihn behalten, benennen oder löschen</translation>
+    </message>
+    <message>
+        <source>&amp;Compare two runs</source>
+        <translation>&amp;Zwei Läufe vergleichen</translation>
+    </message>
+    <message>
+        <source>How far this run and the one beside it are apart, frame by frame</source>
+        <translation>Wie weit dieser Lauf und der daneben auseinander sind, Bild für Bild</translation>
+    </message>
+    <message>
+        <source>Build</source>
+        <translation>Bauen</translation>
+    </message>
+    <message>
+        <source>Choose and move parts</source>
+        <translation>Teile wählen und bewegen</translation>
+    </message>
+    <message>
+        <source>Choose</source>
+        <translation>Wählen</translation>
+    </message>
+    <message>
+        <source>Choose parts, and drag them to where they shall be</source>
+        <translation>Teile wählen und dorthin ziehen, wo sie sein sollen</translation>
+    </message>
+    <message>
+        <source>Add points</source>
+        <translation>Punkte hinzufügen</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>Add a body with a mass and a size</source>
+        <translation>Einen Körper mit Masse und Größe hinzufügen</translation>
+    </message>
+    <message>
+        <source>Nail points down</source>
+        <translation>Punkte festnageln</translation>
+    </message>
+    <message>
+        <source>Nail</source>
+        <translation>Nagel</translation>
+    </message>
+    <message>
+        <source>Fix a point where it is, or free it</source>
+        <translation>Einen Punkt festmachen, wo er ist, oder ihn lösen</translation>
+    </message>
+    <message>
+        <source>Add springs</source>
+        <translation>Federn hinzufügen</translation>
+    </message>
+    <message>
+        <source>Spring</source>
+        <translation>Feder</translation>
+    </message>
+    <message>
+        <source>Tie two points: a spring pulls and pushes them to its length</source>
+        <translation>Zwei Punkte verbinden: Eine Feder zieht und schiebt sie auf ihre Länge</translation>
+    </message>
+    <message>
+        <source>Add sticks</source>
+        <translation>Stäbe hinzufügen</translation>
+    </message>
+    <message>
+        <source>Stick</source>
+        <translation>Stab</translation>
+    </message>
+    <message>
+        <source>Tie two points: a stick keeps its length</source>
+        <translation>Zwei Punkte verbinden: Ein Stab behält seine Länge</translation>
+    </message>
+    <message>
+        <source>Add feet</source>
+        <translation>Füße hinzufügen</translation>
+    </message>
+    <message>
+        <source>Foot</source>
+        <translation>Fuß</translation>
+    </message>
+    <message>
+        <source>Give a body a foot, which belongs at an angle from it</source>
+        <translation>Einem Körper einen Fuß geben, der in einem Winkel zu ihm gehört</translation>
+    </message>
+    <message>
+        <source>&amp;Take this scene to the sandbox</source>
+        <translation>Diese Szene in den Sandkasten &amp;mitnehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Delete what is chosen</source>
+        <translation>Auswahl &amp;löschen</translation>
+    </message>
+    <message>
+        <source>D&amp;uplicate what is chosen</source>
+        <translation>Auswahl &amp;verdoppeln</translation>
+    </message>
+    <message>
+        <source>Choose &amp;all</source>
+        <translation>&amp;Alles wählen</translation>
+    </message>
+    <message>
+        <source>Shift and a click</source>
+        <translation>Umschalt und ein Klick</translation>
+    </message>
+    <message>
+        <source>choose one part more, or one less</source>
+        <translation>ein Teil mehr wählen, oder eines weniger</translation>
+    </message>
+    <message>
+        <source>choose what is in the box</source>
+        <translation>wählen, was im Rahmen ist</translation>
+    </message>
+    <message>
+        <source>Drag from point to point</source>
+        <translation>Von Punkt zu Punkt ziehen</translation>
+    </message>
+    <message>
+        <source>tie them, with a spring or a stick in hand</source>
+        <translation>sie verbinden, mit einer Feder oder einem Stab in der Hand</translation>
+    </message>
+    <message>
+        <source>Arrow keys and Enter</source>
+        <translation>Pfeiltasten und Eingabe</translation>
+    </message>
+    <message>
+        <source>move the tool 10 px, with Shift 1 px; use it</source>
+        <translation>das Werkzeug um 10 px bewegen, mit Umschalt um 1 px; es benutzen</translation>
+    </message>
+    <message>
+        <source>move what is chosen 10 px, with Shift 1 px</source>
+        <translation>das Gewählte um 10 px bewegen, mit Umschalt um 1 px</translation>
+    </message>
+    <message>
+        <source>{ and }</source>
+        <translation>{ und }</translation>
+    </message>
+    <message>
+        <source>choose the spring or stick before or after</source>
+        <translation>die Feder oder den Stab davor oder danach wählen</translation>
+    </message>
+    <message>
+        <source>Escape</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>end a row of links, put the tool away, choose nothing</source>
+        <translation>eine Reihe von Verbindungen beenden, das Werkzeug weglegen, nichts wählen</translation>
+    </message>
+    <message>
+        <source>No sandbox is installed</source>
+        <translation>Es ist kein Sandkasten installiert</translation>
+    </message>
+    <message>
+        <source>This scene is in the sandbox</source>
+        <translation>Diese Szene ist im Sandkasten</translation>
+    </message>
+    <message>
+        <source>Take this scene to the sandbox, to build on (Ctrl+B)</source>
+        <translation>Diese Szene in den Sandkasten mitnehmen, um daran weiterzubauen (Strg+B)</translation>
+    </message>
+    <message>
+        <source>Pictures and films</source>
+        <translation>Bilder und Filme</translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>E&amp;xportieren</translation>
+    </message>
+    <message>
+        <source>&amp;Picture of the scene…</source>
+        <translation>&amp;Bild der Szene …</translation>
+    </message>
+    <message>
+        <source>The scene as it is shown, as PNG or SVG</source>
+        <translation>Die Szene, wie sie zu sehen ist, als PNG oder SVG</translation>
+    </message>
+    <message>
+        <source>&amp;Film of the run…</source>
+        <translation>&amp;Film des Laufs …</translation>
+    </message>
+    <message>
+        <source>The run as an animated GIF or a PNG for each frame</source>
+        <translation>Der Lauf als animiertes GIF oder ein PNG für jedes Bild</translation>
+    </message>
+    <message>
+        <source>The picture of the scene is copied.</source>
+        <translation>Das Bild der Szene ist kopiert.</translation>
+    </message>
+    <message>
+        <source>Picture of the scene</source>
+        <translation>Bild der Szene</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.svg)</source>
+        <translation>Bilder (*.png *.svg)</translation>
+    </message>
+    <message>
+        <source>Picture not saved: %1</source>
+        <translation>Bild nicht gespeichert: %1</translation>
+    </message>
+    <message>
+        <source>%1[*] – Springstep</source>
+        <translation>%1[*] – Springstep</translation>
+    </message>
+    <message>
+        <source>What you did in “%1” is not saved.</source>
+        <translation>Was du in „%1“ getan hast, ist nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>%1 has changes that are not saved.</source>
+        <translation>%1 hat Änderungen, die nicht gespeichert sind.</translation>
+    </message>
+    <message>
+        <source>Save it first</source>
+        <translation>Erst speichern</translation>
+    </message>
+    <message>
+        <source>Save it, then go on</source>
+        <translation>Speichern und dann weiter</translation>
+    </message>
+    <message>
+        <source>Go on without</source>
+        <translation>Ohne weiter</translation>
+    </message>
+    <message>
+        <source>Go on; what was not saved is gone</source>
+        <translation>Weiter; was nicht gespeichert war, ist weg</translation>
+    </message>
+    <message>
+        <source>The step as it is published.</source>
+        <translation>Der Schritt, wie er veröffentlicht ist.</translation>
+    </message>
+    <message>
+        <source>&amp;%1  %2</source>
+        <translation>&amp;%1  %2</translation>
+    </message>
+    <message>
+        <source>No file yet</source>
+        <translation>Noch keine Datei</translation>
+    </message>
+    <message>
+        <source>Experiments that you open or save will be listed here</source>
+        <translation>Experimente, die du öffnest oder speicherst, stehen dann hier</translation>
+    </message>
+    <message>
+        <source>%1 is not there any more, and was taken out of the list. If you moved it, open it from where it is now.</source>
+        <translation>%1 ist nicht mehr da und wurde aus der Liste genommen. Wenn du die Datei verschoben hast, öffne sie dort, wo sie jetzt ist.</translation>
+    </message>
+    <message>
+        <source>Experiment not copied: %1</source>
+        <translation>Experiment nicht kopiert: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Copied: %n character(s), in one line.</source>
+        <translation>
+            <numerusform>Kopiert: %n Zeichen, in einer Zeile.</numerusform>
+            <numerusform>Kopiert: %n Zeichen, in einer Zeile.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Springstep</source>
+        <translation>Springstep</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>Close &amp;without saving</source>
+        <translation>&amp;Ohne Speichern schließen</translation>
+    </message>
+    <message>
+        <source>&amp;Stay</source>
+        <translation>&amp;Bleiben</translation>
+    </message>
+    <message>
+        <source>&amp;Copy the experiment as text</source>
+        <translation>Experiment als Text &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Paste an experiment</source>
+        <translation>Experiment &amp;einfügen</translation>
+    </message>
+    <message>
+        <source>Copy the p&amp;icture of the scene</source>
+        <translation>&amp;Bild der Szene kopieren</translation>
+    </message>
+    <message>
+        <source>“%1: %2”</source>
+        <translation>„%1: %2“</translation>
+    </message>
+    <message>
+        <source>Springstep was ended by something else. Your scene of %1 from %2 is here.</source>
+        <translation>Springstep wurde von außen beendet. Deine Szene zu %1 (%2) ist noch da.</translation>
+    </message>
+    <message>
+        <source>Your scene of %1 from %2 was not saved. It is here.</source>
+        <translation>Deine Szene zu %1 (%2) war nicht gespeichert. Sie ist noch da.</translation>
+    </message>
+    <message>
+        <source>Open it</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Go on with it</source>
+        <translation>Damit weitermachen</translation>
+    </message>
+    <message>
+        <source>Forget it</source>
+        <translation>Vergessen</translation>
+    </message>
+    <message>
+        <source>Delete it; it will not be offered again</source>
+        <translation>Sie löschen; sie wird nicht noch einmal angeboten</translation>
+    </message>
+    <message>
+        <source>Show a &amp;hint</source>
+        <translation>T&amp;ipp zeigen</translation>
+    </message>
+    <message>
+        <source>A hint for the next thing to try (H)</source>
+        <translation>Ein Tipp, was als Nächstes auszuprobieren ist (H)</translation>
+    </message>
+    <message>
+        <source>&amp;Glossary</source>
+        <translation>&amp;Glossar</translation>
+    </message>
+    <message>
+        <source>The words that the lessons teach (Shift+F1)</source>
+        <translation>Die Begriffe, die die Lektionen lehren (Umschalt+F1)</translation>
+    </message>
+    <message>
+        <source>Take the &amp;tour</source>
+        <translation>&amp;Rundgang machen</translation>
+    </message>
+    <message>
+        <source>A minute with what there is in this window</source>
+        <translation>Eine Minute mit dem, was es in diesem Fenster gibt</translation>
+    </message>
+    <message>
+        <source>The picture</source>
+        <translation>Die Szene</translation>
+    </message>
+    <message>
+        <source>This is what a lesson is about. Drag anything in it, and let go on the way to throw it.</source>
+        <translation>Darum geht es in einer Lektion. Zieh an etwas darin, und lass unterwegs los, um es zu werfen.</translation>
+    </message>
+    <message>
+        <source>Play and stop</source>
+        <translation>Abspielen und anhalten</translation>
+    </message>
+    <message>
+        <source>**Space** plays, and stops anywhere. **→** goes on by one frame, **←** goes back.</source>
+        <translation>**Leertaste** spielt ab und hält überall an. **→** geht ein Bild weiter, **←** geht eines zurück.</translation>
+    </message>
+    <message>
+        <source>All of the run is kept</source>
+        <translation>Der ganze Lauf bleibt</translation>
+    </message>
+    <message>
+        <source>Drag here to go back in time. Change something there, and the old run stays as a ghost.</source>
+        <translation>Zieh hier, um in der Zeit zurückzugehen. Ändere dort etwas, und der alte Lauf bleibt als Geist.</translation>
+    </message>
+    <message>
+        <source>Inside a frame</source>
+        <translation>In einem Bild</translation>
+    </message>
+    <message>
+        <source>A frame is made of phases: springs pull, damping takes its share, things move. **Shift+→** goes from one to the next.</source>
+        <translation>Ein Bild besteht aus Phasen: Federn ziehen, die Dämpfung nimmt ihren Anteil, die Dinge bewegen sich. **Umschalt+→** geht von einer zur nächsten.</translation>
+    </message>
+    <message>
+        <source>The code that runs</source>
+        <translation>Der Code, der läuft</translation>
+    </message>
+    <message>
+        <source>These very lines compute the picture. Beside them stand the values of this moment.</source>
+        <translation>Genau diese Zeilen berechnen die Szene. Neben ihnen stehen die Werte dieses Augenblicks.</translation>
+    </message>
+    <message>
+        <source>Numbers to change</source>
+        <translation>Zahlen zum Ändern</translation>
+    </message>
+    <message>
+        <source>Move a slider, or type any number. The arrow behind it brings it back.</source>
+        <translation>Bewege einen Schieber, oder tippe irgendeine Zahl. Der Pfeil dahinter bringt sie zurück.</translation>
+    </message>
+    <message>
+        <source>Try this</source>
+        <translation>Probier es aus</translation>
+    </message>
+    <message>
+        <source>Springstep ticks what it sees you do. A lamp has a hint, and words with dots under them are explained when you click them.</source>
+        <translation>Springstep hakt ab, was es dich tun sieht. Eine Lampe hat einen Tipp, und Wörter mit Punkten darunter werden erklärt, wenn du sie anklickst.</translation>
+    </message>
+    <message>
+        <source>&amp;Build</source>
+        <translation>&amp;Bauen</translation>
+    </message>
+    <message>
+        <source>A scene of your own: points, springs, sticks, feet</source>
+        <translation>Eine eigene Szene: Punkte, Federn, Stäbe, Füße</translation>
+    </message>
+    <message>
+        <source>&amp;Plots</source>
+        <translation>D&amp;iagramme</translation>
+    </message>
+    <message>
+        <source>Curves of any quantity of any body (Ctrl+5)</source>
+        <translation>Kurven jeder Größe jedes Körpers (Strg+5)</translation>
+    </message>
+    <message>
+        <source>Stability</source>
+        <translation>Stabilität</translation>
+    </message>
 </context>
 <context>
     <name>app::MeasurePanel</name>
@@ -2812,6 +4804,21 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>at the cursor</source>
         <translation>am Zeitzeiger</translation>
+    </message>
+</context>
+<context>
+    <name>app::NameField</name>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Name of the run</source>
+        <translation>Name des Laufs</translation>
+    </message>
+    <message>
+        <source>Return takes this name, Escape leaves the one before</source>
+        <translation>Eingabe übernimmt diesen Namen, Esc lässt den vorigen</translation>
     </message>
 </context>
 <context>
@@ -2837,16 +4844,16 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>Weiter: %1</translation>
     </message>
     <message>
-        <source>The last step</source>
-        <translation>Der letzte Schritt</translation>
-    </message>
-    <message>
         <source>Next: %1 (Page Down)</source>
         <translation>Weiter: %1 (Bild ab)</translation>
     </message>
     <message>
-        <source>No step comes after this one.</source>
-        <translation>Danach kommt kein Schritt mehr.</translation>
+        <source>What you learnt</source>
+        <translation>Was du gelernt hast</translation>
+    </message>
+    <message>
+        <source>What you learnt in this lesson, and what comes next</source>
+        <translation>Was du in dieser Lektion gelernt hast, und was danach kommt</translation>
     </message>
 </context>
 <context>
@@ -2862,6 +4869,21 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>Close this notice</source>
         <translation>Diesen Hinweis schließen</translation>
+    </message>
+</context>
+<context>
+    <name>app::NumberTable</name>
+    <message>
+        <source>frame</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>The numbers were not saved as %1: %2. Choose another folder, or make room.</source>
+        <translation>Die Zahlen wurden nicht als %1 gespeichert: %2. Wähle einen anderen Ordner, oder schaffe Platz.</translation>
     </message>
 </context>
 <context>
@@ -2966,6 +4988,194 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     </message>
 </context>
 <context>
+    <name>app::PlotCard</name>
+    <message>
+        <source>What is plotted</source>
+        <translation>Was aufgetragen wird</translation>
+    </message>
+    <message>
+        <source>Against what: time, or another quantity</source>
+        <translation>Worüber: über der Zeit oder einer anderen Größe</translation>
+    </message>
+    <message>
+        <source>Save, copy, keep or remove this plot</source>
+        <translation>Dieses Diagramm speichern, kopieren, festhalten oder entfernen</translation>
+    </message>
+    <message>
+        <source>What can be done with this plot</source>
+        <translation>Was sich mit diesem Diagramm tun lässt</translation>
+    </message>
+    <message>
+        <source>against</source>
+        <translation>über</translation>
+    </message>
+    <message>
+        <source>&amp;Keep to %1</source>
+        <translation>Bei %1 &amp;bleiben</translation>
+    </message>
+    <message>
+        <source>Off: it follows the body that is selected in the picture</source>
+        <translation>Aus: Es folgt dem Körper, der in der Szene gewählt ist</translation>
+    </message>
+    <message>
+        <source>&amp;Fewer frames	+</source>
+        <translation>&amp;Weniger Bilder	+</translation>
+    </message>
+    <message>
+        <source>&amp;More frames	−</source>
+        <translation>&amp;Mehr Bilder	−</translation>
+    </message>
+    <message>
+        <source>&amp;Remove this plot	Del</source>
+        <translation>Diagramm &amp;entfernen	Entf</translation>
+    </message>
+</context>
+<context>
+    <name>app::PlotExport</name>
+    <message>
+        <source>Save the &amp;picture…</source>
+        <translation>Bil&amp;d speichern …</translation>
+    </message>
+    <message>
+        <source>&amp;Copy the picture</source>
+        <translation>Bild &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>As PNG, SVG or PDF</source>
+        <translation>Als PNG, SVG oder PDF</translation>
+    </message>
+    <message>
+        <source>Save the &amp;numbers as CSV…</source>
+        <translation>&amp;Zahlen als CSV speichern …</translation>
+    </message>
+    <message>
+        <source>Every frame of the run, with all digits</source>
+        <translation>Jedes Bild des Laufs, mit allen Stellen</translation>
+    </message>
+    <message>
+        <source>Save or copy this plot</source>
+        <translation>Dieses Diagramm speichern oder kopieren</translation>
+    </message>
+    <message>
+        <source>Saved as %1.</source>
+        <translation>Gespeichert als %1.</translation>
+    </message>
+    <message>
+        <source>The picture was not saved as %1: %2. Choose another folder, or make room.</source>
+        <translation>Das Bild wurde nicht als %1 gespeichert: %2. Wähle einen anderen Ordner, oder schaffe Platz.</translation>
+    </message>
+    <message>
+        <source>The picture is copied: paste it anywhere.</source>
+        <translation>Das Bild ist kopiert: Füge es ein, wo du willst.</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>Das Bild speichern</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.svg *.pdf)</source>
+        <translation>Bilder (*.png *.svg *.pdf)</translation>
+    </message>
+    <message>
+        <source>Save the numbers</source>
+        <translation>Die Zahlen speichern</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
+    </message>
+    <message>
+        <source>There are no numbers to save: this plot shows nothing here.</source>
+        <translation>Es gibt keine Zahlen zu speichern: Dieses Diagramm zeigt hier nichts.</translation>
+    </message>
+    <message>
+        <source>Left off: nothing was saved.</source>
+        <translation>Abgebrochen: Nichts wurde gespeichert.</translation>
+    </message>
+</context>
+<context>
+    <name>app::PlotValue</name>
+    <message>
+        <source>The number at the cursor</source>
+        <translation>Die Zahl am Zeiger</translation>
+    </message>
+</context>
+<context>
+    <name>app::PlotsPanel</name>
+    <message>
+        <source>Plots</source>
+        <translation>Diagramme</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Neu</translation>
+    </message>
+    <message>
+        <source>Another plot</source>
+        <translation>Noch ein Diagramm</translation>
+    </message>
+    <message>
+        <source>Add a plot</source>
+        <translation>Ein Diagramm hinzufügen</translation>
+    </message>
+    <message>
+        <source>Nothing is plotted. &lt;b&gt;Add&lt;/b&gt;, above, has curves to begin with: how far down a body is, how fast it goes, or one quantity against another.</source>
+        <translation>Es gibt noch kein Diagramm. &lt;b&gt;Neu&lt;/b&gt;, oben, hat Kurven für den Anfang: wie tief ein Körper ist, wie schnell er geht, oder eine Größe über einer anderen.</translation>
+    </message>
+    <message>
+        <source>How much of the numbers is written</source>
+        <translation>Wie viel von den Zahlen geschrieben ist</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Leave off; nothing is saved then</source>
+        <translation>Abbrechen; dann wird nichts gespeichert</translation>
+    </message>
+    <message>
+        <source>Saving numbers…</source>
+        <translation>Zahlen werden gespeichert …</translation>
+    </message>
+    <message>
+        <source>There are %1 plots: more would be too small to read. Remove one first.</source>
+        <translation>Es gibt %1 Diagramme: Mehr wären zu klein zum Lesen. Entferne erst eines.</translation>
+    </message>
+    <message>
+        <source>%1 against time</source>
+        <translation>%1 über der Zeit</translation>
+    </message>
+    <message>
+        <source>the path: y against x</source>
+        <translation>die Bahn: y über x</translation>
+    </message>
+    <message>
+        <source>velocity y against y</source>
+        <translation>Geschwindigkeit y über y</translation>
+    </message>
+    <message>
+        <source>turning speed against angle</source>
+        <translation>Drehgeschwindigkeit über Winkel</translation>
+    </message>
+    <message>
+        <source>Anything else: add one, and choose what it shows</source>
+        <translation>Alles andere: eines hinzufügen und wählen, was es zeigt</translation>
+    </message>
+    <message>
+        <source>The names above a plot are menus</source>
+        <translation>Die Namen über einem Diagramm sind Menüs</translation>
+    </message>
+    <message>
+        <source>the whole run</source>
+        <translation>der ganze Lauf</translation>
+    </message>
+    <message>
+        <source>frame %1 to %2</source>
+        <translation>Bild %1 bis %2</translation>
+    </message>
+</context>
+<context>
     <name>app::PresetGallery</name>
     <message>
         <source>Presets</source>
@@ -2974,6 +5184,75 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>%1 Starts this step anew.</source>
         <translation>%1 Beginnt diesen Schritt neu.</translation>
+    </message>
+</context>
+<context>
+    <name>app::PropertyRow</name>
+    <message>
+        <source>%1 From %2 to %3.</source>
+        <translation>%1 Von %2 bis %3.</translation>
+    </message>
+    <message>
+        <source>differ</source>
+        <translation>verschieden</translation>
+    </message>
+</context>
+<context>
+    <name>app::QuantityMenu</name>
+    <message>
+        <source>… and %1 more</source>
+        <translation>… und %1 weitere</translation>
+    </message>
+    <message>
+        <source>Select one in the picture, then keep the plot to it</source>
+        <translation>Wähle einen in der Szene, und lass das Diagramm dann bei ihm bleiben</translation>
+    </message>
+    <message>
+        <source>distance to</source>
+        <translation>Abstand zu</translation>
+    </message>
+    <message>
+        <source>of which body</source>
+        <translation>von welchem Körper</translation>
+    </message>
+    <message>
+        <source>the selected one: %1</source>
+        <translation>vom gewählten: %1</translation>
+    </message>
+</context>
+<context>
+    <name>app::QuantityPlot</name>
+    <message>
+        <source>%1 against %2</source>
+        <translation>%1 über %2</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 bei %2</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 at frame %3</source>
+        <translation>%1: %2 bei Bild %3</translation>
+    </message>
+    <message>
+        <source>Play, or step a frame: then a curve begins here.</source>
+        <translation>Spiel ab, oder geh ein Bild weiter: Dann beginnt hier eine Kurve.</translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>frame %1: %2</source>
+        <translation>Bild %1: %2</translation>
     </message>
 </context>
 <context>
@@ -3015,6 +5294,77 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>Frame %1: %2 off</source>
         <translation>Bild %1: %2 Abweichung</translation>
+    </message>
+</context>
+<context>
+    <name>app::RunsMenu</name>
+    <message>
+        <source>Other r&amp;uns</source>
+        <translation>An&amp;dere Läufe</translation>
+    </message>
+    <message>
+        <source>No other run yet</source>
+        <translation>Noch kein anderer Lauf</translation>
+    </message>
+    <message>
+        <source>Go back in time and change something: the run as it was stays as another run.</source>
+        <translation>Geh in der Zeit zurück und ändere etwas: Der Lauf, wie er war, bleibt als anderer Lauf.</translation>
+    </message>
+    <message>
+        <source>Show none &amp;beside</source>
+        <translation>&amp;Keinen daneben zeigen</translation>
+    </message>
+    <message>
+        <source>Only this run is seen; the others stay in this menu</source>
+        <translation>Nur dieser Lauf ist zu sehen; die anderen bleiben in diesem Menü</translation>
+    </message>
+    <message>
+        <source>&amp;Compare in numbers</source>
+        <translation>In &amp;Zahlen vergleichen</translation>
+    </message>
+    <message>
+        <source>How far the two runs are apart, frame by frame</source>
+        <translation>Wie weit die zwei Läufe auseinander sind, Bild für Bild</translation>
+    </message>
+    <message>
+        <source>&amp;Show beside</source>
+        <translation>&amp;Daneben zeigen</translation>
+    </message>
+    <message>
+        <source>As a ghost in the picture, and as dots in the timeline</source>
+        <translation>Als Geist in der Szene und als Punkte in der Zeitleiste</translation>
+    </message>
+    <message>
+        <source>&amp;Go back to it</source>
+        <translation>&amp;Zu ihm zurückgehen</translation>
+    </message>
+    <message>
+        <source>It is the run again, exactly as it was; this run becomes another run</source>
+        <translation>Er ist wieder der Lauf, genau wie er war; dieser wird ein anderer Lauf</translation>
+    </message>
+    <message>
+        <source>&amp;Keep</source>
+        <translation>&amp;Behalten</translation>
+    </message>
+    <message>
+        <source>It stays until you delete it. Of those that are not kept, the last %1 stay.</source>
+        <translation>Er bleibt, bis du ihn löschst. Von denen, die du nicht behältst, bleiben die letzten %1.</translation>
+    </message>
+    <message>
+        <source>&amp;Rename…</source>
+        <translation>&amp;Umbenennen …</translation>
+    </message>
+    <message>
+        <source>Give this run a name of your own</source>
+        <translation>Diesem Lauf einen eigenen Namen geben</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>It is gone, unless you undo this</source>
+        <translation>Er ist weg, es sei denn, du machst das rückgängig</translation>
     </message>
 </context>
 <context>
@@ -3131,6 +5481,33 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <source>Zoom %1</source>
         <translation>Zoom %1</translation>
     </message>
+    <message>
+        <source>Pulls of all forces</source>
+        <translation>Züge aller Kräfte</translation>
+    </message>
+    <message>
+        <source>Ruler</source>
+        <translation>Lineal</translation>
+    </message>
+    <message>
+        <source>Clock</source>
+        <translation>Uhr</translation>
+    </message>
+</context>
+<context>
+    <name>app::SceneKeeper</name>
+    <message>
+        <source>the folder %1 cannot be made</source>
+        <translation>der Ordner %1 lässt sich nicht anlegen</translation>
+    </message>
+    <message>
+        <source>no file can be locked in %1</source>
+        <translation>in %1 lässt sich keine Datei sperren</translation>
+    </message>
+    <message>
+        <source>What you do is not kept against a crash: %1. Make room there, or save as a file.</source>
+        <translation>Was du tust, ist nicht gegen einen Absturz gesichert: %1. Schaffe dort Platz, oder speichere in eine Datei.</translation>
+    </message>
 </context>
 <context>
     <name>app::SceneView</name>
@@ -3145,6 +5522,10 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>Beside it: %1</source>
         <translation>Daneben: %1</translation>
+    </message>
+    <message>
+        <source>frame %1 = %2&#x2009;s</source>
+        <translation>Bild %1 = %2&#x2009;s</translation>
     </message>
 </context>
 <context>
@@ -3232,6 +5613,50 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>Done again: %1.</source>
         <translation>Wiederholt: %1.</translation>
+    </message>
+    <message>
+        <source>The run as it was stays beside this one, as “%1”.</source>
+        <translation>Der Lauf, wie er war, bleibt neben diesem, als „%1“.</translation>
+    </message>
+    <message>
+        <source>after: %1</source>
+        <translation>nachher: %1</translation>
+    </message>
+    <message>
+        <source>Computing “%1” again: frame %2 of %3. Esc stops.</source>
+        <translation>„%1“ wird noch einmal berechnet: Bild %2 von %3. Esc hält an.</translation>
+    </message>
+    <message>
+        <source>Stopped: “%1” is not shown. It can be shown again from “Runs”.</source>
+        <translation>Angehalten: „%1“ ist nicht zu sehen. Über „Läufe“ lässt er sich wieder zeigen.</translation>
+    </message>
+    <message>
+        <source>the first run</source>
+        <translation>der erste Lauf</translation>
+    </message>
+    <message>
+        <source>Go back to “%1”</source>
+        <translation>Zurück zu „%1“</translation>
+    </message>
+    <message>
+        <source>This is “%1” again. The run that you left is a branch now.</source>
+        <translation>Das ist wieder „%1“. Der Lauf, den du verlassen hast, ist jetzt einer der anderen Läufe.</translation>
+    </message>
+    <message>
+        <source>Keep a run</source>
+        <translation>Einen Lauf behalten</translation>
+    </message>
+    <message>
+        <source>Keep a run no more</source>
+        <translation>Einen Lauf nicht mehr behalten</translation>
+    </message>
+    <message>
+        <source>Name of a run</source>
+        <translation>Name eines Laufs</translation>
+    </message>
+    <message>
+        <source>Delete a run</source>
+        <translation>Einen Lauf löschen</translation>
     </message>
 </context>
 <context>
@@ -3378,6 +5803,67 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     </message>
 </context>
 <context>
+    <name>app::StopList</name>
+    <message>
+        <source>when</source>
+        <translation>wenn</translation>
+    </message>
+    <message>
+        <source>Stop when</source>
+        <translation>Anhalten, wenn</translation>
+    </message>
+    <message>
+        <source>Stops the run as soon as this comes true, also inside a frame.
+There are x, y, vx, vy of bodies, frame, phase, and all parameters;
++ - * / ( ), &lt; &lt;= &gt; &gt;= == !=, and, or, not, abs(), sqrt().
+Enter adds it.</source>
+        <translation>Hält den Lauf an, sobald das wahr wird, auch innerhalb eines Bildes.
+Es gibt x, y, vx, vy von Körpern, frame, phase und alle Parameter;
++ - * / ( ), &lt; &lt;= &gt; &gt;= == !=, and, or, not, abs(), sqrt().
+Eingabe fügt es hinzu.</translation>
+    </message>
+    <message>
+        <source>always, or when…</source>
+        <translation>immer, oder wenn …</translation>
+    </message>
+    <message>
+        <source>Condition of the stop %1</source>
+        <translation>Bedingung des Haltepunkts %1</translation>
+    </message>
+    <message>
+        <source>Stops before this line&apos;s phase where this holds. Enter keeps what you typed.</source>
+        <translation>Hält vor der Phase dieser Zeile an, wo das gilt. Eingabe behält, was du getippt hast.</translation>
+    </message>
+    <message>
+        <source>Stops where this comes true. Enter keeps what you typed.</source>
+        <translation>Hält an, wo das wahr wird. Eingabe behält, was du getippt hast.</translation>
+    </message>
+    <message>
+        <source>Whether to stop before this line (%1)</source>
+        <translation>Ob vor dieser Zeile angehalten wird (%1)</translation>
+    </message>
+    <message>
+        <source>Whether to stop when this comes true</source>
+        <translation>Ob angehalten wird, wenn das wahr wird</translation>
+    </message>
+    <message>
+        <source>Stop %1 %2</source>
+        <translation>Haltepunkt %1 %2</translation>
+    </message>
+    <message>
+        <source>Take this stop away</source>
+        <translation>Diesen Haltepunkt entfernen</translation>
+    </message>
+    <message>
+        <source>Take the stop %1 %2 away</source>
+        <translation>Den Haltepunkt %1 %2 entfernen</translation>
+    </message>
+    <message>
+        <source>Stop when… (%1.y &gt; 300)</source>
+        <translation>Anhalten, wenn … (%1.y &gt; 300)</translation>
+    </message>
+</context>
+<context>
     <name>app::StopNotice</name>
     <message>
         <source>Trying out what would mend it…</source>
@@ -3389,11 +5875,62 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     </message>
 </context>
 <context>
-    <name>app::TimelineStrip</name>
+    <name>app::SummaryPage</name>
     <message>
-        <source>Forget the old run</source>
-        <translation>Den alten Lauf vergessen</translation>
+        <source>Back to the step</source>
+        <translation>Zurück zum Schritt</translation>
     </message>
+    <message>
+        <source>%1: what you learnt</source>
+        <translation>%1: was du gelernt hast</translation>
+    </message>
+    <message>
+        <source>Next: %1</source>
+        <translation>Weiter: %1</translation>
+    </message>
+    <message>
+        <source>The last lesson</source>
+        <translation>Die letzte Lektion</translation>
+    </message>
+    <message>
+        <source>No lesson comes after this one.</source>
+        <translation>Danach kommt keine Lektion mehr.</translation>
+    </message>
+    <message>
+        <source>Bring the ticks back</source>
+        <translation>Häkchen zurückholen</translation>
+    </message>
+    <message>
+        <source>Start this lesson over</source>
+        <translation>Lektion neu beginnen</translation>
+    </message>
+    <message>
+        <source>Ticks everything again that was ticked before</source>
+        <translation>Hakt alles wieder ab, was vorher abgehakt war</translation>
+    </message>
+    <message>
+        <source>Takes its ticks away. They can be brought back.</source>
+        <translation>Nimmt ihre Häkchen weg. Sie lassen sich zurückholen.</translation>
+    </message>
+    <message>
+        <source>Nothing is ticked in this lesson yet.</source>
+        <translation>In dieser Lektion ist noch nichts abgehakt.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 things tried.</source>
+        <translation>%1 von %2 Dingen ausprobiert.</translation>
+    </message>
+    <message>
+        <source>Still to try: %1</source>
+        <translation>Noch auszuprobieren: %1</translation>
+    </message>
+    <message>
+        <source>**Next: %1.** %2</source>
+        <translation>**Weiter: %1.** %2</translation>
+    </message>
+</context>
+<context>
+    <name>app::TimelineStrip</name>
     <message>
         <source>%1: phase %2 of %3. Click to run to it.</source>
         <translation>%1: Phase %2 von %3. Ein Klick läuft bis dorthin.</translation>
@@ -3401,10 +5938,6 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>The old run, %1. Right-click to forget it.</source>
-        <translation>Der alte Lauf, %1. Rechtsklick, um ihn zu vergessen.</translation>
     </message>
     <message>
         <source>frame %1</source>
@@ -3415,8 +5948,59 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>Zeitleiste</translation>
     </message>
     <message>
-        <source>Left and Right: one frame. With Shift: one phase. Home: frame 0. End: the last computed frame.</source>
-        <translation>Links und Rechts: ein Bild. Mit Umschalt: eine Phase. Pos1: Bild 0. Ende: das letzte berechnete Bild.</translation>
+        <source>%1 other runs part from this one at frame %2. Click to choose one.</source>
+        <translation>%1 andere Läufe zweigen bei Bild %2 von diesem ab. Ein Klick, um einen zu wählen.</translation>
+    </message>
+    <message>
+        <source>Another run: %1. Click to show it beside this one, right-click for more.</source>
+        <translation>Ein anderer Lauf: %1. Ein Klick zeigt ihn neben diesem, ein Rechtsklick mehr.</translation>
+    </message>
+    <message>
+        <source>Beside this run: %1. Right-click for what you can do with it.</source>
+        <translation>Neben diesem Lauf: %1. Ein Rechtsklick zeigt, was sich damit tun lässt.</translation>
+    </message>
+    <message>
+        <source>Left and Right: one frame. With Shift: one phase. Home: frame 0. End: the last computed frame. Menu: the other runs.</source>
+        <translation>Links und Rechts: ein Bild. Mit Umschalt: eine Phase. Pos1: Bild 0. Ende: das letzte berechnete Bild. Menü: die anderen Läufe.</translation>
+    </message>
+</context>
+<context>
+    <name>app::Tour</name>
+    <message>
+        <source>Skip</source>
+        <translation>Überspringen</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Ends the tour (Esc). It is in the Help menu.</source>
+        <translation>Beendet den Rundgang (Esc). Er steht im Menü „Hilfe“.</translation>
+    </message>
+    <message>
+        <source>The card before</source>
+        <translation>Die Karte davor</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Ends the tour (Enter)</source>
+        <translation>Beendet den Rundgang (Eingabe)</translation>
+    </message>
+    <message>
+        <source>The next card (Enter)</source>
+        <translation>Die nächste Karte (Eingabe)</translation>
     </message>
 </context>
 <context>
@@ -3513,6 +6097,41 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <source>Space</source>
         <translation>Leertaste</translation>
     </message>
+    <message>
+        <source>Other runs: none yet</source>
+        <translation>Andere Läufe: noch keiner</translation>
+    </message>
+    <message>
+        <source>Other runs: one</source>
+        <translation>Andere Läufe: einer</translation>
+    </message>
+    <message>
+        <source>Other runs: %1</source>
+        <translation>Andere Läufe: %1</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+R</source>
+        <translation>Strg+Umschalt+R</translation>
+    </message>
+    <message>
+        <source>Go back in time and change something: the run as it was stays, and is found here.</source>
+        <translation>Geh in der Zeit zurück und ändere etwas: Der Lauf, wie er war, bleibt und ist hier zu finden.</translation>
+    </message>
+</context>
+<context>
+    <name>app::TryBox</name>
+    <message>
+        <source>Hint: %1</source>
+        <translation>Tipp: %1</translation>
+    </message>
+    <message>
+        <source>Put the hint away</source>
+        <translation>Den Tipp weglegen</translation>
+    </message>
+    <message>
+        <source>Show a hint (H)</source>
+        <translation>Einen Tipp zeigen (H)</translation>
+    </message>
 </context>
 <context>
     <name>app::TryRow</name>
@@ -3527,6 +6146,36 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>%1 not yet</source>
         <translation>%1 noch nicht</translation>
+    </message>
+</context>
+<context>
+    <name>app::WhyButton</name>
+    <message>
+        <source>Fold the answer</source>
+        <translation>Antwort zuklappen</translation>
+    </message>
+    <message>
+        <source>Show the answer</source>
+        <translation>Antwort zeigen</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>aufgeklappt</translation>
+    </message>
+    <message>
+        <source>folded</source>
+        <translation>zugeklappt</translation>
+    </message>
+</context>
+<context>
+    <name>app::WordCard</name>
+    <message>
+        <source>Taught in</source>
+        <translation>Gelehrt in</translation>
+    </message>
+    <message>
+        <source>All words</source>
+        <translation>Alle Begriffe</translation>
     </message>
 </context>
 <context>
@@ -3564,6 +6213,69 @@ für weniger so genau.</translation>
     <message>
         <source>← better</source>
         <translation>← besser</translation>
+    </message>
+</context>
+<context>
+    <name>app::Workbench</name>
+    <message>
+        <source>Building happens at the start of the run: press Home to go there.</source>
+        <translation>Gebaut wird am Anfang des Laufs: Drücke Pos1, um dorthin zu gehen.</translation>
+    </message>
+    <message>
+        <source>There is no room for more of this kind: delete something first.</source>
+        <translation>Für mehr von dieser Art ist kein Platz: Lösche erst etwas.</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>Nail out</source>
+        <translation>Nagel heraus</translation>
+    </message>
+    <message>
+        <source>Nail</source>
+        <translation>Nagel</translation>
+    </message>
+    <message>
+        <source>Spring</source>
+        <translation>Feder</translation>
+    </message>
+    <message>
+        <source>Stick</source>
+        <translation>Stab</translation>
+    </message>
+    <message>
+        <source>Foot</source>
+        <translation>Fuß</translation>
+    </message>
+    <message>
+        <source>This point is a foot already: it can be the foot of one body.</source>
+        <translation>Dieser Punkt ist schon ein Fuß: Er kann der Fuß eines einzigen Körpers sein.</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
+        <source>Places</source>
+        <translation>Orte</translation>
+    </message>
+    <message>
+        <source>A scene needs at least one point that can move: leave one.</source>
+        <translation>Eine Szene braucht mindestens einen Punkt, der sich bewegen kann: Lass einen übrig.</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Verdoppeln</translation>
+    </message>
+    <message>
+        <source>Gait group</source>
+        <translation>Ganggruppe</translation>
     </message>
 </context>
 <context>
@@ -4399,6 +7111,14 @@ für weniger so genau.</translation>
     <message>
         <source>Turns the branches away from the pointer while its button is down.</source>
         <translation>Dreht die Zweige vom Zeiger weg, solange dessen Taste gedrückt ist.</translation>
+    </message>
+    <message>
+        <source>the body %1</source>
+        <translation>der Körper %1</translation>
+    </message>
+    <message>
+        <source>Blows everything sideways, wide bodies more, and swells and ebbs.</source>
+        <translation>Bläst alles zur Seite, breite Körper mehr, und schwillt an und ab.</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,16 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>app::MainWindow</name>
+    <message numerus="yes">
+        <source>Copied: %n character(s), in one line.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>app::RemedySearch</name>
     <message numerus="yes">
         <source>Tried out: it holds for %n frames.</source>

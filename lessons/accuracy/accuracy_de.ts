@@ -283,6 +283,322 @@ Jeder **Effekt** in der Liste hat seinen Preis, und einer, der nicht darin steht
         <source>Set **Bounce** to 0 and wait until all lie still.</source>
         <translation>Setze **Abprall** auf 0 und warte, bis alle still liegen.</translation>
     </message>
+    <message>
+        <source>A computed motion goes straight on within a step, so small steps follow a bend more closely, and cost more.</source>
+        <translation>Eine berechnete Bewegung geht innerhalb eines Zeitschritts geradeaus, darum folgen kleine Zeitschritte einer Biegung genauer, und kosten mehr.</translation>
+    </message>
+    <message>
+        <source>Above the picture, press **Step** and choose **1/8&#x2009;frame**. Press **Space**, and stop after frame 100. How far off it is stands above the parameters.</source>
+        <translation>Drücke über der Szene **Zeitschritt** und wähle **1/8&#x2009;Bild**. Drücke **Leertaste** und halte nach Bild 100 an. Wie weit er daneben ist, steht über den Parametern.</translation>
+    </message>
+    <message>
+        <source>Choose **2&#x2009;frames** as step above the picture, press **Space**, and wait.</source>
+        <translation>Wähle über der Szene **2&#x2009;Bilder** als Zeitschritt, drücke **Leertaste** und warte.</translation>
+    </message>
+    <message>
+        <source>Choose **1&#x2009;frame** as step. Press **Home**, type 0.02 beside **k**, press **Space**, and wait four seconds.</source>
+        <translation>Wähle **1&#x2009;Bild** als Zeitschritt. Drücke **Pos1**, gib neben **k** 0,02 ein, drücke **Leertaste** und warte vier Sekunden.</translation>
+    </message>
+    <message>
+        <source>Above the picture, press **Step**, type 5 into the field **Other**, and press **Enter**. Then press **Space**.</source>
+        <translation>Drücke über der Szene **Zeitschritt**, gib im Feld **Andere** 5 ein und drücke **Eingabe**. Drücke dann **Leertaste**.</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Zeitschritt</translation>
+    </message>
+    <message>
+        <source>small steps|smaller steps|once a step|each step|steps of</source>
+        <translation>Zeitschritt|Zeitschritte|Zeitschritten|Zeitschritts</translation>
+    </message>
+    <message>
+        <source>How far in time a method goes at once, in frames. A step of half a frame means two of them in each frame.</source>
+        <translation>Wie viel Zeit ein Verfahren auf einmal geht, in Bildern. Ein Zeitschritt von einem halben Bild heißt: zwei davon in jedem Bild.</translation>
+    </message>
+    <message>
+        <source>Exact motion</source>
+        <translation>Exakte Bewegung</translation>
+    </message>
+    <message>
+        <source>exact motion</source>
+        <translation>exakte Bewegung|exakten Bewegung</translation>
+    </message>
+    <message>
+        <source>What really would happen, without any steps: the dashed ring shows it.</source>
+        <translation>Was wirklich geschehen würde, ganz ohne Zeitschritte: Der gestrichelte Ring zeigt es.</translation>
+    </message>
+    <message>
+        <source>A method can make energy from nothing; one that moves by the new velocity does not, in the long run.</source>
+        <translation>Ein Verfahren kann Energie aus dem Nichts machen; eines, das mit der neuen Geschwindigkeit bewegt, tut das auf Dauer nicht.</translation>
+    </message>
+    <message>
+        <source>Above the picture, press **Method** and choose **Explicit Euler**. Press **Space** and watch the drift above the parameters.</source>
+        <translation>Drücke über der Szene **Verfahren** und wähle **Explizites Euler**. Drücke **Leertaste** und sieh dir die Drift über den Parametern an.</translation>
+    </message>
+    <message>
+        <source>Choose **Explicit Euler** as method and **1/8&#x2009;frame** as step. Press **Space** and wait.</source>
+        <translation>Wähle **Explizites Euler** als Verfahren und **1/8&#x2009;Bild** als Zeitschritt. Drücke **Leertaste** und warte.</translation>
+    </message>
+    <message>
+        <source>Choose **Velocity Verlet** as method and **1&#x2009;frame** as step. Press **Space**, and stop after frame 200.</source>
+        <translation>Wähle **Velocity-Verlet** als Verfahren und **1&#x2009;Bild** als Zeitschritt. Drücke **Leertaste** und halte nach Bild 200 an.</translation>
+    </message>
+    <message>
+        <source>Energy</source>
+        <translation>Energie</translation>
+    </message>
+    <message>
+        <source>energy</source>
+        <translation>Energie</translation>
+    </message>
+    <message>
+        <source>What a stretched spring holds, and what moves holds: half of the square of its velocity. One turns into the other. Without damping the sum stays.</source>
+        <translation>Was eine gespannte Feder enthält, und was Bewegtes enthält: die Hälfte vom Quadrat seiner Geschwindigkeit. Das eine wird zum anderen. Ohne Dämpfung bleibt die Summe.</translation>
+    </message>
+    <message>
+        <source>drift</source>
+        <translation>Drift</translation>
+    </message>
+    <message>
+        <source>Energy that a method adds or loses by itself. The real motion has none.</source>
+        <translation>Energie, die ein Verfahren von sich aus hinzufügt oder verliert. Die wirkliche Bewegung hat keine Drift.</translation>
+    </message>
+    <message>
+        <source>Explicit Euler</source>
+        <translation>Explizites Euler</translation>
+    </message>
+    <message>
+        <source>The simplest method: everything moves by its old velocity, and is pulled from its old place. It gains energy in every swing.</source>
+        <translation>Das einfachste Verfahren: Alles bewegt sich mit seiner alten Geschwindigkeit und wird von seinem alten Ort aus gezogen. Es gewinnt mit jeder Schwingung Energie.</translation>
+    </message>
+    <message>
+        <source>Velocity Verlet</source>
+        <translation>Velocity-Verlet</translation>
+    </message>
+    <message>
+        <source>A method of order 2: half of the pull, then the move, then half of the new pull. Its steps can be taken back exactly.</source>
+        <translation>Ein Verfahren der Ordnung 2: der halbe Zug, dann die Bewegung, dann die Hälfte des neuen Zugs. Seine Zeitschritte lassen sich genau zurücknehmen.</translation>
+    </message>
+    <message>
+        <source>Why does Explicit Euler gain k h² in each step?</source>
+        <translation>Warum gewinnt das explizite Euler-Verfahren in jedem Zeitschritt k h²?</translation>
+    </message>
+    <message>
+        <source>The energy of one spring is half of
+
+`E = v² + k x²`
+
+Explicit Euler makes, with a step h,
+
+`x → x + h v`
+
+`v → v − h k x`
+
+Put that into E. The parts with x × v cancel, and what is left is
+
+`v² + k x² + h² k (v² + k x²)`
+
+So E becomes E × (1 + k h²), wherever the foot is. At k = 0.02 and h = 1: 2&#x2009;% more in each step.</source>
+        <translation>Die Energie einer Feder ist die Hälfte von
+
+`E = v² + k x²`
+
+Das explizite Euler-Verfahren macht mit einem Zeitschritt h
+
+`x → x + h v`
+
+`v → v − h k x`
+
+Setz das in E ein. Die Teile mit x × v heben sich auf, und übrig bleibt
+
+`v² + k x² + h² k (v² + k x²)`
+
+Aus E wird also E × (1 + k h²), wo der Fuß auch ist. Bei k = 0,02 und h = 1: 2&#x2009;% mehr in jedem Zeitschritt.</translation>
+    </message>
+    <message>
+        <source>The order of a method says what halving the step is worth.</source>
+        <translation>Die Ordnung eines Verfahrens sagt, was das Halbieren des Zeitschritts wert ist.</translation>
+    </message>
+    <message>
+        <source>Choose **1/8&#x2009;frame** as step, type 60 into the frame counter, and read how far off it is. Do the same with **1/16&#x2009;frame**.</source>
+        <translation>Wähle **1/8&#x2009;Bild** als Zeitschritt, gib im Bildzähler 60 ein und lies ab, wie weit er daneben ist. Tu dasselbe mit **1/16&#x2009;Bild**.</translation>
+    </message>
+    <message>
+        <source>Choose **Midpoint** as method, then **1/8** and **1/16&#x2009;frame** as step, and go to frame 60 each time.</source>
+        <translation>Wähle **Mittelpunktsregel** als Verfahren, dann **1/8** und **1/16&#x2009;Bild** als Zeitschritt, und geh jedes Mal zu Bild 60.</translation>
+    </message>
+    <message>
+        <source>Choose **Runge–Kutta 4** as method, then **1/8** and **1/16&#x2009;frame** as step, and go to frame 60 each time.</source>
+        <translation>Wähle **Runge–Kutta 4** als Verfahren, dann **1/8** und **1/16&#x2009;Bild** als Zeitschritt, und geh jedes Mal zu Bild 60.</translation>
+    </message>
+    <message>
+        <source>Runge–Kutta 4 computes four times in a step. In steps of 1/4&#x2009;frame that is 16 in a frame. Go to frame 60.</source>
+        <translation>Runge–Kutta 4 rechnet in einem Zeitschritt viermal. Mit Zeitschritten von 1/4&#x2009;Bild sind das 16 Berechnungen pro Bild. Geh zu Bild 60.</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Ordnung</translation>
+    </message>
+    <message>
+        <source>order 1|order 2|order 4|a higher order|every order</source>
+        <translation>Ordnung 1|Ordnung 2|Ordnung 4|Ordnung 5|höhere Ordnung|jede Ordnung|die Ordnung</translation>
+    </message>
+    <message>
+        <source>What halving the step is worth: half of the error for order 1, a quarter for order 2, a sixteenth for order 4.</source>
+        <translation>Was das Halbieren des Zeitschritts wert ist: der halbe Fehler bei Ordnung 1, ein Viertel bei Ordnung 2, ein Sechzehntel bei Ordnung 4.</translation>
+    </message>
+    <message>
+        <source>Runge–Kutta 4</source>
+        <translation>Runge–Kutta 4</translation>
+    </message>
+    <message>
+        <source>A method of order 4. It asks for the forces four times in each step, and takes a mean of what it hears.</source>
+        <translation>Ein Verfahren der Ordnung 4. Es fragt in jedem Zeitschritt viermal nach den Kräften und nimmt ein Mittel aus dem, was es hört.</translation>
+    </message>
+    <message>
+        <source>Why a half, a quarter, a sixteenth?</source>
+        <translation>Warum die Hälfte, ein Viertel, ein Sechzehntel?</translation>
+    </message>
+    <message>
+        <source>Within a step the real motion bends, and a method bends only a little with it. What it misses in one step of length h grows like
+
+`h × h` for order 1,
+
+`h × h × h` for order 2,
+
+and so on: one more h than its order. But a stretch of time needs 1/h steps, and their errors add up:
+
+`h² × (1/h) = h`
+
+One h is used up. So with order p the error over the whole stretch goes like
+
+`h^p`
+
+and half of h leaves 1/2, 1/4, 1/16 of it for p = 1, 2, 4.</source>
+        <translation>Innerhalb eines Zeitschritts biegt sich die wirkliche Bewegung, und ein Verfahren biegt sich nur ein wenig mit. Was ihm in einem Zeitschritt der Länge h entgeht, wächst wie
+
+`h × h` bei Ordnung 1,
+
+`h × h × h` bei Ordnung 2,
+
+und so weiter: ein h mehr als seine Ordnung. Aber eine Zeitspanne braucht 1/h Zeitschritte, und deren Fehler summieren sich:
+
+`h² × (1/h) = h`
+
+Ein h ist damit verbraucht. Bei Ordnung p geht der Fehler über die ganze Zeitspanne also wie
+
+`h^p`
+
+und das halbe h lässt davon 1/2, 1/4, 1/16 übrig, für p = 1, 2, 4.</translation>
+    </message>
+    <message>
+        <source>A method that compares two answers can choose its own steps: long where little happens, short where much does.</source>
+        <translation>Ein Verfahren, das zwei Antworten vergleicht, kann seine Zeitschritte selbst wählen: lang, wo wenig geschieht, kurz, wo viel geschieht.</translation>
+    </message>
+    <message>
+        <source>Above the picture, press **Tolerance** and choose **0.1&#x2009;px**. Press **Space**, and stop after frame 150.</source>
+        <translation>Drücke über der Szene **Toleranz** und wähle **0,1&#x2009;px**. Drücke **Leertaste** und halte nach Bild 150 an.</translation>
+    </message>
+    <message>
+        <source>Press **Space**. Take the foot and throw it so that it just passes the dot in the middle.</source>
+        <translation>Drücke **Leertaste**. Nimm den Fuß und wirf ihn so, dass er knapp am Punkt in der Mitte vorbeifliegt.</translation>
+    </message>
+    <message>
+        <source>Choose **Runge–Kutta 4** as method and **1/4&#x2009;frame** as step, type 150 into the frame counter, and read how far off it is.</source>
+        <translation>Wähle **Runge–Kutta 4** als Verfahren und **1/4&#x2009;Bild** als Zeitschritt, gib im Bildzähler 150 ein und lies ab, wie weit er daneben ist.</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>The error that a method may make in one of its own steps, in pixels.</source>
+        <translation>Der Fehler, den ein Verfahren in einem seiner eigenen Zeitschritte machen darf, in Pixeln.</translation>
+    </message>
+    <message>
+        <source>Dormand–Prince</source>
+        <translation>Dormand–Prince</translation>
+    </message>
+    <message>
+        <source>A method that computes each step twice, with order 5 and order 4, and takes shorter steps where the two differ too much.</source>
+        <translation>Ein Verfahren, das jeden Zeitschritt zweimal berechnet, mit Ordnung 5 und Ordnung 4, und kürzere Zeitschritte nimmt, wo sich die zwei zu sehr unterscheiden.</translation>
+    </message>
+    <message>
+        <source>A bounce in the middle of a step spoils every order, unless the method looks for the very moment.</source>
+        <translation>Ein Aufprall mitten in einem Zeitschritt verdirbt jede Ordnung, außer das Verfahren sucht genau den Moment.</translation>
+    </message>
+    <message>
+        <source>Choose **1/8&#x2009;frame** as step, type 200 into the frame counter, and read how far off it is.</source>
+        <translation>Wähle **1/8&#x2009;Bild** als Zeitschritt, gib im Bildzähler 200 ein und lies ab, wie weit er daneben ist.</translation>
+    </message>
+    <message>
+        <source>Choose **Dormand–Prince 5(4)** as method, and type 200 into the frame counter.</source>
+        <translation>Wähle **Dormand–Prince 5(4)** als Verfahren und gib im Bildzähler 200 ein.</translation>
+    </message>
+    <message>
+        <source>Keep Dormand–Prince. Press **Home**, type 0.5 beside **Bounce**, press **Space**, and wait.</source>
+        <translation>Behalte Dormand–Prince. Drücke **Pos1**, gib neben **Abprall** 0,5 ein, drücke **Leertaste** und warte.</translation>
+    </message>
+    <message>
+        <source>Event finding</source>
+        <translation>Ereignissuche</translation>
+    </message>
+    <message>
+        <source>event finding</source>
+        <translation>Ereignissuche</translation>
+    </message>
+    <message>
+        <source>To look back along a step for the moment at which something touched, and to end the step there.</source>
+        <translation>Einen Zeitschritt entlang zurückschauen nach dem Moment, in dem etwas berührt wurde, und den Zeitschritt dort beenden.</translation>
+    </message>
+    <message>
+        <source>No method is best: it depends on how far off it may be, and on what it may cost.</source>
+        <translation>Kein Verfahren ist das beste: Es kommt darauf an, wie weit es daneben sein darf und was es kosten darf.</translation>
+    </message>
+    <message>
+        <source>Choose **1/16&#x2009;frame** as step, and play to frame 200.</source>
+        <translation>Wähle **1/16&#x2009;Bild** als Zeitschritt und spiele bis Bild 200.</translation>
+    </message>
+    <message>
+        <source>Try **Velocity Verlet** with steps of 1/2&#x2009;frame, or **Runge–Kutta 4** with steps of 1&#x2009;frame. Play past frame 200 and let it play on for a moment.</source>
+        <translation>Versuch **Velocity-Verlet** mit Zeitschritten von 1/2&#x2009;Bild, oder **Runge–Kutta 4** mit Zeitschritten von 1&#x2009;Bild. Spiele über Bild 200 hinaus und lass es einen Moment weiterlaufen.</translation>
+    </message>
+    <message>
+        <source>Try **Runge–Kutta 4** with steps of 1/2&#x2009;frame. Play past frame 200 and let it play on for a moment.</source>
+        <translation>Versuch **Runge–Kutta 4** mit Zeitschritten von 1/2&#x2009;Bild. Spiele über Bild 200 hinaus und lass es einen Moment weiterlaufen.</translation>
+    </message>
+    <message>
+        <source>Twice as many are twice the work, and an effect that is not there costs nothing.</source>
+        <translation>Doppelt so viele sind doppelt so viel Arbeit, und ein Effekt, der nicht da ist, kostet nichts.</translation>
+    </message>
+    <message>
+        <source>Type 10000 into the field beside **Creatures**, press **Space**, and wait a moment. Then type 20000, and wait again.</source>
+        <translation>Gib im Feld neben **Figuren** 10000 ein, drücke **Leertaste** und warte einen Moment. Gib dann 20000 ein und warte noch einmal.</translation>
+    </message>
+    <message>
+        <source>Type 0 into the field beside **Gravity**, press **Space**, and wait two seconds.</source>
+        <translation>Gib im Feld neben **Schwerkraft** 0 ein, drücke **Leertaste** und warte zwei Sekunden.</translation>
+    </message>
+    <message>
+        <source>Type 0 into the field beside **Bounce**, press **Space**, and wait. Fewer creatures are sooner done.</source>
+        <translation>Gib im Feld neben **Abprall** 0 ein, drücke **Leertaste** und warte. Mit weniger Figuren geht es schneller.</translation>
+    </message>
+    <message>
+        <source>Effect</source>
+        <translation>Effekt</translation>
+    </message>
+    <message>
+        <source>effect|effects</source>
+        <translation>Effekt|Effekte|Effekten</translation>
+    </message>
+    <message>
+        <source>One thing that acts in a scene: springs, gravity, damping, walls. Only those that a scene lists cost time.</source>
+        <translation>Eines, was in einer Szene wirkt: Federn, Schwerkraft, Dämpfung, Wände. Nur was in der Liste einer Szene steht, kostet Zeit.</translation>
+    </message>
 </context>
 <context>
     <name>lesson.json</name>

@@ -150,5 +150,21 @@
         <source>creature</source>
         <translation>Figur</translation>
     </message>
+    <message>
+        <source>springs that pull one end only</source>
+        <translation>Federn, die nur an einem Ende ziehen</translation>
+    </message>
+    <message>
+        <source>feet with more than one leg</source>
+        <translation>Füße mit mehr als einem Bein</translation>
+    </message>
+    <message>
+        <source>the bounce of the ground</source>
+        <translation>Abprall am Boden</translation>
+    </message>
+    <message>
+        <source>ice on the ground</source>
+        <translation>Eis auf dem Boden</translation>
+    </message>
 </context>
 </TS>

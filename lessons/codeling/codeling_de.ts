@@ -343,6 +343,210 @@ Nichts hier wurde Bild für Bild gezeichnet: Federn und Zwangsbedingungen tun da
         <source>Go back in time, change **water**, and compare with the ghost.</source>
         <translation>Geh in der Zeit zurück, ändere **Wasser** und vergleiche mit dem Geist.</translation>
     </message>
+    <message>
+        <source>A spring from the head to a target is a motor: fast at first, slower by itself.</source>
+        <translation>Eine Feder vom Kopf zu einem Ziel ist ein Motor: am Anfang schnell, von selbst langsamer.</translation>
+    </message>
+    <message>
+        <source>Press **Space**, and click the background near the edge of the picture. Then wait.</source>
+        <translation>Drücke **Leertaste** und klicke nahe am Rand auf den Hintergrund. Warte dann.</translation>
+    </message>
+    <message>
+        <source>Type 1 into the field beside **Keep**. Press **Space**, click the background, and wait four seconds.</source>
+        <translation>Gib im Feld neben **Erhalt** 1 ein. Drücke **Leertaste**, klicke auf den Hintergrund und warte vier Sekunden.</translation>
+    </message>
+    <message>
+        <source>Press **Space**. Take the little disc, swing it quickly, let go on the way, and wait.</source>
+        <translation>Drücke **Leertaste**. Nimm die kleine Scheibe, schwing sie schnell, lass unterwegs los und warte.</translation>
+    </message>
+    <message>
+        <source>Lead</source>
+        <translation>Spitze</translation>
+    </message>
+    <message>
+        <source>the lead</source>
+        <translation>Spitze</translation>
+    </message>
+    <message>
+        <source>The head of the creature. The motor pulls it, and all else follows.</source>
+        <translation>Der Kopf des Wesens. Der Motor zieht ihn, und alles andere folgt.</translation>
+    </message>
+    <message>
+        <source>dt</source>
+        <translation>dt</translation>
+    </message>
+    <message>
+        <source>How much of its own time passes for a creature in a frame. The smaller it is, the slower everything goes.</source>
+        <translation>Wie viel seiner eigenen Zeit für ein Wesen in einem Bild vergeht. Je kleiner es ist, desto langsamer geht alles.</translation>
+    </message>
+    <message>
+        <source>Why dt × dt?</source>
+        <translation>Warum dt × dt?</translation>
+    </message>
+    <message>
+        <source>A pull changes the velocity, and the velocity changes the place. In a quarter of the time a pull adds a quarter as much to the velocity:
+
+`v = v + dt × pull`
+
+And that velocity carries the point for a quarter of the time:
+
+`x = x + dt × v`
+
+Both together:
+
+`0.25 × 0.25 = 0.0625`
+
+So the place changes by a sixteenth, and 0.9 does as much as 0.9 / 16, which is 0.056.</source>
+        <translation>Ein Zug ändert die Geschwindigkeit, und die Geschwindigkeit ändert den Ort. In einem Viertel der Zeit gibt ein Zug (pull) ein Viertel so viel zur Geschwindigkeit hinzu:
+
+`v = v + dt × pull`
+
+Und diese Geschwindigkeit trägt den Punkt ein Viertel der Zeit lang:
+
+`x = x + dt × v`
+
+Beides zusammen:
+
+`0.25 × 0.25 = 0.0625`
+
+Der Ort ändert sich also um ein Sechzehntel, und 0,9 bewirkt so viel wie 0,9 / 16, das ist 0,056.</translation>
+    </message>
+    <message>
+        <source>A tail on a one-sided stick gives a direction: from tail to lead.</source>
+        <translation>Ein Schwanz an einem einseitigen Stab gibt eine Richtung: vom Schwanz zur Spitze.</translation>
+    </message>
+    <message>
+        <source>Press **Space**. Click far up in the picture, and when it is under way, click far to the left.</source>
+        <translation>Drücke **Leertaste**. Klicke weit oben in die Szene, und wenn es unterwegs ist, klicke weit links.</translation>
+    </message>
+    <message>
+        <source>Press **Space**. Take the tail, carry it across the picture, let go, and wait.</source>
+        <translation>Drücke **Leertaste**. Nimm den Schwanz, trag ihn quer durch die Szene, lass los und warte.</translation>
+    </message>
+    <message>
+        <source>Click the background far off, and stop at once. Then press **Shift+→** again and again until the lead has moved, and the tail has not.</source>
+        <translation>Klicke weit entfernt auf den Hintergrund und halte gleich an. Drücke dann immer wieder **Umschalt+→**, bis die Spitze sich bewegt hat und der Schwanz noch nicht.</translation>
+    </message>
+    <message>
+        <source>One-sided</source>
+        <translation>Einseitig</translation>
+    </message>
+    <message>
+        <source>one-sided</source>
+        <translation>einseitig|einseitige|einseitigen|einseitiger</translation>
+    </message>
+    <message>
+        <source>A stick of which one end takes the whole error. The other end feels nothing of it, so it leads.</source>
+        <translation>Ein Stab, bei dem ein Ende den ganzen Fehler übernimmt. Das andere Ende spürt nichts davon, also führt es.</translation>
+    </message>
+    <message>
+        <source>A shift away from the target, in the frame of the click, looks like winding up.</source>
+        <translation>Eine Verschiebung weg vom Ziel, im Bild des Klicks, sieht aus wie Schwungholen.</translation>
+    </message>
+    <message>
+        <source>Stop. Click the background far from the creature, and press **Shift+→** until the strip under the timeline has ticked the shift.</source>
+        <translation>Halte an. Klicke weit vom Wesen entfernt auf den Hintergrund und drücke **Umschalt+→**, bis der Streifen unter der Zeitleiste die Verschiebung abgehakt hat.</translation>
+    </message>
+    <message>
+        <source>Type 0.6 into the field beside **Anticipation**. Press **Space** and click far away.</source>
+        <translation>Gib im Feld neben **Ausholen** 0,6 ein. Drücke **Leertaste** und klicke weit weg.</translation>
+    </message>
+    <message>
+        <source>Play, click the background, and stop. Drag the timeline back to before the click, type another **Anticipation**, and play on for a second.</source>
+        <translation>Spiele ab, klicke auf den Hintergrund und halte an. Zieh die Zeitleiste vor den Klick zurück, gib ein anderes **Ausholen** ein und spiele eine Sekunde weiter.</translation>
+    </message>
+    <message>
+        <source>anticipation</source>
+        <translation>Ausholen</translation>
+    </message>
+    <message>
+        <source>A small move the other way before a big one. It tells the eye what comes.</source>
+        <translation>Eine kleine Bewegung in die Gegenrichtung vor einer großen. Sie sagt dem Auge, was kommt.</translation>
+    </message>
+    <message>
+        <source>A soft stick takes a part of its error each frame, so the body gives way.</source>
+        <translation>Ein weicher Stab nimmt in jedem Bild nur einen Teil seines Fehlers, darum gibt der Körper nach.</translation>
+    </message>
+    <message>
+        <source>Press **Space**, and click the background in the corner that is farthest away.</source>
+        <translation>Drücke **Leertaste** und klicke in der Ecke, die am weitesten entfernt ist, auf den Hintergrund.</translation>
+    </message>
+    <message>
+        <source>Press **Space**. It looks to the right at the start: click the background far to the right, at the same height.</source>
+        <translation>Drücke **Leertaste**. Am Anfang schaut es nach rechts: Klicke weit rechts, auf gleicher Höhe, auf den Hintergrund.</translation>
+    </message>
+    <message>
+        <source>Play, click the background, and stop. Drag the timeline back to the left, type 1 beside **Soft**, and play on for a second.</source>
+        <translation>Spiele ab, klicke auf den Hintergrund und halte an. Zieh die Zeitleiste nach links zurück, gib neben **Weich** 1 ein und spiele eine Sekunde weiter.</translation>
+    </message>
+    <message>
+        <source>Soft constraint</source>
+        <translation>Weiche Zwangsbedingung</translation>
+    </message>
+    <message>
+        <source>is soft|soft stick|soft and one-sided</source>
+        <translation>er ist weich|weicher Stab|weich und einseitig</translation>
+    </message>
+    <message>
+        <source>A constraint that takes only a part of its error each frame. It gives way, and comes back little by little.</source>
+        <translation>Eine Zwangsbedingung, die in jedem Bild nur einen Teil ihres Fehlers nimmt. Sie gibt nach und kommt nach und nach zurück.</translation>
+    </message>
+    <message>
+        <source>Animators’ words for a body that gets shorter and wider, or longer and thinner, as it moves. It makes a body look soft and alive.</source>
+        <translation>So nennen Trickfilmer es, wenn ein Körper im Bewegen kürzer und breiter wird, oder länger und dünner. Das lässt ihn weich und lebendig aussehen.</translation>
+    </message>
+    <message>
+        <source>If the area must stay, the width follows from the length.</source>
+        <translation>Wenn die Fläche bleiben muss, folgt die Breite aus der Länge.</translation>
+    </message>
+    <message>
+        <source>Press **Space**. Take one of the two points at its sides, pull it away from the body, and do not let go.</source>
+        <translation>Drücke **Leertaste**. Nimm einen der zwei Punkte an seinen Seiten, zieh ihn vom Körper weg und lass nicht los.</translation>
+    </message>
+    <message>
+        <source>Why 2 × area / spine?</source>
+        <translation>Warum 2 × Fläche / Rückgrat?</translation>
+    </message>
+    <message>
+        <source>The spine cuts the shape into two triangles. Each has the spine as its base and half of the width as its height, and the area of a triangle is base × height / 2:
+
+`2 × spine × (width / 2) / 2`
+
+That is
+
+`area = spine × width / 2`
+
+Now ask the other way round. Which width keeps the area?
+
+`width = 2 × area / spine`</source>
+        <translation>Das Rückgrat (spine) zerlegt die Form in zwei Dreiecke. Jedes hat das Rückgrat als Grundseite und die halbe Breite (width) als Höhe, und die Fläche (area) eines Dreiecks ist Grundseite × Höhe / 2:
+
+`2 × spine × (width / 2) / 2`
+
+Das heißt
+
+`area = spine × width / 2`
+
+Frag jetzt andersherum. Welche Breite erhält die Fläche?
+
+`width = 2 × area / spine`</translation>
+    </message>
+    <message>
+        <source>A chain of one-sided sticks is right after one pass, because no link disturbs an earlier one.</source>
+        <translation>Eine Kette einseitiger Stäbe stimmt nach einem Durchgang, weil kein Glied ein früheres stört.</translation>
+    </message>
+    <message>
+        <source>Type 8 into the field beside **Tentacles**. Press **Space**, click the background, and wait.</source>
+        <translation>Gib im Feld neben **Tentakel** 8 ein. Drücke **Leertaste**, klicke auf den Hintergrund und warte.</translation>
+    </message>
+    <message>
+        <source>Type 0.98 into the field beside **Water**. Press **Space**, and click one corner and the opposite one in turn, twice a second.</source>
+        <translation>Gib im Feld neben **Wasser** 0,98 ein. Drücke **Leertaste** und klicke abwechselnd in eine Ecke und in die gegenüber, zweimal pro Sekunde.</translation>
+    </message>
+    <message>
+        <source>Play, click the background, and stop. Drag the timeline back to the left, type another **Water**, and play on for a second.</source>
+        <translation>Spiele ab, klicke auf den Hintergrund und halte an. Zieh die Zeitleiste nach links zurück, gib ein anderes **Wasser** ein und spiele eine Sekunde weiter.</translation>
+    </message>
 </context>
 <context>
     <name>lesson.json</name>

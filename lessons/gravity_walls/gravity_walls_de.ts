@@ -71,6 +71,94 @@ Am Boden hält nichts die Füße: Sie gleiten auseinander, und der Körper sinkt
         <source>Put the walls 60&#x202f;px apart (**left** 240, **right** 300), lift the body, and let it down on its feet.</source>
         <translation>Stelle die Wände 60&#x202f;px auseinander (**linke Wand** 240, **rechte Wand** 300), heb den Körper an und lass ihn auf seine Füße herunter.</translation>
     </message>
+    <message>
+        <source>A wall puts back what went too far, and turns its velocity round.</source>
+        <translation>Eine Wand setzt zurück, was zu weit ging, und kehrt seine Geschwindigkeit um.</translation>
+    </message>
+    <message>
+        <source>Press **Space**, take the large disc, swing it quickly to the left, and let go on the way.</source>
+        <translation>Drücke **Leertaste**, nimm die große Scheibe, schwing sie schnell nach links und lass unterwegs los.</translation>
+    </message>
+    <message>
+        <source>Throw the creature at a wall and stop just before it is there. Then press **Shift+→** again and again: after a move, look whether an edge is past the wall.</source>
+        <translation>Wirf die Figur gegen eine Wand und halte an, kurz bevor sie dort ist. Drücke dann immer wieder **Umschalt+→**: Sieh nach jeder Bewegung, ob ein Rand an der Wand vorbei ist.</translation>
+    </message>
+    <message>
+        <source>Type 0 into the field beside **Bounce**, press **Space**, and throw the creature at the left or the right wall.</source>
+        <translation>Gib im Feld neben **Abprall** 0 ein, drücke **Leertaste** und wirf die Figur gegen die linke oder die rechte Wand.</translation>
+    </message>
+    <message>
+        <source>Press **Space**, take the large disc, swing it quickly up past the upper edge, and let go on the way.</source>
+        <translation>Drücke **Leertaste**, nimm die große Scheibe, schwing sie schnell nach oben über den oberen Rand und lass unterwegs los.</translation>
+    </message>
+    <message>
+        <source>Bounce</source>
+        <translation>Abprall</translation>
+    </message>
+    <message>
+        <source>bounce</source>
+        <translation>Abprall</translation>
+    </message>
+    <message>
+        <source>The share of its velocity that a thing keeps when a wall turns it round. At 1 it comes back as fast as it came, at 0 it stays at the wall.</source>
+        <translation>Der Anteil seiner Geschwindigkeit, den etwas behält, wenn eine Wand es umkehrt. Bei 1 kommt es so schnell zurück, wie es kam, bei 0 bleibt es an der Wand.</translation>
+    </message>
+    <message>
+        <source>Gravity is one more pull, the same for everything, and it comes before damping.</source>
+        <translation>Schwerkraft ist noch ein Zug, für alles gleich, und sie kommt vor der Dämpfung.</translation>
+    </message>
+    <message>
+        <source>Press **Space**, take the large disc, lift it to the upper edge, and hold it there until the feet have stopped swinging.</source>
+        <translation>Drücke **Leertaste**, nimm die große Scheibe, heb sie an den oberen Rand und halte sie dort, bis die Füße nicht mehr schwingen.</translation>
+    </message>
+    <message>
+        <source>Type 0.6 into the field beside **Damping**. Then lift the large disc and hold it, as before.</source>
+        <translation>Gib im Feld neben **Dämpfung** 0,6 ein. Heb dann die große Scheibe und halte sie, wie zuvor.</translation>
+    </message>
+    <message>
+        <source>Stop, and press **Shift+→** until the strip under the timeline has ticked gravity.</source>
+        <translation>Halte an und drücke **Umschalt+→**, bis der Streifen unter der Zeitleiste die Schwerkraft abgehakt hat.</translation>
+    </message>
+    <message>
+        <source>Type 240 beside **Left wall** and 300 beside **Right wall**. Press **Space**, lift the large disc until its feet hang under it, let it down slowly until they stand, and let go.</source>
+        <translation>Gib neben **Linke Wand** 240 und neben **Rechte Wand** 300 ein. Drücke **Leertaste**, heb die große Scheibe, bis ihre Füße unter ihr hängen, lass sie langsam herunter, bis sie stehen, und lass los.</translation>
+    </message>
+    <message>
+        <source>gravity</source>
+        <translation>Schwerkraft</translation>
+    </message>
+    <message>
+        <source>A pull straight down that is the same for everything: each frame it adds as much to the velocity, however far down a thing is.</source>
+        <translation>Ein Zug gerade nach unten, der für alles gleich ist: In jedem Bild gibt er gleich viel zur Geschwindigkeit hinzu, wie weit unten etwas auch ist.</translation>
+    </message>
+    <message>
+        <source>Why is a fall a parabola?</source>
+        <translation>Warum ist ein Fall eine Parabel?</translation>
+    </message>
+    <message>
+        <source>Gravity adds the same to the velocity in each frame, so after t frames it is
+
+`v = g × t`
+
+The ways add up. The first is short and the last is the longest; the middle one, half of g × t, stands for all:
+
+`way = g × t² / 2`
+
+Twice as long, four times as deep. Sideways nothing pulls, so a thrown thing goes equally far each frame. Evenly to the side and ever faster down: that curve is a parabola.
+
+(In steps of a frame, without damping, the sum is g × t × (t + 1) / 2: a little more. The lesson Accuracy is about that.)</source>
+        <translation>Die Schwerkraft gibt in jedem Bild gleich viel zur Geschwindigkeit hinzu, nach t Bildern ist sie also
+
+`v = g × t`
+
+Die Wege (way) addieren sich. Der erste ist kurz und der letzte der längste; der mittlere, die Hälfte von g × t, steht für alle:
+
+`way = g × t² / 2`
+
+Doppelt so lang, viermal so tief. Zur Seite zieht nichts, darum kommt etwas Geworfenes in jedem Bild gleich weit. Gleichmäßig zur Seite und immer schneller nach unten: Diese Kurve ist eine Parabel.
+
+(In Zeitschritten von einem Bild, ohne Dämpfung, ist die Summe g × t × (t + 1) / 2: ein wenig mehr. Davon handelt die Lektion Genauigkeit.)</translation>
+    </message>
 </context>
 <context>
     <name>lesson.json</name>

@@ -389,6 +389,294 @@ Hände, Wände und Zeitschritte gehören zu einem Fall. Greifst du ein, ist es d
         <source>sticks</source>
         <translation>Stäbe</translation>
     </message>
+    <message>
+        <source>A step that is too long for a spring throws it out: without damping from k h² = 4 on.</source>
+        <translation>Ein Zeitschritt, der für eine Feder zu lang ist, wirft sie hinaus: ohne Dämpfung ab k h² = 4.</translation>
+    </message>
+    <message>
+        <source>Above the picture, press **Step** and choose **1/2&#x2009;frame**. Press **Space** and wait four seconds.</source>
+        <translation>Drücke über der Szene **Zeitschritt** und wähle **1/2&#x2009;Bild**. Drücke **Leertaste** und warte vier Sekunden.</translation>
+    </message>
+    <message>
+        <source>Press **Home**, type 3.9 into the field beside **k**, press **Space**, and wait four seconds.</source>
+        <translation>Drücke **Pos1**, gib im Feld neben **k** 3,9 ein, drücke **Leertaste** und warte vier Sekunden.</translation>
+    </message>
+    <message>
+        <source>Press **Home**, type 0.9 into the field beside **Damping**, press **Space**, and wait.</source>
+        <translation>Drücke **Pos1**, gib im Feld neben **Dämpfung** 0,9 ein, drücke **Leertaste** und warte.</translation>
+    </message>
+    <message>
+        <source>Stability limit</source>
+        <translation>Stabilitätsgrenze</translation>
+    </message>
+    <message>
+        <source>the limit</source>
+        <translation>die Grenze</translation>
+    </message>
+    <message>
+        <source>The longest step with which a method still holds a scene. Past it, each swing is wider than the one before.</source>
+        <translation>Der längste Zeitschritt, mit dem ein Verfahren eine Szene noch hält. Darüber ist jede Schwingung weiter als die vorige.</translation>
+    </message>
+    <message>
+        <source>Gauge</source>
+        <translation>Anzeige</translation>
+    </message>
+    <message>
+        <source>gauge</source>
+        <translation>Anzeige</translation>
+    </message>
+    <message>
+        <source>The small bar at the lower right: it shows how near the step is to its stability limit. A click shows the reasons.</source>
+        <translation>Der kleine Balken rechts unten: Er zeigt, wie nahe der Zeitschritt seiner Stabilitätsgrenze ist. Ein Klick zeigt die Gründe.</translation>
+    </message>
+    <message>
+        <source>Implicit method</source>
+        <translation>Implizites Verfahren</translation>
+    </message>
+    <message>
+        <source>implicit midpoint|solves for it</source>
+        <translation>implizite Mittelpunktsregel|löst danach auf</translation>
+    </message>
+    <message>
+        <source>A method that asks for the pull at a place that it does not know yet, and finds the place that fits. It costs more, and has no stability limit.</source>
+        <translation>Ein Verfahren, das nach dem Zug an einem Ort fragt, den es noch nicht kennt, und den Ort findet, der passt. Es kostet mehr und hat keine Stabilitätsgrenze.</translation>
+    </message>
+    <message>
+        <source>Why 4?</source>
+        <translation>Warum 4?</translation>
+    </message>
+    <message>
+        <source>Let the foot be at x with the velocity v. A step of h makes
+
+`v → v − h k x`
+
+`x → x + h v`
+
+Now ask which swing comes back just as wide, on the other side: from x to −x, and v to −v. For v that needs
+
+`h k x = 2 v`
+
+and for x, with the new velocity −v,
+
+`h v = 2 x`
+
+Put one into the other:
+
+`k h² = 4`
+
+With less, a swing stays as wide as it is. With more, it grows.</source>
+        <translation>Der Fuß sei bei x, mit der Geschwindigkeit v. Ein Zeitschritt von h macht
+
+`v → v − h k x`
+
+`x → x + h v`
+
+Frag jetzt, welche Schwingung genau so weit zurückkommt, auf der anderen Seite: von x zu −x, und v zu −v. Für v braucht es dazu
+
+`h k x = 2 v`
+
+und für x, mit der neuen Geschwindigkeit −v,
+
+`h v = 2 x`
+
+Setz das eine ins andere ein:
+
+`k h² = 4`
+
+Mit weniger bleibt eine Schwingung so weit, wie sie ist. Mit mehr wächst sie.</translation>
+    </message>
+    <message>
+        <source>Pulls that are taken at different moments do not cancel, so the pair pushes itself.</source>
+        <translation>Züge, die zu verschiedenen Momenten genommen werden, heben sich nicht auf, darum schiebt das Paar sich selbst.</translation>
+    </message>
+    <message>
+        <source>Above the picture, press **Method** and choose **Semi-implicit Euler**. Press **Space** and wait seven seconds.</source>
+        <translation>Drücke über der Szene **Verfahren** und wähle **Semi-implizites Euler**. Drücke **Leertaste** und warte sieben Sekunden.</translation>
+    </message>
+    <message>
+        <source>Choose **Published** as method and **1&#x2009;frame** as step. Press **Home**, type 0.2 beside **k**, press **Space**, and wait.</source>
+        <translation>Wähle **Veröffentlicht** als Verfahren und **1&#x2009;Bild** als Zeitschritt. Drücke **Pos1**, gib neben **k** 0,2 ein, drücke **Leertaste** und warte.</translation>
+    </message>
+    <message>
+        <source>Choose **Published** as method and **1/4&#x2009;frame** as step. Press **Space** and wait.</source>
+        <translation>Wähle **Veröffentlicht** als Verfahren und **1/4&#x2009;Bild** als Zeitschritt. Drücke **Leertaste** und warte.</translation>
+    </message>
+    <message>
+        <source>Sixty soft springs on one body make one that is stiff.</source>
+        <translation>Sechzig weiche Federn an einem Körper ergeben eine, die steif ist.</translation>
+    </message>
+    <message>
+        <source>Press **Home**, type 38 into the field beside **Feet**, press **Space**, and wait.</source>
+        <translation>Drücke **Pos1**, gib im Feld neben **Füße** 38 ein, drücke **Leertaste** und warte.</translation>
+    </message>
+    <message>
+        <source>Above the picture, press **Step** and choose **1/2&#x2009;frame**. Press **Space** and wait.</source>
+        <translation>Drücke über der Szene **Zeitschritt** und wähle **1/2&#x2009;Bild**. Drücke **Leertaste** und warte.</translation>
+    </message>
+    <message>
+        <source>Press **Home**, type 0.1 into the field beside **k**, press **Space**, and wait.</source>
+        <translation>Drücke **Pos1**, gib im Feld neben **k** 0,1 ein, drücke **Leertaste** und warte.</translation>
+    </message>
+    <message>
+        <source>A method that looks for the place from which its own pulls lead back to where it came from. It holds at any stiffness, and slows what swings.</source>
+        <translation>Ein Verfahren, das den Ort sucht, von dem aus seine eigenen Züge dorthin zurückführen, woher es kam. Es hält bei jeder Steifigkeit und bremst, was schwingt.</translation>
+    </message>
+    <message>
+        <source>Two points in one place have no direction between them, so a rule has to give them one.</source>
+        <translation>Zwei Punkte an einem Ort haben keine Richtung zueinander, darum muss eine Regel ihnen eine geben.</translation>
+    </message>
+    <message>
+        <source>Above the picture, press **Method** and choose **Semi-implicit Euler**. Press **Space** and wait two seconds.</source>
+        <translation>Drücke über der Szene **Verfahren** und wähle **Semi-implizites Euler**. Drücke **Leertaste** und warte zwei Sekunden.</translation>
+    </message>
+    <message>
+        <source>Choose **Published** as method, press **Space**, and wait two seconds. Take a foot, carry it up, let go, and wait.</source>
+        <translation>Wähle **Veröffentlicht** als Verfahren, drücke **Leertaste** und warte zwei Sekunden. Nimm einen Fuß, trag ihn nach oben, lass los und warte.</translation>
+    </message>
+    <message>
+        <source>Choose **Semi-implicit Euler** as method and play two seconds. Type 0 beside **Radius** and wait two seconds. Then type 50, and wait again.</source>
+        <translation>Wähle **Semi-implizites Euler** als Verfahren und spiele zwei Sekunden. Gib neben **Radius** 0 ein und warte zwei Sekunden. Gib dann 50 ein und warte noch einmal.</translation>
+    </message>
+    <message>
+        <source>Coincident points</source>
+        <translation>Zusammenfallende Punkte</translation>
+    </message>
+    <message>
+        <source>one place</source>
+        <translation>an einem Ort|an einen Ort</translation>
+    </message>
+    <message>
+        <source>Two points at exactly the same place. Nothing tells in which direction one lies from the other.</source>
+        <translation>Zwei Punkte an genau demselben Ort. Nichts sagt, in welcher Richtung der eine vom anderen liegt.</translation>
+    </message>
+    <message>
+        <source>Golden angle</source>
+        <translation>Goldener Winkel</translation>
+    </message>
+    <message>
+        <source>golden angle</source>
+        <translation>goldenen Winkel|goldener Winkel|goldene Winkel</translation>
+    </message>
+    <message>
+        <source>137.5°. Turned by it again and again, directions never fall on one another and spread evenly. Sunflowers set their seeds like that.</source>
+        <translation>137,5°. Immer wieder um ihn gedreht, fallen Richtungen nie aufeinander und verteilen sich gleichmäßig. Sonnenblumen setzen so ihre Kerne.</translation>
+    </message>
+    <message>
+        <source>Why has one place no direction?</source>
+        <translation>Warum hat ein einziger Ort keine Richtung?</translation>
+    </message>
+    <message>
+        <source>The direction from a to b is the way from one to the other, divided by its length:
+
+`d / |d|`
+
+In one place d is (0, 0) and its length is 0. Nothing can be divided by 0, and every direction would be as good.
+
+So a rule has to choose, and three things matter: the **same** choice each time, **opposite** ones for the two ends, and **different** ones for different pairs, or all would go the same way and stay together.
+
+`angle = number × 137.5°`
+
+does that: the golden angle never fits into a turn.</source>
+        <translation>Die Richtung von a nach b ist der Weg vom einen zum anderen, geteilt durch seine Länge:
+
+`d / |d|`
+
+An einem Ort ist d (0, 0) und seine Länge 0. Durch 0 lässt sich nichts teilen, und jede Richtung wäre gleich gut.
+
+Also muss eine Regel wählen, und auf drei Dinge kommt es an: jedes Mal **dieselbe** Wahl, **entgegengesetzte** Richtungen für die zwei Enden und **verschiedene** für verschiedene Paare, sonst gingen alle denselben Weg und blieben beisammen.
+
+`angle = number × 137.5°`
+
+leistet das, der Winkel (angle) aus der Nummer (number): Der goldene Winkel geht in einer Drehung nie auf.</translation>
+    </message>
+    <message>
+        <source>What is stiff and should be calm needs either tiny steps or an implicit method.</source>
+        <translation>Was steif ist und ruhig sein soll, braucht winzige Zeitschritte oder ein implizites Verfahren.</translation>
+    </message>
+    <message>
+        <source>Above the picture, press **Step** and choose **1/64&#x2009;frame**. Press **Space** and wait.</source>
+        <translation>Drücke über der Szene **Zeitschritt** und wähle **1/64&#x2009;Bild**. Drücke **Leertaste** und warte.</translation>
+    </message>
+    <message>
+        <source>Choose **Backward Euler** as method. Press **Home**, type 1000000 beside **k**, and press **Space**.</source>
+        <translation>Wähle **Implizites Euler** als Verfahren. Drücke **Pos1**, gib neben **k** 1000000 ein und drücke **Leertaste**.</translation>
+    </message>
+    <message>
+        <source>Choose **Backward Euler** as method. Press **Home**, type 0.2 beside **k** and 1 beside **Damping**, press **Space**, and wait.</source>
+        <translation>Wähle **Implizites Euler** als Verfahren. Drücke **Pos1**, gib neben **k** 0,2 und neben **Dämpfung** 1 ein, drücke **Leertaste** und warte.</translation>
+    </message>
+    <message>
+        <source>Stiff</source>
+        <translation>Steif</translation>
+    </message>
+    <message>
+        <source>is stiff|too stiff|stiff legs|stiff and calm</source>
+        <translation>steif ist|zu steif|steifen Beine|steif und ruhig</translation>
+    </message>
+    <message>
+        <source>Held so hard that it swings many times in a frame. Nobody sees those swings, but a method has to cope with them.</source>
+        <translation>So fest gehalten, dass es in einem Bild viele Male schwingt. Niemand sieht diese Schwingungen, aber ein Verfahren muss mit ihnen zurechtkommen.</translation>
+    </message>
+    <message>
+        <source>Where rules contradict, springs pull for ever, and sticks come to rest with a lie shared among them.</source>
+        <translation>Wo Regeln sich widersprechen, ziehen Federn ewig, und Stäbe kommen zur Ruhe, mit einer Lüge, die sie unter sich aufteilen.</translation>
+    </message>
+    <message>
+        <source>Press **Home**, type 1 into the field beside **k**, press **Space**, and wait.</source>
+        <translation>Drücke **Pos1**, gib im Feld neben **k** 1 ein, drücke **Leertaste** und warte.</translation>
+    </message>
+    <message>
+        <source>Choose **sticks** beside **Made of**, press **Space**, and wait.</source>
+        <translation>Wähle neben **Material** **Stäbe**, drücke **Leertaste** und warte.</translation>
+    </message>
+    <message>
+        <source>Two sticks of 20&#x2009;px reach 40&#x2009;px at most. Choose **sticks** beside **Made of**, type 30 beside **Longest**, press **Space**, and wait.</source>
+        <translation>Zwei Stäbe von 20&#x2009;px reichen höchstens 40&#x2009;px weit. Wähle neben **Material** **Stäbe**, gib neben **Längster** 30 ein, drücke **Leertaste** und warte.</translation>
+    </message>
+    <message>
+        <source>What an error adds up to over thousands of frames counts for more than how small it is.</source>
+        <translation>Wozu sich ein Fehler über Tausende von Bildern summiert, zählt mehr, als wie klein er ist.</translation>
+    </message>
+    <message>
+        <source>Press **Ctrl+G**, type 5000, and press **Enter**.</source>
+        <translation>Drücke **Strg+G**, gib 5000 ein und drücke **Eingabe**.</translation>
+    </message>
+    <message>
+        <source>Above the picture, press **Step** and choose **1/2&#x2009;frame**. Press **Ctrl+G**, type 5000, and press **Enter**.</source>
+        <translation>Drücke über der Szene **Zeitschritt** und wähle **1/2&#x2009;Bild**. Drücke **Strg+G**, gib 5000 ein und drücke **Eingabe**.</translation>
+    </message>
+    <message>
+        <source>Choose **Velocity Verlet** as method and **1&#x2009;frame** as step. Press **Ctrl+G**, type 20000, and press **Enter**.</source>
+        <translation>Wähle **Velocity-Verlet** als Verfahren und **1&#x2009;Bild** als Zeitschritt. Drücke **Strg+G**, gib 20000 ein und drücke **Eingabe**.</translation>
+    </message>
+    <message>
+        <source>What a method can hold follows from its rule, and can be said before the run.</source>
+        <translation>Was ein Verfahren halten kann, folgt aus seiner Regel und lässt sich vor dem Lauf sagen.</translation>
+    </message>
+    <message>
+        <source>Choose **nearly rigid** beside **Case**, and **Backward Euler** as method above the picture. Press **Space** and wait.</source>
+        <translation>Wähle neben **Fall** **fast starr** und über der Szene **Implizites Euler** als Verfahren. Drücke **Leertaste** und warte.</translation>
+    </message>
+    <message>
+        <source>Choose **torn away** beside **Case**, and **Semi-implicit Euler** or **Backward Euler** as method. Press **Space** and wait.</source>
+        <translation>Wähle neben **Fall** **weggerissen** und **Semi-implizites Euler** oder **Implizites Euler** als Verfahren. Drücke **Leertaste** und warte.</translation>
+    </message>
+    <message>
+        <source>Choose **Semi-implicit Euler** as method, and a case with stiff springs. Press **Space** and wait until the run stops by itself.</source>
+        <translation>Wähle **Semi-implizites Euler** als Verfahren und einen Fall mit steifen Federn. Drücke **Leertaste** und warte, bis der Lauf von selbst anhält.</translation>
+    </message>
+    <message>
+        <source>Claim</source>
+        <translation>Zusage</translation>
+    </message>
+    <message>
+        <source>claims|claim</source>
+        <translation>sagt zu|zusagt|Zusage|Zusagen</translation>
+    </message>
+    <message>
+        <source>What a method says it can hold, worked out from its rule before the run.</source>
+        <translation>Was ein Verfahren nach eigener Aussage halten kann, vor dem Lauf aus seiner Regel ausgerechnet.</translation>
+    </message>
 </context>
 <context>
     <name>lesson.json</name>

@@ -87,6 +87,110 @@ Die Federn sind nicht schuld: Mit zwei Zeitschritten von je einem halben Bild ha
         <source>Keep the 60 feet, choose a **step** of 1/2&#x202f;frame, and wait until all is still.</source>
         <translation>Behalte die 60 Füße, wähle einen **Zeitschritt** von 1/2 Bild und warte, bis alles still ist.</translation>
     </message>
+    <message>
+        <source>Several pulls on one body add up, one after the other.</source>
+        <translation>Mehrere Züge an einem Körper addieren sich, einer nach dem anderen.</translation>
+    </message>
+    <message>
+        <source>Press **Space**. Take one of the small discs, pull it to the edge of the picture, let go, and wait.</source>
+        <translation>Drücke **Leertaste**. Nimm eine der kleinen Scheiben, zieh sie an den Rand der Szene, lass los und warte.</translation>
+    </message>
+    <message>
+        <source>Press **Space**, take the large disc, and carry it from one side of the picture to the other.</source>
+        <translation>Drücke **Leertaste**, nimm die große Scheibe und trag sie von einer Seite der Szene zur anderen.</translation>
+    </message>
+    <message>
+        <source>Type 0.9 into the field beside **Damping**, press **Space**, and touch nothing.</source>
+        <translation>Gib im Feld neben **Dämpfung** 0,9 ein, drücke **Leertaste** und fass nichts an.</translation>
+    </message>
+    <message>
+        <source>A loop adds the springs, so the same code does for any number of feet.</source>
+        <translation>Eine Schleife addiert die Federn, darum taugt derselbe Code für beliebig viele Füße.</translation>
+    </message>
+    <message>
+        <source>Press **Space**, pull one of the small discs to the edge of the picture, let go, and wait.</source>
+        <translation>Drücke **Leertaste**, zieh eine der kleinen Scheiben an den Rand der Szene, lass los und warte.</translation>
+    </message>
+    <message>
+        <source>Type 12 into the field beside **Feet**, press **Space**, and wait seven seconds.</source>
+        <translation>Gib 12 in das Feld neben **Füße** ein, drück die **Leertaste** und warte sieben Sekunden.</translation>
+    </message>
+    <message>
+        <source>Play some seconds, drag the timeline back to the left, change **Damping**, and play on for a second.</source>
+        <translation>Spiele einige Sekunden, zieh die Zeitleiste nach links zurück, ändere **Dämpfung** und spiele eine Sekunde weiter.</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>Schleife</translation>
+    </message>
+    <message>
+        <source>loop|one loop</source>
+        <translation>Schleife|eine Schleife</translation>
+    </message>
+    <message>
+        <source>Lines of code that are done again and again, once for each thing in a list.</source>
+        <translation>Zeilen im Code, die immer wieder ausgeführt werden, einmal für jedes Ding in einer Liste.</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>parameter|parameters</source>
+        <translation>Parameter|Parameters|Parametern</translation>
+    </message>
+    <message>
+        <source>A number of the scene that you can change, at the lower right.</source>
+        <translation>Eine Zahl der Szene, die du rechts unten ändern kannst.</translation>
+    </message>
+    <message>
+        <source>Many soft springs on one body hold it like one stiff spring, and a whole frame can be too long a step for that.</source>
+        <translation>Viele weiche Federn an einem Körper halten ihn wie eine steife Feder, und dafür kann ein ganzes Bild ein zu langer Zeitschritt sein.</translation>
+    </message>
+    <message>
+        <source>Type 16 into the field beside **Feet**. Above the picture, choose **Semi-implicit Euler** as method. Press **Space** and wait.</source>
+        <translation>Gib im Feld neben **Füße** 16 ein. Wähle über der Szene **Semi-implizites Euler** als Verfahren. Drücke **Leertaste** und warte.</translation>
+    </message>
+    <message>
+        <source>Type 60 into the field beside **Feet**, and press **Space**. It takes some seconds.</source>
+        <translation>Gib im Feld neben **Füße** 60 ein und drücke **Leertaste**. Es dauert einige Sekunden.</translation>
+    </message>
+    <message>
+        <source>Leave 60 in the field beside **Feet**, press **Home** to go to frame 0, choose **1/2 frame** as step above the picture, and press **Space**.</source>
+        <translation>Lass im Feld neben **Füße** 60 stehen, drücke **Pos1**, um zu Bild 0 zu gehen, wähle über der Szene **1/2&#x2009;Bild** als Zeitschritt und drücke **Leertaste**.</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Startwert</translation>
+    </message>
+    <message>
+        <source>seed</source>
+        <translation>Startwert</translation>
+    </message>
+    <message>
+        <source>A whole number from which all chance of a run is worked out. The same seed gives the same run.</source>
+        <translation>Eine ganze Zahl, aus der aller Zufall eines Laufs berechnet wird. Derselbe Startwert gibt denselben Lauf.</translation>
+    </message>
+    <message>
+        <source>Why are many soft springs like a stiff one?</source>
+        <translation>Warum sind viele weiche Federn wie eine steife?</translation>
+    </message>
+    <message>
+        <source>Move the body by 1&#x2009;px. A spring that points that way pulls it back by k. With n springs like it, it is
+
+`n × k`
+
+at once. Springs that point to the side pull less, so on the average about half of them count.
+
+If that is so much that the body comes back **past** its place, and by more than it was away, then the next pull is stronger still. From then on each swing is wider than the last.</source>
+        <translation>Verschiebe den Körper um 1&#x2009;px. Eine Feder, die in diese Richtung zeigt, zieht ihn mit k zurück. Mit n solchen Federn sind es
+
+`n × k`
+
+auf einmal. Federn, die zur Seite zeigen, ziehen weniger, darum zählt im Mittel etwa die Hälfte von ihnen.
+
+Ist das so viel, dass der Körper **über** seinen Ort hinaus zurückkommt, und zwar weiter, als er davon entfernt war, dann ist der nächste Zug noch stärker. Von da an ist jede Schwingung weiter als die vorige.</translation>
+    </message>
 </context>
 <context>
     <name>lesson.json</name>

@@ -283,6 +283,270 @@ Zieh sie, wirf sie, lass sie fallen. Die Farbe eines Stabs zeigt, welcher Fehler
         <source>limited</source>
         <translation>begrenzt</translation>
     </message>
+    <message>
+        <source>A stick measures its error and moves both ends by half of it: no spring, no velocity.</source>
+        <translation>Ein Stab misst seinen Fehler und schiebt beide Enden um die Hälfte davon: keine Feder, keine Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>Press **Space**. Hold the mouse button down in the picture and lead p0 to one side.</source>
+        <translation>Drück die **Leertaste**. Halte im Bild die Maustaste gedrückt und führe p0 zur Seite.</translation>
+    </message>
+    <message>
+        <source>Stop. Press the mouse button 50&#x2009;px or more beside p0 and keep it down. Then press **Shift+→** once.</source>
+        <translation>Halte an. Drück die Maustaste 50&#x2009;px oder mehr neben p0 und halte sie gedrückt. Dann drück einmal **Umschalt+→**.</translation>
+    </message>
+    <message>
+        <source>Type 0 into the field beside **Length**. Press **Space**, hold the mouse button down and lead p0 away.</source>
+        <translation>Gib 0 in das Feld neben **Länge** ein. Drück die **Leertaste**, halte die Maustaste gedrückt und führe p0 weg.</translation>
+    </message>
+    <message>
+        <source>Stick</source>
+        <translation>Stab</translation>
+    </message>
+    <message>
+        <source>stick|sticks</source>
+        <translation>Stab|Stäbe|Stäben|Stabs</translation>
+    </message>
+    <message>
+        <source>A rule that keeps two points at a fixed distance. It does not pull: it puts its ends where they belong.</source>
+        <translation>Eine Regel, die zwei Punkte in einem festen Abstand hält. Sie zieht nicht: Sie setzt ihre Enden dorthin, wo sie hingehören.</translation>
+    </message>
+    <message>
+        <source>Constraint</source>
+        <translation>Zwangsbedingung</translation>
+    </message>
+    <message>
+        <source>constraint|constraints</source>
+        <translation>Zwangsbedingung|Zwangsbedingungen</translation>
+    </message>
+    <message>
+        <source>A rule that must hold after each frame, whatever moved before: a distance, a wall, a joint that bends only so far.</source>
+        <translation>Eine Regel, die nach jedem Bild gelten muss, was sich zuvor auch bewegt hat: ein Abstand, eine Wand, ein Gelenk, das sich nur so weit beugt.</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>the error|error</source>
+        <translation>Fehler|Fehlers|Fehlern</translation>
+    </message>
+    <message>
+        <source>Of a stick: how much too long it is, or too short (then it is below 0). Of a run: how far it is from the exact motion.</source>
+        <translation>Bei einem Stab: um wie viel er zu lang ist oder zu kurz (dann unter 0). Bei einem Lauf: wie weit er von der exakten Bewegung entfernt ist.</translation>
+    </message>
+    <message>
+        <source>Why half of the error each?</source>
+        <translation>Warum jeder den halben Fehler?</translation>
+    </message>
+    <message>
+        <source>A stick of 100&#x2009;px is 130&#x2009;px long. The error is
+
+`130 − 100 = 30&#x2009;px`
+
+Both ends move along the stick, towards each other. Together they have to come 30&#x2009;px, so each comes 15:
+
+`share of a = w_a / (w_a + w_b)`
+
+where w is how easily an end moves: 1 for both here, and 0 for a nail. Two ends that are as heavy share alike, and their middle stays where it is.</source>
+        <translation>Ein Stab von 100&#x2009;px ist 130&#x2009;px lang. Der Fehler ist
+
+`130 − 100 = 30&#x2009;px`
+
+Beide Enden gehen am Stab entlang, aufeinander zu. Zusammen müssen sie 30&#x2009;px kommen, also kommt jedes 15. Der Anteil (share) von a ist
+
+`share of a = w_a / (w_a + w_b)`
+
+Dabei ist w, wie leicht sich ein Ende bewegt: 1 für beide hier, und 0 für einen Nagel. Zwei gleich schwere Enden teilen gleich, und ihre Mitte bleibt, wo sie ist.</translation>
+    </message>
+    <message>
+        <source>Who takes which share of the error decides who leads and who follows.</source>
+        <translation>Wer welchen Anteil des Fehlers übernimmt, entscheidet, wer führt und wer folgt.</translation>
+    </message>
+    <message>
+        <source>Leave **Share** at 1. Press **Space**, hold the mouse button down, and lead the pointer round p1 in a wide circle.</source>
+        <translation>Lass **Anteil** auf 1. Drück die **Leertaste**, halte die Maustaste gedrückt und führe den Zeiger in weitem Kreis um p1.</translation>
+    </message>
+    <message>
+        <source>Type 0 into the field beside **Share**. Press **Space**, hold the mouse button down and lead p0 to the other side of the picture.</source>
+        <translation>Gib 0 in das Feld neben **Anteil** ein. Drück die **Leertaste**, halte die Maustaste gedrückt und führe p0 auf die andere Seite des Bildes.</translation>
+    </message>
+    <message>
+        <source>Type 0.5 into the field beside **Share**. Press **Space**, hold the mouse button down, move the pointer far away, and keep still.</source>
+        <translation>Gib 0,5 in das Feld neben **Anteil** ein. Drück die **Leertaste**, halte die Maustaste gedrückt, bewege den Zeiger weit weg und halte still.</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation>Anteil</translation>
+    </message>
+    <message>
+        <source>The part of a stick’s error that one of its ends takes, from 0 to 1. The other end takes the rest.</source>
+        <translation>Der Teil vom Fehler eines Stabs, den eines seiner Enden übernimmt, von 0 bis 1. Das andere Ende übernimmt den Rest.</translation>
+    </message>
+    <message>
+        <source>Why does each frame leave share of the error?</source>
+        <translation>Warum lässt jedes Bild den Anteil vom Fehler übrig?</translation>
+    </message>
+    <message>
+        <source>The pointer puts p0 back each frame. The stick is then wrong by some error e. p0 takes share × e, p1 takes the rest:
+
+`p1 comes (1 − share) × e nearer`
+
+The pointer puts p0 back again. What p0 gave is undone, what p1 came stays. So what is left is
+
+`e − (1 − share) × e = share × e`
+
+At 0.5: a half, a quarter, an eighth. At 1 nothing ever gets better, at 0 one frame is enough.</source>
+        <translation>Der Zeiger setzt p0 in jedem Bild zurück. Dann ist der Stab um einen Fehler e falsch. p0 übernimmt Anteil × e, p1 den Rest. So viel kommt p1 näher (share ist der Anteil):
+
+`p1 comes (1 − share) × e nearer`
+
+Der Zeiger setzt p0 wieder zurück. Was p0 gab, ist aufgehoben, was p1 kam, bleibt. Übrig ist also
+
+`e − (1 − share) × e = share × e`
+
+Bei 0,5: die Hälfte, ein Viertel, ein Achtel. Bei 1 wird nie etwas besser, bei 0 genügt ein Bild.</translation>
+    </message>
+    <message>
+        <source>Each stick makes itself right and its neighbours a little wrong; frame by frame the error shrinks.</source>
+        <translation>Jeder Stab stellt sich selbst richtig und seine Nachbarn ein wenig falsch; Bild für Bild schrumpft der Fehler.</translation>
+    </message>
+    <message>
+        <source>Press **Space**, hold the mouse button down, and move the pointer quickly across the picture.</source>
+        <translation>Drück die **Leertaste**, halte die Maustaste gedrückt und bewege den Zeiger schnell quer durch das Bild.</translation>
+    </message>
+    <message>
+        <source>Keep the mouse button down and the pointer still for some seconds. The largest error stands above the parameters.</source>
+        <translation>Halte die Maustaste gedrückt und den Zeiger einige Sekunden still. Der größte Fehler steht über den Parametern.</translation>
+    </message>
+    <message>
+        <source>Type 150 into the field beside **Length**. Press **Space**, hold the mouse button down, lead p0 to the side, and keep still.</source>
+        <translation>Gib 150 in das Feld neben **Länge** ein. Drück die **Leertaste**, halte die Maustaste gedrückt, führe p0 zur Seite und halte still.</translation>
+    </message>
+    <message>
+        <source>A loop goes through a list of sticks, and the order of the list decides how fast a pull arrives.</source>
+        <translation>Eine Schleife geht eine Liste von Stäben durch, und die Reihenfolge der Liste entscheidet, wie schnell ein Zug ankommt.</translation>
+    </message>
+    <message>
+        <source>Press **Space**, hold the mouse button down, lead p0 across the picture, and keep still.</source>
+        <translation>Drück die **Leertaste**, halte die Maustaste gedrückt, führe p0 quer durch das Bild und halte still.</translation>
+    </message>
+    <message>
+        <source>Type 15 into the field beside **Triangles**. Press **Space**, hold the mouse button down, and shake p0 to and fro.</source>
+        <translation>Gib 15 in das Feld neben **Dreiecke** ein. Drück die **Leertaste**, halte die Maustaste gedrückt und schüttle p0 hin und her.</translation>
+    </message>
+    <message>
+        <source>Play and lead p0 for some seconds. Stop, drag the timeline back to the left, type another **Length**, and play on for a second.</source>
+        <translation>Spiele ab und führe p0 einige Sekunden lang. Halte an, zieh die Zeitleiste nach links zurück, gib eine andere **Länge** ein und spiele eine Sekunde weiter.</translation>
+    </message>
+    <message>
+        <source>A velocity that is the way a point came holds whatever moved the point, sticks and walls, too.</source>
+        <translation>In einer Geschwindigkeit, die der Weg eines Punktes ist, steckt alles, was ihn bewegt hat, auch Stäbe und Wände.</translation>
+    </message>
+    <message>
+        <source>Press **Space**. Take a corner of the box, swing it quickly to one side, and let go on the way.</source>
+        <translation>Drück die **Leertaste**. Nimm eine Ecke der Kiste, schwing sie schnell zur Seite und lass unterwegs los.</translation>
+    </message>
+    <message>
+        <source>Type 20 into the field beside **Iterations**. Press **Space**, lift the box by a corner, let go, and wait.</source>
+        <translation>Gib 20 in das Feld neben **Iterationen** ein. Drück die **Leertaste**, heb die Kiste an einer Ecke hoch, lass los und warte.</translation>
+    </message>
+    <message>
+        <source>Type 0 into the field beside **Gravity**. Press **Space**, throw the box, and watch it for a second.</source>
+        <translation>Gib 0 in das Feld neben **Schwerkraft** ein. Drück die **Leertaste**, wirf die Kiste und sieh ihr eine Sekunde zu.</translation>
+    </message>
+    <message>
+        <source>Stop, and press **Shift+→** until the strip under the timeline has ticked the sticks.</source>
+        <translation>Halte an und drück **Umschalt+→**, bis der Streifen unter der Zeitleiste die Stäbe abgehakt hat.</translation>
+    </message>
+    <message>
+        <source>Verlet integration</source>
+        <translation>Verlet-Integration</translation>
+    </message>
+    <message>
+        <source>Verlet integration|Verlet</source>
+        <translation>Verlet-Integration|Verlet</translation>
+    </message>
+    <message>
+        <source>A method that keeps the last two places of a point in place of its velocity. The way from one to the other is the velocity.</source>
+        <translation>Ein Verfahren, das statt der Geschwindigkeit eines Punktes seine letzten zwei Orte behält. Der Weg vom einen zum anderen ist die Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>Iteration</source>
+        <translation>Iteration</translation>
+    </message>
+    <message>
+        <source>iterations|iteration</source>
+        <translation>Iterationen|Iteration</translation>
+    </message>
+    <message>
+        <source>One pass through the list of sticks. More of them in a frame make what the sticks hold stiffer.</source>
+        <translation>Ein Durchgang durch die Liste der Stäbe. Mehr davon in einem Bild machen steifer, was die Stäbe halten.</translation>
+    </message>
+    <message>
+        <source>friction</source>
+        <translation>Reibung</translation>
+    </message>
+    <message>
+        <source>What holds back a thing that slides along a wall. The harder it is pressed against the wall, the more.</source>
+        <translation>Was bremst, was an einer Wand entlanggleitet. Je fester es an die Wand gedrückt wird, desto mehr.</translation>
+    </message>
+    <message>
+        <source>Why is a place minus a place a velocity?</source>
+        <translation>Warum ist Ort minus Ort eine Geschwindigkeit?</translation>
+    </message>
+    <message>
+        <source>A velocity is how far a thing comes in a frame. So it is already there, in the last two places:
+
+`v = x − before`
+
+The next place is this one, plus the velocity, plus what gravity adds:
+
+`next = x + (x − before) + g`
+
+And if a stick has moved x meanwhile, x − before is another number: the velocity knows of it without being told.</source>
+        <translation>Eine Geschwindigkeit ist, wie weit etwas in einem Bild kommt. In den letzten zwei Orten (before: davor) steckt sie also schon:
+
+`v = x − before`
+
+Der nächste Ort ist dieser, plus die Geschwindigkeit, plus was die Schwerkraft hinzufügt:
+
+`next = x + (x − before) + g`
+
+Und hat ein Stab x inzwischen bewegt, ist x − before eine andere Zahl: Die Geschwindigkeit weiß davon, ohne dass es ihr jemand sagt.</translation>
+    </message>
+    <message>
+        <source>Points, sticks and joint limits are enough for a whole figure; more passes leave less error.</source>
+        <translation>Punkte, Stäbe und Gelenkgrenzen genügen für eine ganze Figur; mehr Durchgänge lassen weniger Fehler übrig.</translation>
+    </message>
+    <message>
+        <source>Press **Space**. Take any joint, lift the figure, let go, and wait until it lies still.</source>
+        <translation>Drück die **Leertaste**. Nimm irgendein Gelenk, heb die Figur hoch, lass los und warte, bis sie still liegt.</translation>
+    </message>
+    <message>
+        <source>Press **Space**, take a joint, swing it quickly to one side, and let go on the way.</source>
+        <translation>Drück die **Leertaste**, nimm ein Gelenk, schwing es schnell zur Seite und lass unterwegs los.</translation>
+    </message>
+    <message>
+        <source>Type 1 into the field beside **Iterations**. Press **Space**, take a joint, and shake it to and fro.</source>
+        <translation>Gib 1 in das Feld neben **Iterationen** ein. Drück die **Leertaste**, nimm ein Gelenk und schüttle es hin und her.</translation>
+    </message>
+    <message>
+        <source>Throw the figure and stop. Drag the timeline back to before the throw, type another number of **Iterations**, and play on for a second.</source>
+        <translation>Wirf die Figur und halte an. Zieh die Zeitleiste vor den Wurf zurück, gib eine andere Zahl bei **Iterationen** ein und spiele eine Sekunde weiter.</translation>
+    </message>
+    <message>
+        <source>Joint limit</source>
+        <translation>Gelenkgrenze</translation>
+    </message>
+    <message>
+        <source>joint limits|joint limit</source>
+        <translation>Gelenkgrenzen|Gelenkgrenze</translation>
+    </message>
+    <message>
+        <source>A constraint on an angle: it acts only when a joint is bent farther than it may be.</source>
+        <translation>Eine Zwangsbedingung für einen Winkel: Sie wirkt nur, wenn ein Gelenk weiter gebeugt ist, als es darf.</translation>
+    </message>
 </context>
 <context>
     <name>lesson.json</name>

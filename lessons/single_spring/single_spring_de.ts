@@ -171,6 +171,330 @@ Der Winkel ist in **Radiant**: 1 rad = 57,2958°, und eine halbe Drehung ist 3,1
         <source>Stop inside a frame when the spring has pulled. Find `angle` and `target` in the code.</source>
         <translation>Halte innerhalb eines Bildes an, wenn die Feder gezogen hat. Such `angle` und `target` im Code.</translation>
     </message>
+    <message>
+        <source>A place and a velocity are two numbers each, and damping takes a share of the velocity in every frame.</source>
+        <translation>Ort und Geschwindigkeit sind je zwei Zahlen, und die Dämpfung nimmt in jedem Bild einen Anteil der Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>Press **Space**, so that time runs. Take the foot with the mouse, carry it onto the cross, and wait a moment there before you let go.</source>
+        <translation>Drück die **Leertaste**, damit die Zeit läuft. Nimm den Fuß mit der Maus, trag ihn auf das Kreuz und warte dort einen Moment, bevor du loslässt.</translation>
+    </message>
+    <message>
+        <source>Press **Space**. Take the foot, move the mouse quickly, and let go on the way. Then hands off until it stands.</source>
+        <translation>Drück die **Leertaste**. Nimm den Fuß, bewege die Maus schnell und lass unterwegs los. Dann Hände weg, bis er steht.</translation>
+    </message>
+    <message>
+        <source>Type 1 into the field beside **Damping**. Press **Space**, throw the foot as before, and wait two seconds.</source>
+        <translation>Gib 1 in das Feld neben **Dämpfung** ein. Drück die **Leertaste**, wirf den Fuß wie zuvor und warte zwei Sekunden.</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>frame|frames</source>
+        <translation>Frame|Bilder|Bildern|jedes Bild|jedem Bild|letzten Bild|pro Bild|einem Bild|Bild für Bild</translation>
+    </message>
+    <message>
+        <source>One picture of the run, and the time from it to the next. 30 of them are shown in a second, unless you choose another speed.</source>
+        <translation>Ein Bild (Frame) des Laufs, und die Zeit von ihm bis zum nächsten. In einer Sekunde werden 30 gezeigt, außer du wählst ein anderes Tempo.</translation>
+    </message>
+    <message>
+        <source>Velocity</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>velocity|velocities</source>
+        <translation>Geschwindigkeit|Geschwindigkeiten</translation>
+    </message>
+    <message>
+        <source>How far something goes in a frame, and which way: one number for x and one for y, in pixels per frame.</source>
+        <translation>Wie weit etwas in einem Bild kommt, und in welche Richtung: eine Zahl für x und eine für y, in Pixel pro Bild.</translation>
+    </message>
+    <message>
+        <source>Damping</source>
+        <translation>Dämpfung</translation>
+    </message>
+    <message>
+        <source>damping</source>
+        <translation>Dämpfung</translation>
+    </message>
+    <message>
+        <source>The share of its velocity that a thing keeps each frame. At 0.9 a tenth of it is gone after one frame. At 1 nothing is.</source>
+        <translation>Der Anteil seiner Geschwindigkeit, den etwas in jedem Bild behält. Bei 0,9 ist nach einem Bild ein Zehntel davon weg. Bei 1 nichts.</translation>
+    </message>
+    <message>
+        <source>Why does a throw of 10&#x2009;px glide 90&#x2009;px?</source>
+        <translation>Warum gleitet ein Wurf von 10&#x2009;px ganze 90&#x2009;px?</translation>
+    </message>
+    <message>
+        <source>Each frame keeps 0.9 of the velocity, so the ways get shorter:
+
+`9 + 8.1 + 7.29 + …`
+
+Every number is 0.9 times the one before. Such a sum never ends, and yet it stays below a limit:
+
+`10 × 0.9 / (1 − 0.9) = 90`
+
+Damping is a share **per frame**. Where a frame is computed in two halves, each half keeps the root of it, so that both together keep 0.9:
+
+`√0.9 × √0.9 = 0.9`
+
+Seen the other way, damping is a **drag**: a push against the motion, and the faster a thing is, the stronger the push.</source>
+        <translation>Jedes Bild behält 0,9 der Geschwindigkeit, darum werden die Wege kürzer:
+
+`9 + 8.1 + 7.29 + …`
+
+Jede Zahl ist 0,9-mal die davor. Eine solche Summe endet nie, und doch bleibt sie unter einer Grenze:
+
+`10 × 0.9 / (1 − 0.9) = 90`
+
+Dämpfung ist ein Anteil **pro Bild**. Wo ein Bild in zwei Hälften berechnet wird, behält jede Hälfte die Wurzel davon, sodass beide zusammen 0,9 behalten:
+
+`√0.9 × √0.9 = 0.9`
+
+Anders gesehen ist Dämpfung ein **Widerstand**: ein Druck gegen die Bewegung, und je schneller etwas ist, desto stärker der Druck.</translation>
+    </message>
+    <message>
+        <source>A spring pulls with k times the distance, and what it pulls swings past the middle.</source>
+        <translation>Eine Feder zieht mit k mal dem Abstand, und was sie zieht, schwingt über die Mitte hinaus.</translation>
+    </message>
+    <message>
+        <source>Press **Space**. Take the foot far out, let go, and wait until it stands on the cross.</source>
+        <translation>Drück die **Leertaste**. Nimm den Fuß weit hinaus, lass los und warte, bis er auf dem Kreuz steht.</translation>
+    </message>
+    <message>
+        <source>Stop first (**Space**). Then press **Shift+→** once: that is one phase. The spring is the first of them.</source>
+        <translation>Halte zuerst an (**Leertaste**). Dann drück einmal **Umschalt+→**: Das ist eine Phase. Die Feder ist die erste.</translation>
+    </message>
+    <message>
+        <source>Type 1 into the field beside **Damping**, press **Space**, pull the foot out, let go, and wait some seconds.</source>
+        <translation>Gib 1 in das Feld neben **Dämpfung** ein, drück die **Leertaste**, zieh den Fuß hinaus, lass los und warte einige Sekunden.</translation>
+    </message>
+    <message>
+        <source>Play some seconds and stop. Drag the timeline back to the left, change **Damping**, and play on from there. The old run goes on as a dashed ghost.</source>
+        <translation>Spiele einige Sekunden ab und halte an. Zieh die Zeitleiste nach links zurück, ändere **Dämpfung** und spiele von dort weiter. Der alte Lauf geht als gestrichelter Geist weiter.</translation>
+    </message>
+    <message>
+        <source>Spring</source>
+        <translation>Feder</translation>
+    </message>
+    <message>
+        <source>spring|springs</source>
+        <translation>Feder|Federn</translation>
+    </message>
+    <message>
+        <source>Something that pulls together what is too far apart, and pushes apart what is too close. The more is missing, the stronger it pulls.</source>
+        <translation>Etwas, das zusammenzieht, was zu weit auseinander ist, und auseinanderdrückt, was zu nah ist. Je mehr fehlt, desto stärker zieht sie.</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Steifigkeit</translation>
+    </message>
+    <message>
+        <source>stiffness|stiffer</source>
+        <translation>Steifigkeit|steifer</translation>
+    </message>
+    <message>
+        <source>How hard a spring pulls for each pixel: the number k. At 0.2 it adds a fifth of the missing distance to the velocity, each frame.</source>
+        <translation>Wie stark eine Feder für jedes Pixel zieht: die Zahl k. Bei 0,2 fügt sie der Geschwindigkeit in jedem Bild ein Fünftel des fehlenden Abstands hinzu.</translation>
+    </message>
+    <message>
+        <source>Hooke’s law</source>
+        <translation>Das Hookesche Gesetz</translation>
+    </message>
+    <message>
+        <source>Twice as far, twice the pull: a spring pulls with k times the distance.</source>
+        <translation>Doppelt so weit, doppelter Zug: Eine Feder zieht mit k mal dem Abstand.</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>Phase</translation>
+    </message>
+    <message>
+        <source>phase|phases</source>
+        <translation>Phase|Phasen</translation>
+    </message>
+    <message>
+        <source>A part of a frame: first the springs pull, then damping takes its share, then everything moves. **Shift+→** goes from one to the next.</source>
+        <translation>Ein Teil eines Bildes: Erst ziehen die Federn, dann nimmt die Dämpfung ihren Anteil, dann bewegt sich alles. **Umschalt+→** geht von einer zur nächsten.</translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation>Überschwingen</translation>
+    </message>
+    <message>
+        <source>overshoots|overshoot</source>
+        <translation>schießt er darüber hinaus|schießt darüber hinaus|überschwingen</translation>
+    </message>
+    <message>
+        <source>To go past the place where one wants to be. A swinging foot does so at every swing.</source>
+        <translation>Über den Ort hinausgehen, an dem man sein will. Ein schwingender Fuß tut das bei jeder Schwingung.</translation>
+    </message>
+    <message>
+        <source>Ghost</source>
+        <translation>Geist</translation>
+    </message>
+    <message>
+        <source>ghost</source>
+        <translation>Geist|Geists</translation>
+    </message>
+    <message>
+        <source>The run as it was before you changed something in its past. It is drawn as a dashed outline, and goes along with the new run.</source>
+        <translation>Der Lauf, wie er war, bevor du etwas in seiner Vergangenheit geändert hast. Er wird als gestrichelter Umriss gezeichnet und läuft mit dem neuen Lauf mit.</translation>
+    </message>
+    <message>
+        <source>Why twice as far, twice the pull?</source>
+        <translation>Warum doppelt so weit, doppelter Zug?</translation>
+    </message>
+    <message>
+        <source>Two springs one after the other share a stretch, and each is stretched by half of it. So a stretch of one px in one spring pulls as much as two px in both. That is what Robert Hooke saw in 1678:
+
+`pull = k × distance`
+
+Here it is added to the velocity once a frame, in x and in y apart:
+
+`vx = vx + k × (cx − x)`
+
+Real springs keep to it as long as they are not bent out of shape.</source>
+        <translation>Zwei Federn hintereinander teilen sich eine Dehnung, und jede wird um die Hälfte gedehnt. Eine Dehnung von einem px in einer Feder zieht also so stark wie zwei px in beiden. Das sah Robert Hooke 1678 (pull ist der Zug, distance der Abstand):
+
+`pull = k × distance`
+
+Hier wird er einmal pro Bild zur Geschwindigkeit addiert, in x und in y getrennt:
+
+`vx = vx + k × (cx − x)`
+
+Echte Federn halten sich daran, solange sie nicht verbogen werden.</translation>
+    </message>
+    <message>
+        <source>A spring reads the place of its other end anew in each frame, so what hangs on it follows.</source>
+        <translation>Eine Feder liest den Ort ihres anderen Endes in jedem Bild neu, darum folgt ihm, was an ihr hängt.</translation>
+    </message>
+    <message>
+        <source>Press **Space**. Take the large disc, carry it across the picture, and let go. Wait until the foot has come to rest on it.</source>
+        <translation>Drück die **Leertaste**. Nimm die große Scheibe, trag sie quer durch das Bild und lass los. Warte, bis der Fuß auf ihr zur Ruhe gekommen ist.</translation>
+    </message>
+    <message>
+        <source>Type 0.02 into the field beside **k**. Press **Space**, and swing the body quickly from one corner of the picture to the other.</source>
+        <translation>Gib 0,02 in das Feld neben **k** ein. Drück die **Leertaste** und schwing den Körper schnell von einer Ecke des Bildes zur anderen.</translation>
+    </message>
+    <message>
+        <source>Press **Space**, throw the foot, and stop with **Space** while it flies. Then press **Shift+→** once.</source>
+        <translation>Drück die **Leertaste**, wirf den Fuß und halte mit der **Leertaste** an, während er fliegt. Dann drück einmal **Umschalt+→**.</translation>
+    </message>
+    <message>
+        <source>An offset moves the target of a spring to a side, whatever side the foot comes from.</source>
+        <translation>Ein Versatz schiebt das Ziel einer Feder zu einer Seite, von welcher Seite der Fuß auch kommt.</translation>
+    </message>
+    <message>
+        <source>Press **Space**. Drag the foot to the left of the body, let go, and wait until it stands.</source>
+        <translation>Drück die **Leertaste**. Zieh den Fuß links neben den Körper, lass los und warte, bis er steht.</translation>
+    </message>
+    <message>
+        <source>Type −60 into the field beside **Offset**, press **Space**, and wait.</source>
+        <translation>Gib −60 in das Feld neben **Versatz** ein, drück die **Leertaste** und warte.</translation>
+    </message>
+    <message>
+        <source>Press **Space**, take the large disc, and carry it across the picture.</source>
+        <translation>Drück die **Leertaste**, nimm die große Scheibe und trag sie quer durch das Bild.</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>target|targets</source>
+        <translation>Ziel|Ziele|Zielen|Ziels</translation>
+    </message>
+    <message>
+        <source>The place that a spring pulls to. It need not be the middle of something.</source>
+        <translation>Der Ort, zu dem eine Feder zieht. Er muss nicht die Mitte von etwas sein.</translation>
+    </message>
+    <message>
+        <source>With an angle the target can be 50&#x2009;px away in any direction: atan2 finds it, cos and sin lead back.</source>
+        <translation>Mit einem Winkel kann das Ziel 50&#x2009;px weit in jeder Richtung liegen: atan2 findet ihn, cos und sin führen zurück.</translation>
+    </message>
+    <message>
+        <source>Press **Space**. Put the foot just to the left of the body, hold it still for a moment, and let go.</source>
+        <translation>Drück die **Leertaste**. Setz den Fuß knapp links neben den Körper, halte ihn einen Moment still und lass los.</translation>
+    </message>
+    <message>
+        <source>Press **Space**. Hold the foot straight below the body, with the mouse button down. The angle is written beside the arc.</source>
+        <translation>Drück die **Leertaste**. Halte den Fuß gerade unter den Körper, mit gedrückter Maustaste. Der Winkel steht neben dem Bogen.</translation>
+    </message>
+    <message>
+        <source>Type 120 into the field beside **Radius**, press **Space**, and wait.</source>
+        <translation>Gib 120 in das Feld neben **Radius** ein, drück die **Leertaste** und warte.</translation>
+    </message>
+    <message>
+        <source>Stop with **Space**, and press **Shift+→** once. The code shows what each line has found.</source>
+        <translation>Halte mit der **Leertaste** an und drück einmal **Umschalt+→**. Der Code zeigt, was jede Zeile gefunden hat.</translation>
+    </message>
+    <message>
+        <source>Rest length</source>
+        <translation>Ruhelänge</translation>
+    </message>
+    <message>
+        <source>rest length|radius</source>
+        <translation>Ruhelänge|Radius</translation>
+    </message>
+    <message>
+        <source>The length at which a spring does nothing. A longer one pulls its ends together, a shorter one pushes them apart. In these lessons it is called radius.</source>
+        <translation>Die Länge, bei der eine Feder nichts tut. Eine längere zieht ihre Enden zusammen, eine kürzere drückt sie auseinander. In diesen Lektionen heißt sie Radius.</translation>
+    </message>
+    <message>
+        <source>Radian</source>
+        <translation>Radiant</translation>
+    </message>
+    <message>
+        <source>radian|radians</source>
+        <translation>Radiant</translation>
+    </message>
+    <message>
+        <source>A way to count angles: the length of the arc, divided by its radius. A full turn is 2π, 6.2832&#x2009;rad; one rad is 57.2958°.</source>
+        <translation>Eine Art, Winkel zu zählen: die Länge des Bogens, geteilt durch seinen Radius. Eine volle Drehung ist 2π, 6,2832&#x2009;rad; ein rad ist 57,2958°.</translation>
+    </message>
+    <message>
+        <source>atan2</source>
+        <translation>atan2</translation>
+    </message>
+    <message>
+        <source>Makes an angle of the two numbers of a direction: `atan2(dy, dx)`. For (0, 0) it gives 0.</source>
+        <translation>Macht aus den zwei Zahlen einer Richtung einen Winkel: `atan2(dy, dx)`. Für (0, 0) ergibt es 0.</translation>
+    </message>
+    <message>
+        <source>Why atan2, and not a division?</source>
+        <translation>Warum atan2, und nicht teilen?</translation>
+    </message>
+    <message>
+        <source>How steep a way is, is a division:
+
+`steepness = dy / dx`
+
+But it cannot tell a way from its opposite: −2 / −1 is the same as 2 / 1. And straight up, dx is 0, and nothing can be divided by that.
+
+`atan2(dy, dx)`
+
+gets both numbers, so it sees their signs. It knows all four quarters of a turn, from −π to π, and straight up and down as well.
+
+`atan2(2, 1) = 1.107&#x2009;rad`
+
+`atan2(−2, −1) = −2.034&#x2009;rad`</source>
+        <translation>Wie steil ein Weg ist, ergibt sich durch Teilen (steepness ist die Steilheit):
+
+`steepness = dy / dx`
+
+Aber das kann einen Weg nicht von seinem Gegenteil unterscheiden: −2 / −1 ist dasselbe wie 2 / 1. Und gerade nach oben ist dx 0, und durch 0 lässt sich nichts teilen.
+
+`atan2(dy, dx)`
+
+bekommt beide Zahlen, sieht also ihre Vorzeichen. Es kennt alle vier Viertel einer Drehung, von −π bis π, und auch gerade nach oben und unten.
+
+`atan2(2, 1) = 1.107&#x2009;rad`
+
+`atan2(−2, −1) = −2.034&#x2009;rad`</translation>
+    </message>
 </context>
 <context>
     <name>lesson.json</name>

@@ -499,6 +499,298 @@ Wind schiebt mit dem Sinus des Winkels zwischen Zweig und Wind. Eine Bö läuft 
 
 Mit diesen Werten kann ein Zeitschritt bis zu 3,1&#x202f;Bilder lang sein. Ohne Dämpfung und Wind bleibt die Energie.</translation>
     </message>
+    <message>
+        <source>A branch is an origin, an angle and a length; cos and sin tell where it ends.</source>
+        <translation>Ein Zweig ist ein Anfang, ein Winkel und eine Länge; cos und sin sagen, wo er endet.</translation>
+    </message>
+    <message>
+        <source>Type 200 into the field beside **Trunk length**.</source>
+        <translation>Gib 200 in das Feld neben **Stammlänge** ein.</translation>
+    </message>
+    <message>
+        <source>Choose **published** beside **Formula**. The values stand beside the lines of the code.</source>
+        <translation>Wähle **veröffentlicht** neben **Formel**. Die Werte stehen neben den Zeilen des Codes.</translation>
+    </message>
+    <message>
+        <source>Sine and cosine</source>
+        <translation>Sinus und Kosinus</translation>
+    </message>
+    <message>
+        <source>cos and sin|sine</source>
+        <translation>cos und sin|Sinus|Kosinus</translation>
+    </message>
+    <message>
+        <source>The two numbers of a way of 1&#x2009;px at an angle: cos is how far to the right, sin how far down.</source>
+        <translation>Die zwei Zahlen eines Wegs von 1&#x2009;px in einem Winkel: cos ist, wie weit nach rechts, sin, wie weit nach unten.</translation>
+    </message>
+    <message>
+        <source>Why divide by 57.2958?</source>
+        <translation>Warum durch 57,2958 teilen?</translation>
+    </message>
+    <message>
+        <source>A full turn is 360&#x2009;°. Counted by the arc of a circle of radius 1 it is 2π:
+
+`360&#x2009;° = 2π rad = 6.2832&#x2009;rad`
+
+So one radian is
+
+`360&#x2009;° / 6.2832 = 57.2958&#x2009;°`
+
+cos and sin count in radians. An angle in degrees is divided by that number first:
+
+`−90&#x2009;° / 57.2958 = −1.5708&#x2009;rad`</source>
+        <translation>Eine volle Drehung ist 360&#x2009;°. Gezählt am Bogen eines Kreises mit Radius 1 ist sie 2π:
+
+`360&#x2009;° = 2π rad = 6.2832&#x2009;rad`
+
+Ein Radiant ist also
+
+`360&#x2009;° / 6.2832 = 57.2958&#x2009;°`
+
+cos und sin zählen in Radiant. Ein Winkel in Grad wird erst durch diese Zahl geteilt:
+
+`−90&#x2009;° / 57.2958 = −1.5708&#x2009;rad`</translation>
+    </message>
+    <message>
+        <source>A rule that uses itself grows a whole tree, and a smallest size ends it.</source>
+        <translation>Eine Regel, die sich selbst verwendet, lässt einen ganzen Baum wachsen, und eine kleinste Größe beendet sie.</translation>
+    </message>
+    <message>
+        <source>The children of the trunk are 0.8 as large, and their children 0.64. Type 0.7 beside **Smallest branch**.</source>
+        <translation>Die Kinder des Stamms sind 0,8-mal so groß, deren Kinder 0,64-mal. Gib 0,7 neben **Kleinster Zweig** ein.</translation>
+    </message>
+    <message>
+        <source>Type 90 into the field beside **Spread**.</source>
+        <translation>Gib 90 in das Feld neben **Spreizung** ein.</translation>
+    </message>
+    <message>
+        <source>Type 0.7 into the field beside **Slope**. The number of branches stands above the parameters.</source>
+        <translation>Gib 0,7 in das Feld neben **Verjüngung** ein. Die Zahl der Zweige steht über den Parametern.</translation>
+    </message>
+    <message>
+        <source>Rule that uses itself</source>
+        <translation>Regel, die sich selbst verwendet</translation>
+    </message>
+    <message>
+        <source>rule that uses itself</source>
+        <translation>Regel, die sich selbst verwendet</translation>
+    </message>
+    <message>
+        <source>A rule whose last part is: and now do the same again, with something smaller. Its name is recursion. It needs an end.</source>
+        <translation>Eine Regel, deren letzter Teil lautet: Und jetzt dasselbe noch einmal, mit etwas Kleinerem. Man nennt das Rekursion. Sie braucht ein Ende.</translation>
+    </message>
+    <message>
+        <source>Chance that is worked out from a seed makes a tree look real and grow the same each time.</source>
+        <translation>Zufall, der aus einem Startwert berechnet wird, lässt einen Baum echt aussehen und jedes Mal gleich wachsen.</translation>
+    </message>
+    <message>
+        <source>Type 0 into the field beside **Jitter**.</source>
+        <translation>Gib 0 in das Feld neben **Streuung** ein.</translation>
+    </message>
+    <message>
+        <source>Type 60 into the field beside **Jitter**.</source>
+        <translation>Gib 60 in das Feld neben **Streuung** ein.</translation>
+    </message>
+    <message>
+        <source>Above the parameters, press **Presets** and choose a picture. Or type another number beside **Spread**.</source>
+        <translation>Drück über den Parametern **Beispiele** und wähle ein Bild. Oder gib neben **Spreizung** eine andere Zahl ein.</translation>
+    </message>
+    <message>
+        <source>jitter</source>
+        <translation>Streuung</translation>
+    </message>
+    <message>
+        <source>How far chance may turn a thing from where it should point.</source>
+        <translation>Wie weit der Zufall etwas von der Richtung wegdrehen darf, in die es zeigen soll.</translation>
+    </message>
+    <message>
+        <source>Every branch turns from the trunk outwards, as a child begins where its parent ends.</source>
+        <translation>Jeder Zweig dreht sich, vom Stamm nach außen, denn ein Kind beginnt, wo sein Elternzweig endet.</translation>
+    </message>
+    <message>
+        <source>Press **Space**. Put the pointer into the picture beside the tree, hold the mouse button down, and keep still.</source>
+        <translation>Drück die **Leertaste**. Setz den Zeiger im Bild neben den Baum, halte die Maustaste gedrückt und halte still.</translation>
+    </message>
+    <message>
+        <source>Choose **published** beside **Formula**. Then hold the mouse button down beside the tree and count.</source>
+        <translation>Wähle **veröffentlicht** neben **Formel**. Dann halte neben dem Baum die Maustaste gedrückt und zähl mit.</translation>
+    </message>
+    <message>
+        <source>Press **Space**. Hold the mouse button down near the ground, right of the trunk, for a moment, and let go.</source>
+        <translation>Drück die **Leertaste**. Halte nahe am Boden, rechts vom Stamm, kurz die Maustaste gedrückt und lass los.</translation>
+    </message>
+    <message>
+        <source>To turn by a part of what is missing is fast at first and then slower, and it has to go the short way round.</source>
+        <translation>Sich um einen Teil des Fehlenden zu drehen, ist erst schnell und dann langsamer, und es muss auf dem kurzen Weg geschehen.</translation>
+    </message>
+    <message>
+        <source>Press **Space**. Hold the mouse button down low in the left or right corner for two seconds.</source>
+        <translation>Drück die **Leertaste**. Halte tief in der linken oder rechten Ecke zwei Sekunden lang die Maustaste gedrückt.</translation>
+    </message>
+    <message>
+        <source>Type 2 beside **Ease**, press **Space**, and hold the mouse button down for a second. Then type 30 beside **Ease**, and hold it again.</source>
+        <translation>Gib 2 neben **Langsamkeit** ein, drück die **Leertaste** und halte eine Sekunde lang die Maustaste gedrückt. Dann gib 30 neben **Langsamkeit** ein und halte sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>Press **Space** and hold the mouse button down close to the tree for a second. Stop, drag the timeline back by ten frames, choose **published** beside **Formula**, and play on.</source>
+        <translation>Drück die **Leertaste** und halte dicht am Baum eine Sekunde lang die Maustaste gedrückt. Halte an, zieh die Zeitleiste um zehn Bilder zurück, wähle **veröffentlicht** neben **Formel** und spiele weiter.</translation>
+    </message>
+    <message>
+        <source>ease</source>
+        <translation>Langsamkeit</translation>
+    </message>
+    <message>
+        <source>Each frame a branch turns by the missing angle divided by this number. So it starts fast and arrives gently.</source>
+        <translation>In jedem Bild dreht sich ein Zweig um den fehlenden Winkel, geteilt durch diese Zahl. Darum beginnt er schnell und kommt sanft an.</translation>
+    </message>
+    <message>
+        <source>Why 180&#x2009;° and not 360&#x2009;°?</source>
+        <translation>Warum 180&#x2009;° und nicht 360&#x2009;°?</translation>
+    </message>
+    <message>
+        <source>Two angles a turn apart are the same direction. From −170&#x2009;° to 170&#x2009;° one can go
+
+`170 − (−170) = 340&#x2009;°`
+
+or the other way round:
+
+`340 − 360 = −20&#x2009;°`
+
+The short way is never more than half a turn. So if what is missing is more than 180&#x2009;°, take a whole turn off it; if it is less than −180&#x2009;°, add one. Were the test at 360&#x2009;°, every way between 180&#x2009;° and 360&#x2009;° would be taken the long way.</source>
+        <translation>Zwei Winkel, die eine Drehung auseinanderliegen, sind dieselbe Richtung. Von −170&#x2009;° nach 170&#x2009;° kann man
+
+`170 − (−170) = 340&#x2009;°`
+
+gehen, oder andersherum:
+
+`340 − 360 = −20&#x2009;°`
+
+Der kurze Weg ist nie mehr als eine halbe Drehung. Fehlen also mehr als 180&#x2009;°, zieh eine ganze Drehung ab; sind es weniger als −180&#x2009;°, zähl eine dazu. Läge der Test bei 360&#x2009;°, würde jeder Weg zwischen 180&#x2009;° und 360&#x2009;° auf dem langen Weg genommen.</translation>
+    </message>
+    <message>
+        <source>A branch that remembers the angle at which it grew comes back to it, and without a velocity it never swings past.</source>
+        <translation>Ein Zweig, der sich den Winkel merkt, mit dem er wuchs, kehrt zu ihm zurück, und ohne Geschwindigkeit schwingt er nie darüber hinaus.</translation>
+    </message>
+    <message>
+        <source>Press **Space**. Hold the mouse button down at the foot of the trunk for two seconds, let go, and wait.</source>
+        <translation>Drück die **Leertaste**. Halte am Fuß des Stamms zwei Sekunden lang die Maustaste gedrückt, lass los und warte.</translation>
+    </message>
+    <message>
+        <source>Type 30 into the field beside **Ease**. Hold the mouse button down at the foot of the trunk for seven seconds, let go, and wait.</source>
+        <translation>Gib 30 in das Feld neben **Langsamkeit** ein. Halte am Fuß des Stamms sieben Sekunden lang die Maustaste gedrückt, lass los und warte.</translation>
+    </message>
+    <message>
+        <source>Press **Space** and hold the mouse button down beside the tree. With the button down, press **Space** to stop, and then **Shift+→** until the tree has returned.</source>
+        <translation>Drück die **Leertaste** und halte neben dem Baum die Maustaste gedrückt. Drück bei gehaltener Maustaste die **Leertaste**, um anzuhalten, und dann **Umschalt+→**, bis der Baum zurückgekehrt ist.</translation>
+    </message>
+    <message>
+        <source>Divided by the distance, the wind is strong near by and weak far away.</source>
+        <translation>Durch den Abstand geteilt, ist der Wind in der Nähe stark und in der Ferne schwach.</translation>
+    </message>
+    <message>
+        <source>Press **Space**. Hold the mouse button down right at the end of a twig, and follow the twig.</source>
+        <translation>Drück die **Leertaste**. Halte genau am Ende eines feinen Zweigs die Maustaste gedrückt und folge dem Zweig.</translation>
+    </message>
+    <message>
+        <source>Press **Space**, and hold the mouse button down in an upper corner of the picture for two seconds.</source>
+        <translation>Drück die **Leertaste** und halte in einer oberen Ecke des Bildes zwei Sekunden lang die Maustaste gedrückt.</translation>
+    </message>
+    <message>
+        <source>Press **Space** and hold the mouse button down for a second. Stop, drag the timeline back by ten frames, choose **published** beside **Formula**, and play on.</source>
+        <translation>Drück die **Leertaste** und halte eine Sekunde lang die Maustaste gedrückt. Halte an, zieh die Zeitleiste um zehn Bilder zurück, wähle **veröffentlicht** neben **Formel** und spiele weiter.</translation>
+    </message>
+    <message>
+        <source>Thick branches resist by their scale twice, so twigs turn first.</source>
+        <translation>Dicke Zweige widerstehen mit ihrer Größe gleich zweimal, darum drehen sich die feinen zuerst.</translation>
+    </message>
+    <message>
+        <source>Press **Space**, and hold the mouse button down left of the crown for a second.</source>
+        <translation>Drück die **Leertaste** und halte links von der Krone eine Sekunde lang die Maustaste gedrückt.</translation>
+    </message>
+    <message>
+        <source>Type 20 into the field beside **Wind**. Press **Space**, and hold the mouse button down close beside the trunk for two seconds.</source>
+        <translation>Gib 20 in das Feld neben **Wind** ein. Drück die **Leertaste** und halte dicht neben dem Stamm zwei Sekunden lang die Maustaste gedrückt.</translation>
+    </message>
+    <message>
+        <source>The same chance for all branches makes twigs tremble, while the trunk hardly feels it.</source>
+        <translation>Derselbe Zufall für alle Zweige lässt die feinen zittern, während der Stamm ihn kaum spürt.</translation>
+    </message>
+    <message>
+        <source>Press **Space**, and hold the mouse button down left of the crown for three seconds.</source>
+        <translation>Drück die **Leertaste** und halte links von der Krone drei Sekunden lang die Maustaste gedrückt.</translation>
+    </message>
+    <message>
+        <source>Hold the mouse button down for two seconds while it plays, and stop. Drag the timeline back to soon after the wind began, type 0 beside **Turbulence**, and play on.</source>
+        <translation>Halte beim Abspielen zwei Sekunden lang die Maustaste gedrückt und halte dann an. Zieh die Zeitleiste bis kurz nach dem Beginn des Windes zurück, gib 0 neben **Turbulenz** ein und spiele weiter.</translation>
+    </message>
+    <message>
+        <source>Above the parameters, press **Presets** and choose a picture. Press **Space** and hold the mouse button down close to the tree.</source>
+        <translation>Drück über den Parametern **Beispiele** und wähle ein Bild. Drück die **Leertaste** und halte dicht am Baum die Maustaste gedrückt.</translation>
+    </message>
+    <message>
+        <source>turbulence</source>
+        <translation>Turbulenz</translation>
+    </message>
+    <message>
+        <source>How far chance turns the wind in each frame, the same for all.</source>
+        <translation>Wie weit der Zufall den Wind in jedem Bild dreht, für alle gleich.</translation>
+    </message>
+    <message>
+        <source>With a spin and a spring in each joint, a gust in the twigs moves the trunk, and the tree swings past its rest.</source>
+        <translation>Mit einer Drehgeschwindigkeit und einer Feder in jedem Gelenk bewegt eine Bö in den feinen Zweigen den Stamm, und der Baum schwingt über seine Ruhelage hinaus.</translation>
+    </message>
+    <message>
+        <source>Press **Space**. Hold the mouse button down left of the tree for two seconds, let go, and wait.</source>
+        <translation>Drück die **Leertaste**. Halte links vom Baum zwei Sekunden lang die Maustaste gedrückt, lass los und warte.</translation>
+    </message>
+    <message>
+        <source>Press **Space**, and press the mouse button at the left edge. Half a second later, with the button down, press **Space** again.</source>
+        <translation>Drück die **Leertaste** und am linken Rand die Maustaste. Halte sie gedrückt, und drück eine halbe Sekunde später noch einmal die **Leertaste**.</translation>
+    </message>
+    <message>
+        <source>Type 1 into the field beside **Damping**. Press **Space**, hold the mouse button down for a second, let go, and wait ten seconds.</source>
+        <translation>Gib 1 in das Feld neben **Dämpfung** ein. Drück die **Leertaste**, halte eine Sekunde lang die Maustaste gedrückt, lass los und warte zehn Sekunden.</translation>
+    </message>
+    <message>
+        <source>Above the parameters, press **Presets** and choose a picture. Press **Space** and hold the mouse button down left of the tree for two seconds.</source>
+        <translation>Drück über den Parametern **Beispiele** und wähle ein Bild. Drück die **Leertaste** und halte links vom Baum zwei Sekunden lang die Maustaste gedrückt.</translation>
+    </message>
+    <message>
+        <source>Torque</source>
+        <translation>Drehmoment</translation>
+    </message>
+    <message>
+        <source>torque</source>
+        <translation>Drehmoment|Drehmoments</translation>
+    </message>
+    <message>
+        <source>What turns a thing, as a pull moves it. A joint that is twisted twice as far turns back twice as hard.</source>
+        <translation>Was etwas dreht, so wie ein Zug es bewegt. Ein Gelenk, das doppelt so weit verdreht ist, dreht doppelt so stark zurück.</translation>
+    </message>
+    <message>
+        <source>Spin</source>
+        <translation>Drehgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>spin</source>
+        <translation>Drehgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>How far a thing turns in a frame, in degrees. What velocity is to a place, spin is to an angle.</source>
+        <translation>Wie weit sich etwas in einem Bild dreht, in Grad. Was die Geschwindigkeit für einen Ort ist, ist sie für einen Winkel.</translation>
+    </message>
+    <message>
+        <source>Inertia</source>
+        <translation>Trägheit</translation>
+    </message>
+    <message>
+        <source>inertia</source>
+        <translation>Trägheit</translation>
+    </message>
+    <message>
+        <source>How hard it is to set a thing turning, or to stop it. More mass farther out means more of it.</source>
+        <translation>Wie schwer es ist, etwas in Drehung zu versetzen oder anzuhalten. Mehr Masse weiter außen bedeutet mehr davon.</translation>
+    </message>
 </context>
 <context>
     <name>lesson.json</name>

@@ -71,6 +71,102 @@ Es wird nach jedem Bild gezeichnet, aus den zwei Orten, wie sie dann sind, darum
 
 Aber es zeigt die Feder, die schon vorher da war. Ein Bein, das länger als **Radius** ist, zieht seine zwei Enden zusammen, ein kürzeres drückt sie auseinander, und bei 50&#x202f;px tut es nichts.</translation>
     </message>
+    <message>
+        <source>Who moves first matters: if one sees the other where it already is, momentum comes from nowhere.</source>
+        <translation>Wer sich zuerst bewegt, ist nicht egal: Sieht einer den anderen, wo er schon ist, kommt Impuls aus dem Nichts.</translation>
+    </message>
+    <message>
+        <source>Stop, and press **Shift+→** until the strip under the timeline has ticked the move of the foot, and not yet the one of the body.</source>
+        <translation>Halte an und drück **Umschalt+→**, bis der Streifen unter der Zeitleiste die Bewegung des Fußes abgehakt hat, aber noch nicht die des Körpers.</translation>
+    </message>
+    <message>
+        <source>Type 0.3 into the field beside **k**, press **Space**, and touch nothing.</source>
+        <translation>Gib 0,3 in das Feld neben **k** ein, drück die **Leertaste** und fass nichts an.</translation>
+    </message>
+    <message>
+        <source>Type 0.3 beside **k** and 0.85 beside **Damping**. Then press **Space** and wait.</source>
+        <translation>Gib 0,3 neben **k** und 0,85 neben **Dämpfung** ein. Dann drück die **Leertaste** und warte.</translation>
+    </message>
+    <message>
+        <source>Type 0.3 beside **k** and 0.9 beside **Damping**. Above the picture, choose **Semi-implicit Euler** as method. Press **Space** and wait four seconds.</source>
+        <translation>Gib 0,3 neben **k** und 0,9 neben **Dämpfung** ein. Wähle über dem Bild **Semi-implizites Euler** als Verfahren. Drück die **Leertaste** und warte vier Sekunden.</translation>
+    </message>
+    <message>
+        <source>Momentum</source>
+        <translation>Impuls</translation>
+    </message>
+    <message>
+        <source>momentum</source>
+        <translation>Impuls|Impulses</translation>
+    </message>
+    <message>
+        <source>All velocities added up (times the mass, where masses differ). What only pulls each other cannot change it.</source>
+        <translation>Alle Geschwindigkeiten addiert (mal die Masse, wo Massen verschieden sind). Was nur aneinander zieht, kann ihn nicht ändern.</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>method|methods</source>
+        <translation>Verfahren|Verfahrens</translation>
+    </message>
+    <message>
+        <source>The recipe that computes the next frame from this one: what is asked for when, and what moves when. You choose it above the picture.</source>
+        <translation>Das Rezept, das aus diesem Bild das nächste berechnet: wonach wann gefragt wird und was sich wann bewegt. Du wählst es über dem Bild.</translation>
+    </message>
+    <message>
+        <source>Semi-implicit Euler</source>
+        <translation>Semi-implizites Euler</translation>
+    </message>
+    <message>
+        <source>A method: first all velocities get their pulls, and then everything moves by its new velocity.</source>
+        <translation>Ein Verfahren: Erst bekommen alle Geschwindigkeiten ihre Züge, und dann bewegt sich alles mit seiner neuen Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>Why does a spring pull both ends?</source>
+        <translation>Warum zieht eine Feder an beiden Enden?</translation>
+    </message>
+    <message>
+        <source>Hold a rubber band between two hands: each hand feels it, and just as hard. What pulls is pulled back:
+
+`pull on body = − pull on foot`
+
+So whatever the foot gains, the body loses, and the sum stays:
+
+`v_foot + v_body = the same`
+
+That holds only if both pulls are taken **at the same moment**. If the foot moves first, the body feels another distance than the foot felt. Then the two pulls do not cancel, and what is left over pushes the pair along.</source>
+        <translation>Halte ein Gummiband zwischen zwei Händen: Jede Hand spürt es, und genauso stark. Was zieht, wird zurückgezogen. Der Zug am Körper (body) ist minus der Zug am Fuß (foot):
+
+`pull on body = − pull on foot`
+
+Was der Fuß gewinnt, verliert also der Körper, und die Summe bleibt gleich:
+
+`v_foot + v_body = the same`
+
+Das gilt nur, wenn beide Züge **im selben Moment** genommen werden. Bewegt sich der Fuß zuerst, spürt der Körper einen anderen Abstand, als der Fuß gespürt hat. Dann heben sich die zwei Züge nicht auf, und was übrig bleibt, schiebt das Paar davon.</translation>
+    </message>
+    <message>
+        <source>A leg is only drawn: it shows how long the spring is, and changes nothing.</source>
+        <translation>Ein Bein ist nur gezeichnet: Es zeigt, wie lang die Feder ist, und ändert nichts.</translation>
+    </message>
+    <message>
+        <source>Press **Space**, take the foot, and pull it quickly into a corner. Do not let go yet.</source>
+        <translation>Drück die **Leertaste**, nimm den Fuß und zieh ihn schnell in eine Ecke. Lass noch nicht los.</translation>
+    </message>
+    <message>
+        <source>Press **Space**, take the foot, and push it onto the body. Then let go.</source>
+        <translation>Drück die **Leertaste**, nimm den Fuß und schieb ihn auf den Körper. Dann lass los.</translation>
+    </message>
+    <message>
+        <source>Type 100 into the field beside **Radius**, press **Space**, and wait.</source>
+        <translation>Gib 100 in das Feld neben **Radius** ein, drück die **Leertaste** und warte.</translation>
+    </message>
+    <message>
+        <source>Play some seconds, drag the timeline back to the left, type another **k**, and play on for a second.</source>
+        <translation>Spiele einige Sekunden ab, zieh die Zeitleiste nach links zurück, gib ein anderes **k** ein und spiele eine Sekunde weiter.</translation>
+    </message>
 </context>
 <context>
     <name>lesson.json</name>

@@ -563,6 +563,258 @@ Von hier an ist k 0,1.</translation>
         <source>one</source>
         <translation>einem</translation>
     </message>
+    <message>
+        <source>Press **Space**, take the large disc, and carry it slowly to one side of the picture.</source>
+        <translation>Drück die **Leertaste**, nimm die große Scheibe und trag sie langsam zu einer Seite des Bildes.</translation>
+    </message>
+    <message>
+        <source>A bone gives each foot an angle of its own: one place, and not a ring of places.</source>
+        <translation>Ein Knochen gibt jedem Fuß einen eigenen Winkel: einen Ort, und nicht einen Ring von Orten.</translation>
+    </message>
+    <message>
+        <source>Press **Space**. Take the small disc on the left, carry it past the body to the right, let go, and wait.</source>
+        <translation>Drück die **Leertaste**. Nimm die kleine Scheibe links, trag sie am Körper vorbei nach rechts, lass los und warte.</translation>
+    </message>
+    <message>
+        <source>Stop, and press **Shift+→** once: the springs come first.</source>
+        <translation>Halte an und drück einmal **Umschalt+→**: Die Federn kommen zuerst.</translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation>Knochen</translation>
+    </message>
+    <message>
+        <source>bone|bones</source>
+        <translation>Knochen|Knochens</translation>
+    </message>
+    <message>
+        <source>An angle that belongs to a foot: it says on which side of the body the foot has its place.</source>
+        <translation>Ein Winkel, der zu einem Fuß gehört: Er sagt, auf welcher Seite des Körpers der Fuß seinen Ort hat.</translation>
+    </message>
+    <message>
+        <source>A leg is a line that is drawn anew for each picture; nothing feels it.</source>
+        <translation>Ein Bein ist eine Linie, die für jedes Bild neu gezeichnet wird; nichts spürt sie.</translation>
+    </message>
+    <message>
+        <source>Type 100 into the field beside **Leg**, press **Space**, and wait.</source>
+        <translation>Gib 100 in das Feld neben **Bein** ein, drück die **Leertaste** und warte.</translation>
+    </message>
+    <message>
+        <source>Press **Space**, take a small disc, pull it to the edge of the picture, and let go.</source>
+        <translation>Drück die **Leertaste**, nimm eine kleine Scheibe, zieh sie an den Rand des Bildes und lass los.</translation>
+    </message>
+    <message>
+        <source>One number that is added to y moves all places below the body.</source>
+        <translation>Eine Zahl, die zu y addiert wird, schiebt alle Orte unter den Körper.</translation>
+    </message>
+    <message>
+        <source>Type 0 into the field beside **Drop**, press **Space**, and wait.</source>
+        <translation>Gib 0 in das Feld neben **Absenkung** ein, drück die **Leertaste** und warte.</translation>
+    </message>
+    <message>
+        <source>y points down, so above the body is below 0: type −50 beside **Drop**, press **Space**, and wait.</source>
+        <translation>y zeigt nach unten, über dem Körper ist also unter 0: Gib −50 neben **Absenkung** ein, drück die **Leertaste** und warte.</translation>
+    </message>
+    <message>
+        <source>A third point bends a leg, and because it is only drawn, the run stays the same.</source>
+        <translation>Ein dritter Punkt biegt ein Bein, und weil er nur gezeichnet ist, bleibt der Lauf derselbe.</translation>
+    </message>
+    <message>
+        <source>Type 0 into the field beside **Curve**, and look at the legs.</source>
+        <translation>Gib 0 in das Feld neben **Bogen** ein und sieh dir die Beine an.</translation>
+    </message>
+    <message>
+        <source>Press **Space**, carry the body, and stop. Drag the timeline back to the left, type another **Curve**, and play on for a second.</source>
+        <translation>Drück die **Leertaste**, trag den Körper und halte an. Zieh die Zeitleiste nach links zurück, gib einen anderen **Bogen** ein und spiele eine Sekunde weiter.</translation>
+    </message>
+    <message>
+        <source>Type −30 into the field beside **Curve**.</source>
+        <translation>Gib −30 in das Feld neben **Bogen** ein.</translation>
+    </message>
+    <message>
+        <source>curve</source>
+        <translation>Kurve|Kurven|Bogen</translation>
+    </message>
+    <message>
+        <source>A line that is bent by a third point: it leaves one end towards that point, and comes to the other end from there. (Its name is Bézier curve.)</source>
+        <translation>Eine Linie, die ein dritter Punkt biegt: Sie verlässt das eine Ende auf ihn zu und kommt von ihm her zum anderen. (Man nennt sie Bézierkurve.)</translation>
+    </message>
+    <message>
+        <source>A clock turns the places of all feet, and each foot runs after its place.</source>
+        <translation>Eine Uhr dreht die Orte aller Füße, und jeder Fuß läuft seinem Ort nach.</translation>
+    </message>
+    <message>
+        <source>Type −0.05 into the field beside **Speed**, press **Space**, and wait three seconds.</source>
+        <translation>Gib −0,05 in das Feld neben **Tempo** ein, drück die **Leertaste** und warte drei Sekunden.</translation>
+    </message>
+    <message>
+        <source>A foot goes farthest when the clock turns about as fast as the foot swings by itself. Type 0.45 beside **Speed**, press **Space**, and touch nothing.</source>
+        <translation>Am weitesten kommt ein Fuß, wenn sich die Uhr etwa so schnell dreht, wie er von selbst schwingt. Gib 0,45 neben **Tempo** ein, drück die **Leertaste** und fass nichts an.</translation>
+    </message>
+    <message>
+        <source>Gait clock</source>
+        <translation>Ganguhr</translation>
+    </message>
+    <message>
+        <source>clock|one clock</source>
+        <translation>Uhr|eine Uhr|Ganguhr</translation>
+    </message>
+    <message>
+        <source>An angle that grows by the same amount each frame. Every foot adds it to the angle of its bone, so all of them go round in one rhythm.</source>
+        <translation>Ein Winkel, der in jedem Bild um gleich viel wächst. Jeder Fuß addiert ihn zum Winkel seines Knochens, darum kreisen alle in einem Rhythmus.</translation>
+    </message>
+    <message>
+        <source>Gait</source>
+        <translation>Gang</translation>
+    </message>
+    <message>
+        <source>gait|gaits</source>
+        <translation>Gang|Gänge|Gangart</translation>
+    </message>
+    <message>
+        <source>The order and the rhythm in which a creature moves its feet.</source>
+        <translation>Die Reihenfolge und der Rhythmus, in denen eine Figur ihre Füße bewegt.</translation>
+    </message>
+    <message>
+        <source>Why sine and cosine in a clock?</source>
+        <translation>Warum Sinus und Kosinus in einer Uhr?</translation>
+    </message>
+    <message>
+        <source>A point on a circle has two numbers. Walk round a circle of radius 1, and call the way along it the angle a. Then
+
+`x = cos a,  y = sin a`
+
+That is what cos and sin **are**. For a circle of 50&#x2009;px round a middle:
+
+`x = mx + 50 × cos a`
+
+`y = my + 50 × sin a`
+
+The clock only makes a larger, frame by frame. x then swings to and fro, and y does so a quarter of a turn later. Half a turn more, π, puts the other foot on the far side: cos and sin change their sign.</source>
+        <translation>Ein Punkt auf einem Kreis hat zwei Zahlen. Geh um einen Kreis mit Radius 1 und nenne den Weg auf ihm den Winkel a. Dann ist
+
+`x = cos a,  y = sin a`
+
+Das **sind** cos und sin. Für einen Kreis von 50&#x2009;px um eine Mitte:
+
+`x = mx + 50 × cos a`
+
+`y = my + 50 × sin a`
+
+Die Uhr macht nur a größer, Bild für Bild. Dann schwingt x hin und her, und y tut es eine Vierteldrehung später. Eine halbe Drehung mehr, π, setzt den anderen Fuß auf die Gegenseite: cos und sin wechseln ihr Vorzeichen.</translation>
+    </message>
+    <message>
+        <source>Each leg pulls foot and body just as hard, so legs alone get nowhere.</source>
+        <translation>Jedes Bein zieht Fuß und Körper gleich stark, darum kommen Beine allein nirgends hin.</translation>
+    </message>
+    <message>
+        <source>Type 1 into the field beside **Damping**. Press **Space**, take the large disc, swing it, and let go on the way. Then wait four seconds.</source>
+        <translation>Gib 1 in das Feld neben **Dämpfung** ein. Drück die **Leertaste**, nimm die große Scheibe, schwing sie und lass unterwegs los. Dann warte vier Sekunden.</translation>
+    </message>
+    <message>
+        <source>Press **Space**, take a small disc, and hold it for two seconds.</source>
+        <translation>Drück die **Leertaste**, nimm eine kleine Scheibe und halte sie zwei Sekunden lang.</translation>
+    </message>
+    <message>
+        <source>A foot that stands cannot give way, so the body does: it walks.</source>
+        <translation>Ein Fuß, der steht, kann nicht nachgeben, also tut es der Körper: Er geht.</translation>
+    </message>
+    <message>
+        <source>Type −0.05 into the field beside **Speed**, press **Space**, and watch it go.</source>
+        <translation>Gib −0,05 in das Feld neben **Tempo** ein, drück die **Leertaste** und sieh ihr nach.</translation>
+    </message>
+    <message>
+        <source>Play some seconds. Choose **none** beside **Traction**, and wait five seconds.</source>
+        <translation>Spiele einige Sekunden ab. Wähle **keine** neben **Haftung** und warte fünf Sekunden.</translation>
+    </message>
+    <message>
+        <source>Type 0.8 into the field beside **Bounce**. Go on frame by frame with **→** until a foot that was on the ground goes up.</source>
+        <translation>Gib 0,8 in das Feld neben **Abprall** ein. Geh mit **→** Bild für Bild weiter, bis ein Fuß, der am Boden war, nach oben geht.</translation>
+    </message>
+    <message>
+        <source>Press **Space**, take the large disc, lift it to the middle of the picture, let go, and wait two seconds.</source>
+        <translation>Drück die **Leertaste**, nimm die große Scheibe, heb sie bis zur Mitte des Bildes, lass los und warte zwei Sekunden.</translation>
+    </message>
+    <message>
+        <source>traction</source>
+        <translation>Haftung</translation>
+    </message>
+    <message>
+        <source>What keeps a foot from sliding on the ground. Without it the ground is like ice.</source>
+        <translation>Was einen Fuß davon abhält, auf dem Boden zu rutschen. Ohne sie ist der Boden wie Eis.</translation>
+    </message>
+    <message>
+        <source>slips a little</source>
+        <translation>rutscht|rutschen|gerutscht</translation>
+    </message>
+    <message>
+        <source>How far a foot slides along the ground while it should stand.</source>
+        <translation>Wie weit ein Fuß auf dem Boden rutscht, während er stehen sollte.</translation>
+    </message>
+    <message>
+        <source>More feet share the clock, and the body goes up and down less.</source>
+        <translation>Mehr Füße teilen sich die Uhr, und der Körper geht weniger auf und ab.</translation>
+    </message>
+    <message>
+        <source>Type 12 into the field beside **Feet**, press **Space**, and wait seven seconds.</source>
+        <translation>Gib 12 in das Feld neben **Füße** ein, drück die **Leertaste** und warte sieben Sekunden.</translation>
+    </message>
+    <message>
+        <source>Type 0 into the field beside **Spread**, press **Space**, and wait seven seconds.</source>
+        <translation>Gib 0 in das Feld neben **Verteilung** ein, drück die **Leertaste** und warte sieben Sekunden.</translation>
+    </message>
+    <message>
+        <source>Type 0.3 into the field beside **Speed**. Play three seconds and stop. Go on frame by frame with **→** until all feet are in the air.</source>
+        <translation>Gib 0,3 in das Feld neben **Tempo** ein. Spiele drei Sekunden ab und halte an. Geh mit **→** Bild für Bild weiter, bis alle Füße in der Luft sind.</translation>
+    </message>
+    <message>
+        <source>The speed of the clock steers the creature: above 0 to the right, below 0 to the left.</source>
+        <translation>Das Tempo der Uhr lenkt die Figur: über 0 nach rechts, unter 0 nach links.</translation>
+    </message>
+    <message>
+        <source>Click the picture, press **Space**, and hold **←** for two seconds. Let go when it walks to the left, and watch.</source>
+        <translation>Klick ins Bild, drück die **Leertaste** und halte zwei Sekunden lang **←**. Lass los, wenn sie nach links geht, und sieh zu.</translation>
+    </message>
+    <message>
+        <source>Press **Space**. Put the pointer into the picture, far to the left or right of the creature, and hold the mouse button down.</source>
+        <translation>Drück die **Leertaste**. Setz den Zeiger im Bild weit links oder rechts von der Figur und halte die Maustaste gedrückt.</translation>
+    </message>
+    <message>
+        <source>Press **Space** and hold **←** until its legs hardly move. Or press the mouse button far off, and with the button down go straight above or below the body.</source>
+        <translation>Drück die **Leertaste** und halte **←**, bis sich ihre Beine kaum noch bewegen. Oder drück die Maustaste weit weg und geh mit gedrückter Taste gerade über oder unter den Körper.</translation>
+    </message>
+    <message>
+        <source>Turning round at a wall is a rule for the clock; the wall itself only stops what hits it.</source>
+        <translation>An einer Wand umzukehren ist eine Regel für die Uhr; die Wand selbst hält nur an, was sie trifft.</translation>
+    </message>
+    <message>
+        <source>Choose **keep_on** beside **At a wall**, press **Space**, and wait until it has walked against a wall for a while.</source>
+        <translation>Wähle **weitergehen** neben **An einer Wand**, drück die **Leertaste** und warte, bis sie eine Weile gegen eine Wand gegangen ist.</translation>
+    </message>
+    <message>
+        <source>Type 200 beside **Left wall** and 340 beside **Right wall**, press **Space**, and wait until it turns.</source>
+        <translation>Gib 200 neben **Linke Wand** und 340 neben **Rechte Wand** ein, drück die **Leertaste** und warte, bis sie umkehrt.</translation>
+    </message>
+    <message>
+        <source>Press **Space**, take the large disc, swing it towards a wall, and let go on the way.</source>
+        <translation>Drück die **Leertaste**, nimm die große Scheibe, schwing sie auf eine Wand zu und lass unterwegs los.</translation>
+    </message>
+    <message>
+        <source>A push that both feel makes no momentum; a push that one feels makes it from nothing.</source>
+        <translation>Ein Druck, den beide spüren, macht keinen Impuls; ein Druck, den nur einer spürt, macht ihn aus dem Nichts.</translation>
+    </message>
+    <message>
+        <source>Press **Space**, take the large disc of one creature, and carry it onto the other one.</source>
+        <translation>Drück die **Leertaste**, nimm die große Scheibe einer Figur und trag sie auf die andere.</translation>
+    </message>
+    <message>
+        <source>Choose **one** beside **Felt by**, press **Space**, and wait until two bodies touch.</source>
+        <translation>Wähle **einem** neben **Gespürt von**, drück die **Leertaste** und warte, bis zwei Körper sich berühren.</translation>
+    </message>
+    <message>
+        <source>Type 5 into the field beside **Creatures**, press **Space**, and wait ten seconds.</source>
+        <translation>Gib 5 in das Feld neben **Figuren** ein, drück die **Leertaste** und warte zehn Sekunden.</translation>
+    </message>
 </context>
 <context>
     <name>lesson.json</name>

@@ -131,9 +131,11 @@ private slots:
         static const QStringList ofFiles = {"CommandLine", "Text",      "JsonDocument",
                                             "Experiment",  "Sentences", "ExperimentPoints"};
         eachForm([](const Entry &entry, const QString &form) {
+            QString prose = form;
+            prose.remove(QRegularExpression("`[^`]*`")); // code and what is computed stays as it is
             return ofFiles.contains(entry.context) ||
-                   found(form, "(?<![\\d.])\\d+\\.\\d+(?![\\d.])") ==
-                       found(form, "(?<![\\d.])\\d{1,3}\\.\\d{3}(?![\\d.])");
+                   found(prose, "(?<![\\d.])\\d+\\.\\d+(?![\\d.])") ==
+                       found(prose, "(?<![\\d.])\\d{1,3}\\.\\d{3}(?![\\d.])");
         });
     }
 

@@ -2,6 +2,8 @@
 
 #include "random_gestures.h"
 
+#include "app/model/same_run.h"
+
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QtTest>

@@ -249,11 +249,8 @@ private:
     QDockWidget *m_replaced = nullptr; ///< what stands aside while stability is shown
     QLabel *m_status = nullptr;
     QString m_said;
-    bool m_docksKnown =
-        false;              ///< whether the docks have the sizes that the learner left or that fit the window
-    bool m_gaveWay = false; ///< panels went away because the screen is too small for them
-    QString m_path;         ///< the experiment's file, if it has one
-    false;                  ///< whether the docks have the sizes that the learner left or that fit the window
+    bool m_docksKnown = false; ///< docks have the sizes that the learner left or that fit the window
+    bool m_gaveWay = false;    ///< panels went away because the screen is too small for them
 };
 
 }

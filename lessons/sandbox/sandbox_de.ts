@@ -1,0 +1,181 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de_DE" sourcelanguage="en">
+<context>
+    <name>Sandbox</name>
+    <message>
+        <source>Chain</source>
+        <translation>Kette</translation>
+    </message>
+    <message>
+        <source>Seven sticks on a nail. Pull the end aside and let go.</source>
+        <translation>Sieben Stäbe an einem Nagel. Zieh das Ende zur Seite und lass los.</translation>
+    </message>
+    <message>
+        <source>Bridge</source>
+        <translation>Brücke</translation>
+    </message>
+    <message>
+        <source>A truss between two nails, with a load on a spring. Make the load heavier.</source>
+        <translation>Ein Fachwerk zwischen zwei Nägeln, mit einer Last an einer Feder. Mach die Last schwerer.</translation>
+    </message>
+    <message>
+        <source>Jelly</source>
+        <translation>Götterspeise</translation>
+    </message>
+    <message>
+        <source>A grid of springs. Throw it into a corner.</source>
+        <translation>Ein Gitter aus Federn. Wirf es in eine Ecke.</translation>
+    </message>
+    <message>
+        <source>Walker</source>
+        <translation>Vierbeiner</translation>
+    </message>
+    <message>
+        <source>Four feet in two gait groups, which turns round at the walls.</source>
+        <translation>Vier Füße in zwei Ganggruppen; an den Wänden kehrt er um.</translation>
+    </message>
+    <message>
+        <source>Cradle</source>
+        <translation>Kugelpendel</translation>
+    </message>
+    <message>
+        <source>Five balls side by side: what comes in on the left goes out on the right.</source>
+        <translation>Fünf Kugeln nebeneinander: Was links ankommt, geht rechts hinaus.</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Rad</translation>
+    </message>
+    <message>
+        <source>A rim of sticks with springs for spokes, on a floor that holds.</source>
+        <translation>Eine Felge aus Stäben mit Federn als Speichen, auf einem Boden, der hält.</translation>
+    </message>
+    <message>
+        <source>Cloth</source>
+        <translation>Tuch</translation>
+    </message>
+    <message>
+        <source>A net of springs on three nails, in a little wind.</source>
+        <translation>Ein Netz aus Federn an drei Nägeln, in leichtem Wind.</translation>
+    </message>
+    <message>
+        <source>Tree</source>
+        <translation>Baum</translation>
+    </message>
+    <message>
+        <source>A trunk of braced springs whose leaves catch the wind.</source>
+        <translation>Ein Stamm aus verstrebten Federn, dessen Blätter den Wind fangen.</translation>
+    </message>
+    <message>
+        <source>Ragdoll</source>
+        <translation>Gliederpuppe</translation>
+    </message>
+    <message>
+        <source>Fourteen sticks that fall. Lift it by a hand.</source>
+        <translation>Vierzehn Stäbe, die fallen. Heb sie an einer Hand hoch.</translation>
+    </message>
+    <message>
+        <source>Trampoline</source>
+        <translation>Trampolin</translation>
+    </message>
+    <message>
+        <source>A heavy ball on a net of springs, and bodies that push each other away.</source>
+        <translation>Ein schwerer Ball auf einem Netz aus Federn, und Körper, die einander wegschieben.</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation>Wind</translation>
+    </message>
+    <message>
+        <source>px/frame²</source>
+        <translation>px/Bild²</translation>
+    </message>
+    <message>
+        <source>How hard it blows to the right on a body 10 px wide. Below 0: to the left.</source>
+        <translation>Wie stark er auf einen 10 px breiten Körper nach rechts weht. Unter 0: nach links.</translation>
+    </message>
+    <message>
+        <source>Push</source>
+        <translation>Druck</translation>
+    </message>
+    <message>
+        <source>1/frame²</source>
+        <translation>1/Bild²</translation>
+    </message>
+    <message>
+        <source>How hard two bodies push: this share of the missing distance, each frame.</source>
+        <translation>Wie stark zwei Körper schieben: dieser Anteil des fehlenden Abstands, in jedem Bild.</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source>Two bodies closer than this push each other.</source>
+        <translation>Zwei Körper, die sich näher sind, schieben einander weg.</translation>
+    </message>
+    <message>
+        <source>Iterations</source>
+        <translation>Iterationen</translation>
+    </message>
+    <message>
+        <source>passes</source>
+        <translation>Durchgänge</translation>
+    </message>
+    <message>
+        <source>How often each frame goes through the list of sticks.</source>
+        <translation>Wie oft jedes Bild die Liste der Stäbe durchgeht.</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Reibung</translation>
+    </message>
+    <message>
+        <source>How much a wall’s push holds back what slides along it. 0: like ice.</source>
+        <translation>Wie sehr der Druck einer Wand bremst, was an ihr entlanggleitet. 0: wie Eis.</translation>
+    </message>
+    <message>
+        <source>Gusts</source>
+        <translation>Böen</translation>
+    </message>
+    <message>
+        <source>The share by which the wind swells and ebbs.</source>
+        <translation>Der Anteil, um den der Wind an- und abschwillt.</translation>
+    </message>
+    <message>
+        <source>Build your own</source>
+        <translation>Selbst bauen</translation>
+    </message>
+    <message>
+        <source>Here you build the scene. Choose a tool, then click in the picture: **points** are bodies with a mass and a size, a **nail** holds one where it is. **Springs** and **sticks** go from one point to another. A **foot** hangs on a body at an angle of its own, and feet of one group swing to one clock.
+
+What acts on the whole scene, as gravity or wind, you choose below. Building happens at the start of the run: play to see what your scene does, and come back to go on building.</source>
+        <translation>Hier baust du die Szene. Wähle ein Werkzeug, dann klick ins Bild: **Punkte** sind Körper mit einer Masse und einer Größe, ein **Nagel** hält einen, wo er ist. **Federn** und **Stäbe** gehen von einem Punkt zum anderen. Ein **Fuß** hängt in einem eigenen Winkel an einem Körper, und Füße einer Gruppe schwingen nach einer Uhr.
+
+Was auf die ganze Szene wirkt, wie Schwerkraft oder Wind, wählst du unten. Gebaut wird am Anfang des Laufs: Spiele ab, um zu sehen, was deine Szene tut, und komm zurück, um weiterzubauen.</translation>
+    </message>
+</context>
+<context>
+    <name>lesson.json</name>
+    <message>
+        <source>Build your own</source>
+        <translation>Selbst bauen</translation>
+    </message>
+    <message>
+        <source>Points, springs, sticks, feet and walls: a scene that you build yourself.</source>
+        <translation>Punkte, Federn, Stäbe, Füße und Wände: eine Szene, die du selbst baust.</translation>
+    </message>
+</context>
+<context>
+    <name>sim</name>
+    <message>
+        <source>points</source>
+        <translation>Punkte</translation>
+    </message>
+</context>
+</TS>
