@@ -1,15 +1,17 @@
 #include "app/model/session.h"
 
 #include <QElapsedTimer>
+#include <QTimer>
 
 #include <algorithm>
+#include <utility>
 
 namespace app {
 
 namespace {
 
 /// What a run costs is measured no more often than this.
-constexpr qint64 measureAgainMilliseconds = 500;
+constexpr int measureAgainMilliseconds = 500;
 constexpr int mostDeeds = 100; ///< that can be undone
 
 }
@@ -149,8 +151,10 @@ void Session::checkTries()
     const bool mayMeasure =
         !m_sinceMeasured.isValid() || m_sinceMeasured.elapsed() >= measureAgainMilliseconds;
     const auto keeps = [&](const lessons::Budget &budget) {
-        if (!mayMeasure)
+        if (!mayMeasure) {
+            checkTriesLater();
             return false;
+        }
         const bool kept = lessons::keeps(budget, m_timeline->script(), m_timing);
         m_sinceMeasured.start();
         return kept;
@@ -162,6 +166,16 @@ void Session::checkTries()
             (!one.budget || keeps(*one.budget)))
             m_progress.markDone(lesson().id, step().id, i);
     }
+}
+
+void Session::checkTriesLater()
+{
+    if (std::exchange(m_checkDue, true))
+        return;
+    QTimer::singleShot(measureAgainMilliseconds, this, [this] {
+        m_checkDue = false;
+        checkTries();
+    });
 }
 
 }

@@ -298,6 +298,8 @@ private:
     void bring();
     void hideWhatIsGone();
     void checkTries();
+    /// What asks for a measurement so soon after the last one is looked at again, even if nothing moves any more.
+    void checkTriesLater();
     QString keyOf(const QString &lesson, const QString &step) const { return lesson + '/' + step; }
 
     const LessonLibrary &m_library;
@@ -332,6 +334,7 @@ private:
     bool m_companionDue = false;        ///< whether the next slice of its way is already asked for
     bool m_approachDue = false;         ///< whether the next slice of the way is already asked for
     mutable std::deque<Looked> m_looks; ///< the looks last made: of the run, its ghost and what is to come
+    bool m_checkDue = false;            ///< whether things to try are looked at again after a while
     QElapsedTimer m_sinceMeasured;      ///< since a budget was last looked at
     std::map<QString, Left> m_left;     ///< steps that were open before, as they were left
     QUndoStack m_deeds;

@@ -4328,7 +4328,7 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>das Feld unter dem Code: anhalten, wenn das wahr wird</translation>
     </message>
     <message>
-        <source>Less &amp;motion</source>
+        <source>Less mo&amp;vement</source>
         <translation>&amp;Weniger Bewegung</translation>
     </message>
     <message>
@@ -4360,7 +4360,7 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>Ab dem nächsten Start wird Springstep mit %1&#x2009;% gezeichnet.</translation>
     </message>
     <message>
-        <source>Scene &amp;only</source>
+        <source>Scene onl&amp;y</source>
         <translation>&amp;Nur die Szene</translation>
     </message>
     <message>
@@ -4381,7 +4381,7 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     </message>
     <message>
         <source>&amp;Compare two runs</source>
-        <translation>&amp;Zwei Läufe vergleichen</translation>
+        <translation>Z&amp;wei Läufe vergleichen</translation>
     </message>
     <message>
         <source>How far this run and the one beside it are apart, frame by frame</source>
@@ -4472,7 +4472,7 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>Auswahl &amp;löschen</translation>
     </message>
     <message>
-        <source>D&amp;uplicate what is chosen</source>
+        <source>Dup&amp;licate what is chosen</source>
         <translation>Auswahl &amp;verdoppeln</translation>
     </message>
     <message>

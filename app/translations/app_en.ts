@@ -5,9 +5,9 @@
     <name>app::MainWindow</name>
     <message numerus="yes">
         <source>Copied: %n character(s), in one line.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Copied: %n character, in one line.</numerusform>
+            <numerusform>Copied: %n characters, in one line.</numerusform>
         </translation>
     </message>
 </context>

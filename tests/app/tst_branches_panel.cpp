@@ -1,5 +1,6 @@
 // Other runs in the window, by mouse and keys: the timeline's marks, the menu of runs, and two runs compared.
 
+#include "app/model/same_run.h"
 #include "app/ui/branches/branches_panel.h"
 #include "app/ui/branches/difference_plot.h"
 #include "app/ui/time/name_field.h"

@@ -100,6 +100,8 @@ int lacking(const QWidget &widget)
                                  : label->minimumSizeHint().width() - label->width();
     }
     if (const auto *button = qobject_cast<const QAbstractButton *>(&widget)) {
+        if (button->hasHeightForWidth()) // its text wraps
+            return button->heightForWidth(button->width()) - button->height();
         const QRect text = button->fontMetrics().boundingRect({}, Qt::TextShowMnemonic, button->text());
         return std::max(text.width() - button->width(), text.height() - button->height());
     }

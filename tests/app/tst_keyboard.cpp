@@ -101,14 +101,19 @@ bool standsFor(const QWidget &walked, const QWidget &widget)
     return sameGroup || (one->autoExclusive() && other->autoExclusive());
 }
 
-/// What has the focus, one after the other, while Tab is pressed until it comes round.
+/// What has the focus, one after the other, while Tab is pressed until it comes round. A text goes through its links first.
 std::set<QWidget *> walkedByTab(QWidget &window)
 {
+    constexpr int mostLinks = 40;
     std::set<QWidget *> walked;
-    for (int i = 0; i < 1000; ++i) {
-        QWidget *at = QApplication::focusWidget();
-        if (!at || at->window() != &window || !walked.insert(at).second)
+    QWidget *before = nullptr;
+    int stays = 0;
+    for (QWidget *at = QApplication::focusWidget(); at && at->window() == &window;
+         at = QApplication::focusWidget()) {
+        stays = at == before ? stays + 1 : 0;
+        if (stays > mostLinks || (at != before && !walked.insert(at).second))
             break;
+        before = at;
         QTest::keyClick(at, Qt::Key_Tab);
     }
     return walked;

@@ -129,7 +129,8 @@ private slots:
     {
         // Sentences about files and the command line keep the point, which is what those take.
         static const QStringList ofFiles = {"CommandLine", "Text",      "JsonDocument",
-                                            "Experiment",  "Sentences", "ExperimentPoints"};
+                                            "Experiment",  "Sentences", "ExperimentPoints",
+                                            "Condition"};
         eachForm([](const Entry &entry, const QString &form) {
             QString prose = form;
             prose.remove(QRegularExpression("`[^`]*`")); // code and what is computed stays as it is

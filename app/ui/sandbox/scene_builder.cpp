@@ -20,6 +20,21 @@ constexpr double dragLink = 10.0;  ///< px of the screen from which a drag makes
 constexpr double stride = 10.0;    ///< px that an arrow key goes
 constexpr double fineStride = 1.0; ///< with Shift
 
+bool isInput(const QEvent &event)
+{
+    switch (event.type()) {
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseButtonDblClick:
+    case QEvent::MouseMove:
+    case QEvent::MouseButtonRelease:
+    case QEvent::ShortcutOverride:
+    case QEvent::KeyPress:
+        return true;
+    default:
+        return false;
+    }
+}
+
 bool isEnter(int key)
 {
     return key == Qt::Key_Return || key == Qt::Key_Enter;
@@ -73,7 +88,8 @@ void SceneBuilder::refresh()
 
 bool SceneBuilder::eventFilter(QObject *watched, QEvent *event)
 {
-    if (!m_bench.isOpen())
+    // While the view goes, what this would look at may have gone.
+    if (!isInput(*event) || !m_bench.isOpen())
         return QObject::eventFilter(watched, event);
     if (watched == m_view.viewport() && mouse(*event))
         return true;

@@ -72,7 +72,7 @@ void MainWindow::makeAppearanceActions()
     m_view->addSeparator();
     makeSchemeActions();
     makeSizeActions();
-    QAction *still = action(tr("Less &motion"), {}, tr("Window"));
+    QAction *still = action(tr("Less mo&vement"), {}, tr("Window"));
     still->setObjectName("lessMotion");
     still->setToolTip(tr("Panels come and go at once; only the scene moves"));
     still->setCheckable(true);
@@ -142,7 +142,7 @@ void MainWindow::makeSizeActions()
 
 void MainWindow::makeFocusActions()
 {
-    m_focusAction = action(tr("Scene &only"), {QKeySequence(Qt::Key_F11)}, tr("Window"));
+    m_focusAction = action(tr("Scene onl&y"), {QKeySequence(Qt::Key_F11)}, tr("Window"));
     m_focusAction->setToolTip(tr("Nothing but the scene and its time; again brings the panels back (F11)"));
     m_focusAction->setCheckable(true);
     m_view->addAction(m_focusAction);
@@ -180,7 +180,7 @@ void MainWindow::fitInto(QSize room)
         m_scene->setMinimumSize(320, 160);
     }
     for (const std::initializer_list<QDockWidget *> &side :
-         {std::initializer_list<QDockWidget *>{m_left}, {m_codeDock, m_parameterDock}}) {
+         {std::initializer_list<QDockWidget *>{m_left}, {m_plotsDock}, {m_codeDock, m_parameterDock}}) {
         if (!isTooLarge())
             break;
         for (QDockWidget *dock : side)

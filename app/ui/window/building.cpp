@@ -81,7 +81,7 @@ void MainWindow::makeBuildActions()
     m_sceneBar->addTool(*m_take, "take");
     m_edit->addSeparator();
     m_buildActions = {add(tr("&Delete what is chosen"), "Del", [this] { m_bench->eraseChosen(); }),
-                      add(tr("D&uplicate what is chosen"), "Ctrl+J", [this] { m_bench->duplicateChosen(); }),
+                      add(tr("Dup&licate what is chosen"), "Ctrl+J", [this] { m_bench->duplicateChosen(); }),
                       add(tr("Choose &all"), "Ctrl+A", [this] { m_bench->chooseAll(); })};
 }
 

@@ -79,7 +79,7 @@ public:
     /// The map of growth, where the step has one.
     void showGrowthMap(MapPlane plane);
 
-    /// Lets panels give way, lessons first, then code and parameters, until the window goes into `room`, px, or nothing
+    /// Lets panels give way, lessons first, then plots, then code and parameters, until the window goes into `room`, px, or nothing
     /// is left to give, and makes it no larger than that. Their keys bring them back; the arrangement is not kept for a larger screen.
     void fitInto(QSize room);
     /// Whether the tour was never started on this machine.

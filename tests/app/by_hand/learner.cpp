@@ -156,7 +156,10 @@ void Learner::press(QPoint place)
 {
     m_pointer = place;
     m_isDown = true;
-    m_view.viewport()->setFocus(Qt::MouseFocusReason); // as the press of a real mouse does
+    // As the press of a real mouse does.
+    if (!m_window.isActiveWindow())
+        QApplication::setActiveWindow(&m_window);
+    m_view.viewport()->setFocus(Qt::MouseFocusReason);
     sendMouse(m_view.viewport(), QEvent::MouseButtonPress, place, Qt::LeftButton, Qt::LeftButton);
 }
 
