@@ -40,8 +40,8 @@ public:
     }
 
     std::uint64_t seed = 1;
-    std::optional<int> points;                ///< how many
-    std::optional<std::vector<Stick>> sticks; ///< in the order in which they are enforced
+    std::optional<int> points;                  ///< how many
+    std::optional<std::vector<Stick>> sticks;   ///< in the order in which they are enforced
     std::shared_ptr<const Blueprint> blueprint; ///< of the whole scene; null: the step sets it up
 
 private:

@@ -35,7 +35,8 @@ struct LessonProblem
 struct LessonLibrary
 {
     std::vector<LessonEntry> lessons;
-    std::vector<LessonEntry> workshops; ///< in them a learner builds the scene: their steps take a file's scene
+    std::vector<LessonEntry>
+        workshops; ///< in them a learner builds the scene: their steps take a file's scene
     std::vector<LessonProblem> problems;
 
     /// The lesson or workshop called `id`, or null.

@@ -1,7 +1,7 @@
 // What a learner did, undone and done again.
 
-#include "app/model/sentences.h"
 #include "app/model/same_run.h"
+#include "app/model/sentences.h"
 #include "app/model/session.h"
 #include "sim/error.h"
 

@@ -2,8 +2,8 @@
 
 #include "branches_bench.h"
 
-#include "app/model/same_run.h"
 #include "app/model/difference_words.h"
+#include "app/model/same_run.h"
 
 #include <QSignalSpy>
 #include <QtTest>

@@ -3,8 +3,8 @@
 #include "app/model/language.h"
 #include "app/model/session.h"
 #include "app/ui/effects/effects_panel.h"
-#include "app/ui/window/appearance.h"
 #include "app/ui/plots/plots_panel.h"
+#include "app/ui/window/appearance.h"
 #include "app/ui/window/main_window.h"
 #include "app/ui/window/stop_notice.h"
 
