@@ -52,6 +52,7 @@ void Learner::begin(std::size_t number)
 {
     m_number = number;
     leavePicture();
+    comeBack(); // a list that dropped down before may close only now
     QTest::keyClick(&m_window, Qt::Key_R, Qt::ControlModifier);
     QTest::keyClick(&m_window, Qt::Key_0, Qt::ControlModifier);
     settle();
