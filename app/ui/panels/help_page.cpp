@@ -145,7 +145,8 @@ void HelpPage::resizeEvent(QResizeEvent *event)
 {
     QDialog::resizeEvent(event);
     // A scroll area does not ask how high its page is at the width that it gives it: texts that wrap would be squashed.
-    m_page->setMinimumHeight(m_page->layout()->totalHeightForWidth(m_area->viewport()->width()));
+    // Less than 0 stands for a page whose height its width does not change.
+    m_page->setMinimumHeight(std::max(0, m_page->layout()->totalHeightForWidth(m_area->viewport()->width())));
 }
 
 void HelpPage::setVisible(bool visible)

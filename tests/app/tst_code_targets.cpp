@@ -1,0 +1,98 @@
+// What is steered from the code: where a click on a line runs to, and what a dragged or typed number becomes.
+
+#include "app/model/code_steering.h"
+#include "app/model/refusal.h"
+#include "tests/app/listing_bench.h"
+
+#include <cmath>
+
+using namespace listing_bench;
+
+class TestCodeTargets : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void runningToALineEndsAfterItsPhase()
+    {
+        const lessons::Step &step = stepOf("multi_foot", "any_number");
+        sim::Timeline run = runOf(step); // feet: springs, damping, move; then the body
+        const CodeListing listing = listingOf(step, run);
+        const CodeSection &springs = listing.sections[2], &move = listing.sections[4];
+        QVERIFY(!runTarget(listing.sections[0], run));
+        QVERIFY(!runTarget(listing.sections[1], run));
+        const auto at = [&](std::int64_t frame, int phase, const CodeSection &section) {
+            run.seek({frame, phase});
+            return *runTarget(section, run);
+        };
+        QCOMPARE(at(5, 0, springs), (sim::Cursor{5, 1}));
+        QCOMPARE(at(5, 1, springs), (sim::Cursor{5, 4}));
+        QCOMPARE(at(5, 4, springs), (sim::Cursor{6, 1}));
+        QCOMPARE(at(5, 2, move), (sim::Cursor{5, 3}));
+        QCOMPARE(at(5, 3, move), (sim::Cursor{6, 0}));
+        QCOMPARE(at(5, 5, move), (sim::Cursor{6, 0}));
+    }
+
+    void aDragGoesAsFarAsTheSlider()
+    {
+        lessons::Parameter one;
+        one.min = -10.0, one.max = 20.0, one.sliderMin = 0.0, one.sliderMax = 10.0, one.decimals = 2;
+        QCOMPARE(draggedValue(one, 1.0, 100, false), 6.0);
+        QCOMPARE(draggedValue(one, 1.0, 100, true), 1.5);
+        QCOMPARE(draggedValue(one, 1.0, -100000, false), -10.0);
+        QCOMPARE(draggedValue(one, 1.0, 100000, false), 20.0);
+        QCOMPARE(draggedValue(one, 0.123456, 0, false), 0.123456);
+        one.whole = true;
+        QCOMPARE(draggedValue(one, 3.0, 29, false), 4.0);
+        one.whole = false, one.scale = lessons::Scale::decades, one.sliderMin = 0.1, one.sliderMax = 1000.0;
+        one.max = 1e6;
+        QCOMPARE(draggedValue(one, 1.0, 50, false), 10.0);
+        one.choices = {"a", "b", "c"}, one.min = 0.0, one.max = 2.0, one.scale = lessons::Scale::even;
+        QCOMPARE(draggedValue(one, 0.0, 25, false), 1.0);
+        QCOMPARE(draggedValue(one, 0.0, 500, false), 2.0);
+    }
+
+    void whatIsTypedIsTakenOrRefused_data()
+    {
+        QTest::addColumn<QString>("parameter");
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<double>("value"); ///< NaN: refused
+        const double refused = std::nan("");
+        QTest::newRow("number") << "gravity"
+                                << "1.25" << 1.25;
+        QTest::newRow("comma") << "gravity"
+                               << " 1,25 " << 1.25;
+        QTest::newRow("minus sign") << "left"
+                                    << "−5" << -5.0;
+        QTest::newRow("words") << "gravity"
+                               << "much" << refused;
+        QTest::newRow("nothing") << "gravity"
+                                 << "" << refused;
+        QTest::newRow("not finite") << "gravity"
+                                    << "1e999" << refused;
+        QTest::newRow("nan") << "gravity"
+                             << "nan" << refused;
+        QTest::newRow("out of range") << "k"
+                                      << "-1e9" << refused;
+        QTest::newRow("half a foot") << "feet"
+                                     << "3.5" << refused;
+        QTest::newRow("feet") << "feet"
+                              << "7" << 7.0;
+    }
+    void whatIsTypedIsTakenOrRefused()
+    {
+        QFETCH(QString, parameter);
+        QFETCH(QString, text);
+        QFETCH(double, value);
+        const lessons::Parameter &one = *stepOf("gravity_walls", "gravity").parameter(parameter);
+        try {
+            QCOMPARE(typedValue(one, text), value);
+        } catch (const Refusal &refusal) {
+            QVERIFY2(std::isnan(value), qPrintable(refusal.sentence()));
+            QVERIFY(refusal.sentence().startsWith(one.name));
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(TestCodeTargets)
+#include "tst_code_targets.moc"
