@@ -40,7 +40,11 @@ FocusRing::FocusRing(QObject *parent) : QObject(parent)
 
 FocusRing::~FocusRing()
 {
-    delete m_frame;
+    // A style is changed while the program walks through its widgets: none must go at once then.
+    if (m_frame && !QCoreApplication::closingDown())
+        m_frame->deleteLater();
+    else
+        delete m_frame;
 }
 
 void FocusRing::follow(QWidget *widget)
