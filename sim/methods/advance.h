@@ -49,8 +49,11 @@ private:
     void end(double start, double h);
     /// Whether anything can touch a surface in the step, or leave one.
     bool mayMeet() const;
+    /// The same of one surface that nothing rests on: its point is past it at the end, or has turned round.
+    bool mayTouch(const Touching::Place &place) const;
     /// Where a point first touches one: the share of the step, above 1 for none.
     double firstTouch(double h) const;
+    /// The same of one surface that its point may touch.
     double touch(const Touching::Place &place, double h) const;
     /// Where one that rests is first pulled off its surface: likewise.
     double firstLift(double start, double h);

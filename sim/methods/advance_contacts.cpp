@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace sim {
 
@@ -33,25 +34,30 @@ void Advance::end(double start, double h)
     settle();
 }
 
+bool Advance::mayTouch(const Touching::Place &place) const
+{
+    const Surface &surface = place.surface;
+    if (gap(surface, at(endPlace(), place.point)) < 0.0)
+        return true;
+    return away(surface, at(m_speed, place.point)) <= 0.0 && away(surface, at(endSpeed(), place.point)) > 0.0;
+}
+
 bool Advance::mayMeet() const
 {
-    for (const Touching::Place &place : m_course.touching.places()) {
-        const Surface &surface = place.surface;
-        if (rests(place))
-            return true;
-        if (gap(surface, at(endPlace(), place.point)) < 0.0)
-            return true;
-        if (away(surface, at(m_speed, place.point)) < 0.0 && away(surface, at(endSpeed(), place.point)) > 0.0)
-            return true;
-    }
-    return false;
+    const std::vector<Touching::Place> &places = m_course.touching.places();
+    return std::any_of(places.begin(), places.end(),
+                       [&](const Touching::Place &place) { return rests(place) || mayTouch(place); });
 }
 
 double Advance::firstTouch(double h) const
 {
     double first = none;
     for (const Touching::Place &place : m_course.touching.places()) {
-        if (free(place))
+        if (!free(place) || !mayTouch(place))
+            continue;
+        // One look spares the search for what is still in the air when another has touched.
+        const bool late = first <= 1.0 && gap(place.surface, dense(place.point, h, first).x) > 0.0;
+        if (!late)
             first = std::min(first, touch(place, h));
     }
     return first;
@@ -62,17 +68,15 @@ double Advance::touch(const Touching::Place &place, double h) const
     const Surface &surface = place.surface;
     const auto gapAt = [&](double theta) { return gap(surface, dense(place.point, h, theta).x); };
     const auto speedAt = [&](double theta) { return away(surface, dense(place.point, h, theta).v); };
-    const bool leaves = away(surface, at(m_speed, place.point)) > 0.0;
-    const bool returns = away(surface, at(endSpeed(), place.point)) > 0.0;
     if (gap(surface, at(endPlace(), place.point)) < 0.0) {
         // What has just bounced stands on the surface: it can only come back after its highest point.
+        const bool leaves = away(surface, at(m_speed, place.point)) > 0.0;
+        const bool returns = away(surface, at(endSpeed(), place.point)) > 0.0;
         const double highest = leaves && !returns ? firstRoot(speedAt, 0.0, 1.0) : 0.0;
         if (gapAt(highest) <= 0.0)
             return highest;
         return firstRoot(gapAt, highest, 1.0);
     }
-    if (leaves || !returns)
-        return none;
     // It may have been past the surface in between.
     const double lowest = firstRoot([&](double theta) { return -speedAt(theta); }, 0.0, 1.0);
     if (gapAt(lowest) >= 0.0 || gapAt(0.0) < 0.0)
@@ -85,22 +89,40 @@ double Advance::firstLift(double start, double h)
     m_lifted = -1;
     if ((m_state.resting == 0).all())
         return none;
-    // The pull of a place's surface less what it takes up, at a share of the step: below 0 it lifts.
-    const auto press = [&](const Touching::Place &place, double theta) {
-        double *x = m_trial, *a = m_trial + m_size;
+    double *x = m_trial, *a = m_trial + m_size;
+    const auto pullAt = [&](double theta) {
         denseAll(h, theta, x, a);
         m_pulls.whole(x, start + theta * h, a);
-        return -away(place.surface, at(a, place.point));
     };
+    // The pull of a place's surface less what it takes up: below 0 it lifts.
+    const auto press = [&](const Touching::Place &place) { return -away(place.surface, at(a, place.point)); };
+    std::vector<const Touching::Place *> lifting; // the last is looked at first
+    const auto keepLifting = [&](double theta) {
+        pullAt(theta);
+        std::erase_if(lifting, [&](const Touching::Place *place) { return press(*place) >= 0.0; });
+    };
+    const std::vector<Touching::Place> &places = m_course.touching.places();
+    for (auto place = places.rbegin(); place != places.rend(); ++place) {
+        if (rests(*place))
+            lifting.push_back(&*place);
+    }
+    keepLifting(1.0);
     double first = none;
-    for (const Touching::Place &place : m_course.touching.places()) {
-        if (!rests(place) || press(place, 1.0) >= 0.0)
-            continue;
-        const double lift = firstRoot([&](double theta) { return press(place, theta); }, 0.0, 1.0);
+    // Each search takes all forces many times: what still rests when another has lifted is not searched for.
+    while (!lifting.empty()) {
+        const Touching::Place &place = *lifting.back();
+        lifting.pop_back();
+        const auto pressAt = [&](double theta) {
+            pullAt(theta);
+            return press(place);
+        };
+        const double lift = firstRoot(pressAt, 0.0, 1.0);
         if (lift < first) {
             first = lift;
             m_lifted = place.point;
         }
+        if (!lifting.empty())
+            keepLifting(first);
     }
     return first;
 }
