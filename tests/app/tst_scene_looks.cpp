@@ -252,7 +252,7 @@ void SceneLooksTest::whatIsHiddenIsNeitherDrawnNorTaken()
     bench.press({500, 60}, Qt::MiddleButton);
     bench.move({500 - 4000, 60}, Qt::MiddleButton);
     bench.release({500 - 4000, 60}, Qt::MiddleButton);
-    Overlay overlay(bench.view.shown(), bench.theme);
+    Overlay overlay(bench.view.shown(), bench.view.beside(), bench.theme);
     const auto markers = overlay.markers(Camera(bench.view.viewportTransform()), QRectF(0, 0, 600, 470));
     QCOMPARE(markers.size(), 1U);
     QCOMPARE(markers[0].bodies, 1);

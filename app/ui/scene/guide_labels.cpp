@@ -137,6 +137,17 @@ std::vector<QLineF> explainingStrokes(const Shown &shown, const Camera &camera, 
     return strokes;
 }
 
+QRectF titleBox(const Shown &shown, const Camera &camera)
+{
+    if (shown.name.isEmpty() || shown.points() == 0)
+        return {};
+    const QRectF stage = shown.look().stage;
+    const QFontMetricsF metrics(shown.figures);
+    const double width = metrics.horizontalAdvance(shown.name);
+    const QPointF top = camera.at({stage.center().x(), stage.top()});
+    return {top - QPointF(width / 2.0, 0.0), QSizeF(width, metrics.height())};
+}
+
 std::vector<GuideLabel> guideLabels(const Shown &shown, const Camera &camera, const Theme &theme, QRectF area)
 {
     std::vector<GuideLabel> labels;

@@ -19,6 +19,9 @@ struct GuideLabel
 /// The names of the guides that begin within `area`.
 std::vector<GuideLabel> guideLabels(const Shown &shown, const Camera &camera, const Theme &theme,
                                     QRectF area);
+/// Where the name stands that tells a run from the one beside it; empty where there is none. `camera`: of what
+/// `shown` draws, its shift included.
+QRectF titleBox(const Shown &shown, const Camera &camera);
 /// The lines that the guides and arrows of `shown` draw, as straight pieces on the screen.
 std::vector<QLineF> explainingStrokes(const Shown &shown, const Camera &camera, const Theme &theme);
 

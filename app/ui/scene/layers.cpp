@@ -1,6 +1,7 @@
 #include "app/ui/scene/layers.h"
 
 #include "app/ui/scene/arrows.h"
+#include "app/ui/scene/guide_labels.h"
 
 #include <QStyleOptionGraphicsItem>
 
@@ -45,10 +46,8 @@ void NameLayer::draw(const Canvas &canvas) const
     const Shown &shown = canvas.shown;
     if (shown.name.isEmpty())
         return;
-    const QRectF stage = shown.look().stage;
-    const QFontMetricsF metrics(shown.figures);
-    const QPointF top = canvas.camera.at({stage.center().x(), stage.top()});
-    const QPointF from = top + QPointF(-metrics.horizontalAdvance(shown.name) / 2.0, metrics.ascent());
+    const QPointF from =
+        titleBox(shown, canvas.camera).topLeft() + QPointF(0.0, QFontMetricsF(shown.figures).ascent());
     drawWords(canvas, {from, shown.name, shown.figures, canvas.tokens().ink});
 }
 

@@ -61,8 +61,23 @@ std::vector<EdgeMarker> Overlay::markers(const Camera &camera, QRectF view) cons
 {
     std::vector<QRectF> taken = bodyBoxes(m_shown, camera);
     taken.push_back(nameBox(m_shown, camera, view));
+    const std::vector<QRectF> words = wordBoxes(camera, view);
+    taken.insert(taken.end(), words.begin(), words.end());
     return edgeMarkers(m_shown, camera, view, freeArea(m_shown, view).adjusted(4, 4, -4, -8),
                        std::move(taken));
+}
+
+std::vector<QRectF> Overlay::wordBoxes(const Camera &camera, QRectF view) const
+{
+    std::vector<QRectF> boxes;
+    for (const GuideLabel &label : guideLabels(m_shown, camera, m_theme, view))
+        boxes.push_back(label.box);
+    for (const Shown *figure : {&m_shown, &m_beside}) {
+        QTransform moved = camera.toView;
+        moved.translate(figure->shift.x, figure->shift.y);
+        boxes.push_back(titleBox(*figure, Camera(moved)));
+    }
+    return boxes;
 }
 
 std::vector<QRectF> Overlay::takenBoxes(const Camera &camera, QRectF view,
@@ -73,8 +88,8 @@ std::vector<QRectF> Overlay::takenBoxes(const Camera &camera, QRectF view,
         taken.push_back(arrow.bounds());
     for (const EdgeMarker &marker : outside)
         taken.insert(taken.end(), {marker.head(), marker.label});
-    for (const GuideLabel &label : guideLabels(m_shown, camera, m_theme, view))
-        taken.push_back(label.box);
+    const std::vector<QRectF> words = wordBoxes(camera, view);
+    taken.insert(taken.end(), words.begin(), words.end());
     return taken;
 }
 

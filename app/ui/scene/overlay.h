@@ -9,7 +9,11 @@ namespace app {
 class Overlay
 {
 public:
-    Overlay(const Shown &shown, const Theme &theme) : m_shown(shown), m_theme(theme) {}
+    /// `beside`: the companion, which has no picture where there is none.
+    Overlay(const Shown &shown, const Shown &beside, const Theme &theme)
+        : m_shown(shown), m_beside(beside), m_theme(theme)
+    {
+    }
 
     void draw(QPainter &painter, const Camera &camera, QRectF view) const;
     /// The signs for bodies outside of `view`.
@@ -28,12 +32,15 @@ private:
     void drawLegend(QPainter &painter, QRectF view, double from) const;
     void drawEntry(QPainter &painter, const Entry &entry, QPointF at) const;
     void drawName(QPainter &painter, QRectF box) const;
+    /// The words that belong to the picture: names of guides, and of the figures where there are two.
+    std::vector<QRectF> wordBoxes(const Camera &camera, QRectF view) const;
     /// What a card must not cover.
     std::vector<QRectF> takenBoxes(const Camera &camera, QRectF view,
                                    const std::vector<EdgeMarker> &outside) const;
     void drawFocus(QPainter &painter, QRectF view) const;
 
     const Shown &m_shown;
+    const Shown &m_beside;
     const Theme &m_theme;
 };
 

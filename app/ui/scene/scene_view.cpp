@@ -38,8 +38,8 @@ bool differ(const Picture &a, const Picture &b)
 }
 
 SceneView::SceneView(Session &session, const Theme &theme, QWidget *parent)
-    : QGraphicsView(parent), m_session(session), m_theme(theme), m_overlay(m_shown, theme), m_hand(session),
-      m_tools(session)
+    : QGraphicsView(parent), m_session(session), m_theme(theme), m_overlay(m_shown, m_beside, theme),
+      m_hand(session), m_tools(session)
 {
     setFrameShape(QFrame::NoFrame);
     setRenderHint(QPainter::Antialiasing);
