@@ -8,7 +8,7 @@
 /// Sine, cosine, arc tangent and remainder by sums and products alone, without
 /// a branch and without a table. So they have the same bits on every machine,
 /// whatever its C library, and a loop over many of them runs several at once.
-/// They are off by less than 0.6 units in the last digit, where the C library
+/// They are off by less than 0.61 units in the last digit, where the C library
 /// that we measured against is off by 0.52.
 namespace sim::alike {
 
@@ -155,8 +155,9 @@ inline double atan2(double y, double x)
     return std::copysign(angle + isNone, y);
 }
 
-/// What is left of x when whole multiples of y are taken off, from -y/2 to y/2:
-/// to 2^44 y exactly std::remainder().
+/// What is left of x when whole multiples of y are taken off, from -y/2 to y/2.
+/// Exactly std::remainder() as long as those multiples are numbers of their own:
+/// for a whole y of up to 9 binary digits, as 360, to 2^44 y.
 inline double remainder(double x, double y)
 {
     const double left = x - y * nearest(x / y);

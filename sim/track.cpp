@@ -293,6 +293,7 @@ void Track::replaceInput(std::vector<Event> input, std::int64_t frame)
 {
     m_script.input = std::move(input);
     m_segments.replace(m_script);
+    frame = std::max<std::int64_t>(1, frame); // events of frame 0 come with the first row: the start stays
     m_history.forget(frame);
     m_watch.forget(frame);
     m_computed = std::min(m_computed, m_at.frame);

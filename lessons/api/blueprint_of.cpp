@@ -67,6 +67,16 @@ private:
 
     void set(const char *id, double value) { m_taken.numbers[id] = value; }
 
+    /// `name`, with a number behind it where a point is called so already.
+    std::string freeName(const std::string &name)
+    {
+        std::string free = name;
+        const auto isTaken = [&](const sim::BuiltPoint &one) { return one.name == free; };
+        for (int i = 2; std::any_of(plan().points.begin(), plan().points.end(), isTaken); ++i)
+            free = name + std::to_string(i);
+        return free;
+    }
+
     bool takeLinks(const sim::Effect &effect)
     {
         if (const auto *springs = dynamic_cast<const sim::Springs *>(&effect)) {
@@ -77,7 +87,7 @@ private:
         } else if (const auto *plain = dynamic_cast<const sim::BodySpring *>(&effect)) {
             takePairs(plain->links(), plain->k(), 0.0);
         } else if (const auto *centred = dynamic_cast<const sim::PointSpring *>(&effect)) {
-            plan().points.push_back({"centre", centred->centre(), {}, 1.0, usualSize, true});
+            plan().points.push_back({freeName("centre"), centred->centre(), {}, 1.0, usualSize, true});
             plan().springs.push_back(
                 {centred->mover(), static_cast<int>(plan().points.size()) - 1, centred->k(), 0.0});
         } else if (const auto *sticks = dynamic_cast<const sim::Sticks *>(&effect)) {

@@ -1,7 +1,9 @@
 #include "plan.h"
 
 #include <algorithm>
+#include <map>
 #include <numbers>
+#include <set>
 
 namespace sandbox {
 
@@ -137,6 +139,24 @@ std::vector<int> clockOf(const sim::Blueprint &plan)
         clocks[static_cast<std::size_t>(one.body)] = one.gait;
     }
     return clocks;
+}
+
+std::vector<std::vector<int>> matesOf(const sim::Blueprint &plan)
+{
+    std::map<int, std::set<int>> ofBody;
+    for (const sim::BuiltFoot &one : plan.feet)
+        ofBody[one.body].insert(one.gait);
+    std::vector<std::set<int>> mates(static_cast<std::size_t>(gaitsOf(plan) + 2));
+    for (const auto &[body, clocks] : ofBody) {
+        for (const int clock : clocks)
+            mates[static_cast<std::size_t>(clock)].insert(clocks.begin(), clocks.end());
+    }
+    std::vector<std::vector<int>> all;
+    for (std::size_t i = 0; i < mates.size(); ++i) {
+        mates[i].erase(static_cast<int>(i));
+        all.emplace_back(mates[i].begin(), mates[i].end());
+    }
+    return all;
 }
 
 bool hasClocks(const sim::Blueprint &plan)

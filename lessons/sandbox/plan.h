@@ -42,6 +42,8 @@ int windClockOf(const sim::Blueprint &plan);
 void setClocks(sim::Scene &scene, const sim::Blueprint &plan);
 /// Which clock each point goes by, one a point.
 std::vector<int> clockOf(const sim::Blueprint &plan);
+/// For each clock those of the other gait groups with feet on the same bodies: one creature.
+std::vector<std::vector<int>> matesOf(const sim::Blueprint &plan);
 /// Whether any clock turns.
 bool hasClocks(const sim::Blueprint &plan);
 

@@ -88,7 +88,8 @@ Scene setUp(const Values &values)
 
     if (has(plan, "turn_round"))
         add<TurnRound>(scene, room,
-            halfWidths(plan), clockOf(plan));
+            halfWidths(plan), clockOf(plan),
+            matesOf(plan));
     if (hasClocks(plan))
         add<GaitClock>(scene, clockOf(plan));
     return scene;

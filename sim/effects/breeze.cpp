@@ -35,20 +35,6 @@ bool Breeze::addSlopes(const State &state, Points movers, double scale, Directio
     return true;
 }
 
-/// As the clock stands: where it goes on, the wind does work.
-std::optional<double> Breeze::energy(const State &state) const
-{
-    double sum = 0.0;
-    for (int i = 0; i < state.points(); ++i) {
-        if (!state.feels(i))
-            continue;
-        const double x = state.at(i).x;
-        const double swelling = 100 * m_air.gusts * std::cos(state.gait[m_clock] - x / 100);
-        sum -= m_air.wind * m_width[i] / 10 * (x + swelling);
-    }
-    return sum;
-}
-
 std::vector<Live> Breeze::explain(const State &state, int mover, Directions) const
 {
     if (!state.feels(mover))

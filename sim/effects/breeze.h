@@ -44,7 +44,7 @@ BreezePull breeze(
 //! [breeze]
 // clang-format on
 
-/// Wind over the whole scene: it pushes every body, the wide ones more.
+/// Wind over the whole scene: it pushes every body, the wide ones more. What it does is its work, and stored nowhere.
 class Breeze : public Force
 {
 public:
@@ -64,7 +64,6 @@ public:
              Eigen::ArrayX2d &into) const override;
     bool addSlopes(const State &state, Points movers, double scale, Directions directions,
                    Slopes &into) const override;
-    std::optional<double> energy(const State &state) const override;
     std::vector<Live> explain(const State &state, int mover, Directions directions) const override;
 
     const Air &air() const { return m_air; }

@@ -36,7 +36,7 @@ struct Corrected
 {
     Vec2 pointer;
 
-    Breeze breeze(Vec2 origin, Vec2 reach, double scale) const
+    BranchWind breeze(Vec2 origin, Vec2 reach, double scale) const
     {
         return windAt(branchEnd(origin, reach, scale), pointer, [](Vec2 d) { return direction(d); });
     }
@@ -51,7 +51,7 @@ struct AsPrinted
 {
     Vec2 pointer;
 
-    Breeze breeze(Vec2 origin, Vec2 reach, double scale) const
+    BranchWind breeze(Vec2 origin, Vec2 reach, double scale) const
     {
         return windPublished(sightPublished(pointer, origin, reach, scale).d);
     }
@@ -76,7 +76,7 @@ bool findBreeze(const TreeWalk &walk, const State &state, const double *scales, 
         const int count = run.count;
         SIM_TURNS_ARE_APART
         for (int i = 0; i < count; ++i) {
-            const Breeze breeze = bendBy.breeze({x[i], y[i]}, {reachX[i], reachY[i]}, scale[i]);
+            const BranchWind breeze = bendBy.breeze({x[i], y[i]}, {reachX[i], reachY[i]}, scale[i]);
             to[i] = breeze.wind;
             far[i] = breeze.distance;
             any |= breeze.distance < inOnePlace ? std::int64_t{1} : std::int64_t{0};
@@ -113,7 +113,7 @@ int TreeWind::count(const State &, Points points) const
     return points.count;
 }
 
-Breeze TreeWind::breezeAt(TreeFormula formula, int point, Vec2 origin, double angle, Vec2 pointer) const
+BranchWind TreeWind::breezeAt(TreeFormula formula, int point, Vec2 origin, double angle, Vec2 pointer) const
 {
     const double scale = m_tree->scale[static_cast<std::size_t>(point)];
     const Vec2 reach = branchReach(angle, m_tree->baseLength, degreesOf(formula));
@@ -142,7 +142,7 @@ double TreeWind::strength(double distance, int point) const
 double TreeWind::turned(const State &state, int i, double gust, double h) const
 {
     const auto turn = m_formula == TreeFormula::published ? bendPublished : bend;
-    const Breeze breeze = breezeAt(m_formula, i, state.at(i), state.angle[i], *state.outside.pointer);
+    const BranchWind breeze = breezeAt(m_formula, i, state.at(i), state.angle[i], *state.outside.pointer);
     return turn(state.angle[i], gusty(breeze.wind, gust), strength(breeze.distance, i), h);
 }
 
@@ -192,7 +192,7 @@ std::vector<Live> TreeWind::explain(const State &before, const State &after, int
     if (!blows(after) || !after.feels(point))
         return {};
     // In this phase the branch was moved first and turned then.
-    const Breeze breeze =
+    const BranchWind breeze =
         breezeAt(m_formula, point, after.at(point), before.angle[point], *after.outside.pointer);
     const double gust = gustNow(after);
     std::vector<Live> live = {{"d", breeze.d, {}}, {"distance", breeze.distance, {}}};

@@ -12,7 +12,7 @@
 namespace sim {
 
 /// How wind comes to a branch.
-struct Breeze
+struct BranchWind
 {
     Vec2 d;                ///< between the pointer and the branch's end, as the formula has it
     double distance = 0.0; ///< its length
@@ -27,7 +27,7 @@ namespace tree_formulas {
 // clang-format off
 template <class HeadingOf>
 //! [wind]
-Breeze windAt(
+BranchWind windAt(
     Vec2 end, Vec2 pointer,
     HeadingOf direction)
 {
@@ -47,7 +47,7 @@ Breeze windAt(
 // clang-format off
 inline
 //! [wind_published]
-Breeze windPublished(Vec2 d)
+BranchWind windPublished(Vec2 d)
 {
     double distance = length(d);
     double rad = atan2(d.y, d.x);
@@ -211,7 +211,7 @@ public:
 
     /// How the wind from `pointer` comes to branch `point`, which stands at `origin` at `angle` degrees, by either
     /// formula, without turbulence.
-    Breeze breezeAt(TreeFormula formula, int point, Vec2 origin, double angle, Vec2 pointer) const;
+    BranchWind breezeAt(TreeFormula formula, int point, Vec2 origin, double angle, Vec2 pointer) const;
 
 private:
     static bool blows(const State &state) { return state.outside.pointerDown && state.outside.pointer; }

@@ -17,8 +17,15 @@ void TurnRound::drive(State &state, double) const
     for (int i = 0; i < state.points(); ++i) {
         if (!state.feels(i))
             continue;
-        double &speed = state.gaitSpeed[clockOf(i)];
-        speed = turnRound(speed, state.at(i).x, m_half[i], m_room);
+        const auto turn = [&](int clock) {
+            double &speed = state.gaitSpeed[clock];
+            speed = turnRound(speed, state.at(i).x, m_half[i], m_room);
+        };
+        turn(clockOf(i));
+        if (m_mates.empty())
+            continue;
+        for (const int mate : m_mates.at(static_cast<std::size_t>(clockOf(i))))
+            turn(mate);
     }
 }
 

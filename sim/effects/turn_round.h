@@ -28,13 +28,15 @@ double turnRound(
 //! [turn_round]
 // clang-format on
 
-/// Turns round each creature that touches a side wall with any point: its gait clock runs the other way.
+/// Turns round each creature that touches a side wall with any point: its gait clocks run the other way.
 class TurnRound : public Driver
 {
 public:
     /// `half`: half of each point's width in px; `clockOf`: which clock each point goes by; one row a point.
-    TurnRound(Room room, Eigen::ArrayXd half, std::vector<int> clockOf)
-        : m_room(room), m_half(std::move(half)), m_clockOf(std::move(clockOf))
+    /// `mates`: for each clock the others of the same creature, which turn with it; empty: each creature has one.
+    TurnRound(Room room, Eigen::ArrayXd half, std::vector<int> clockOf,
+              std::vector<std::vector<int>> mates = {})
+        : m_room(room), m_half(std::move(half)), m_clockOf(std::move(clockOf)), m_mates(std::move(mates))
     {
     }
 
@@ -56,6 +58,7 @@ private:
     Room m_room;
     Eigen::ArrayXd m_half;
     std::vector<int> m_clockOf;
+    std::vector<std::vector<int>> m_mates;
 };
 
 }

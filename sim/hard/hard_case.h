@@ -73,7 +73,7 @@ struct Rest
 };
 
 /// What "bounded" means in a case, in every frame.
-struct Bound
+struct Bounds
 {
     double reach = 0.0;          ///< px: no point is farther from `from`
     Vec2 from = {270.0, 200.0};  ///< px
@@ -93,7 +93,7 @@ struct HardCase
     std::optional<Stiffest> stiffest; ///< at any time of the run; set if it asks for `swings` or `rests`
     double bounces = 0.0;             ///< the most that happen in a frame
     double driven = 0.0;              ///< rad/frame: how fast what drives it turns
-    Bound bound;
+    Bounds bound;
     std::optional<Rest> rest; ///< where there is a right one
     std::optional<double>
         stickError; ///< px: how wrong a stick's length may be after any frame, by steps as brief has them

@@ -16,8 +16,9 @@ constexpr double toleranceFactor = 10.0; ///< from one to the next
 constexpr double mostTolerance = 100.0;  ///< px
 constexpr double firstKept = 0.95;       ///< where nothing was damped
 constexpr double calm = 1e6;             ///< px: nothing that holds goes farther, unless it was there before
-constexpr double hurry = 10.0; ///< what holds is not faster than so many times the scene's extent a frame
-constexpr std::int64_t beyond = 50; ///< frames past that of the stop
+constexpr double hurry = 10.0;           ///< what holds is not faster than so many times its extent a frame
+constexpr double leastExtent = 500.0;    ///< px: about a picture's, also of what begins in one place
+constexpr std::int64_t beyond = 50;      ///< frames past that of the stop
 
 enum class Trial { holds, fails, takesTooLong };
 
@@ -32,14 +33,14 @@ double fastest(const State &state)
 }
 
 /// Whether a run is finite, calm, and not on its way out, up to `frames`. A step that is a little too long may leave
-/// radial springs tumbling about at great speed, never farther out and never still: that holds nothing. What grows by a constant factor a frame, and had
-/// left all numbers by then, would be 10^6 times as far out even if its rate were a fiftieth: the logarithm of the largest
-/// number is 709.
+/// radial springs tumbling about at great speed, never farther out and never still: that holds nothing. What grows by a
+/// constant factor a frame, and had left all numbers by then, would be 10^6 times as far out even if its rate were a
+/// fiftieth: the logarithm of the largest number is 709.
 Trial tried(const Script &script, std::int64_t frames, const GoesOn &goesOn)
 try {
     Track track(script, 0);
     const double far = std::max(calm, 10.0 * farthest(track.now()));
-    const double fast = hurry * std::max(farthest(track.now()), fastest(track.now()));
+    const double fast = hurry * std::max({leastExtent, farthest(track.now()), fastest(track.now())});
     const double points = std::max(1, track.now().points());
     double phases = 0.0;
     const bool isThere = track.seek({frames, 0}, [&] {

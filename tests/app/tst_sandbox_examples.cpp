@@ -160,6 +160,17 @@ private slots:
         QVERIFY(right > 640.0 && right < 800.0);
     }
 
+    void theWalkersLegsKeepTheirBeat()
+    {
+        Run run("walker");
+        for (std::int64_t frame = 0; frame <= 4000; frame += 5) {
+            run.to(frame);
+            const sim::State &now = run.track.now();
+            QCOMPARE(now.gaitSpeed[1], now.gaitSpeed[0]); // it turns round with all legs
+            QVERIFY(std::abs(now.gait[1] - now.gait[0] - 1.5708) < 1e-9);
+        }
+    }
+
     void theCradlePassesItsPushOn()
     {
         Run run("cradle");

@@ -7,6 +7,7 @@
 #include <QFile>
 #include <QLibrary>
 #include <QPluginLoader>
+#include <QTest>
 
 #include <algorithm>
 #include <cmath>
@@ -46,6 +47,23 @@ LoadedLesson loadLesson(const QString &id)
     if (!lesson)
         throw std::runtime_error(loader.errorString().toStdString());
     return {loader.metaData().value(QStringLiteral("MetaData")).toObject(), lesson->steps()};
+}
+
+void addStepRows()
+{
+    QTest::addColumn<QString>("lesson");
+    QTest::addColumn<QString>("id");
+    for (const QString &lesson : lessonIds()) {
+        for (const lessons::Step &step : loadLesson(lesson).steps)
+            QTest::addRow("%s/%s", qPrintable(lesson), qPrintable(step.id)) << lesson << step.id;
+    }
+}
+
+lessons::Step stepOfRow()
+{
+    QFETCH(QString, lesson);
+    QFETCH(QString, id);
+    return loadLesson(lesson).step(id);
 }
 
 std::optional<QString> regionText(const sim::Region &region)

@@ -27,6 +27,10 @@ QStringList lessonIds();
 /// The lesson called `id`. @throws std::runtime_error with Qt's reason when it does not load
 LoadedLesson loadLesson(const QString &id);
 
+/// Adds one row a step of every lesson, of columns "lesson" and "id"; and the step of the row under way.
+void addStepRows();
+lessons::Step stepOfRow();
+
 /// The text of a region as it was embedded; empty unless the file is there and has exactly two marker lines.
 std::optional<QString> regionText(const sim::Region &region);
 

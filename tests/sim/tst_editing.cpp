@@ -140,6 +140,25 @@ private slots:
         QVERIFY(sameBits(straight.now(), timeline.now()));
     }
 
+    void inputOfFrameNoughtCanBeReplacedToo()
+    {
+        Script script = creature();
+        script.input = {{0, Set{"k", 0.1}}, {0, Grab{"body"}}};
+        Timeline timeline(script);
+        timeline.seek({20, 0});
+        for (const std::vector<Event> &input :
+             {std::vector<Event>{}, std::vector<Event>{{0, Grab{"foot0"}}, {3, Release{}}}, script.input}) {
+            QVERIFY(timeline.replaceInput(input));
+            QCOMPARE(timeline.at().frame, std::int64_t(20));
+            Track straight(timeline.script(), 0);
+            straight.seek({20, 0});
+            QVERIFY(sameBits(straight.now(), timeline.now()));
+            timeline.seek({0, 0});
+            QVERIFY(sameBits(timeline.now(), Track(timeline.script(), 0).now()));
+            timeline.seek({20, 0});
+        }
+    }
+
     void inputsDifferFromTheFirstEventThatIsNotInBoth()
     {
         const std::vector<Event> one = {{5, Release{}}, {9, Set{"k", 0.1}}};

@@ -3,10 +3,14 @@
 #include "stability_bench.h"
 #include "support.h"
 
+#include "sim/hard/catalogue.h"
+#include "sim/hard/judge.h"
 #include "sim/methods/methods.h"
+#include "sim/stability/remedies.h"
 
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace sim;
@@ -53,6 +57,8 @@ private slots:
     void manyFeetDriveTheirBodyByTheClosedForm();
     void strongDampingHoldsLongStepsAgain();
     void enoughDampingHoldsEveryStep();
+    void whatCannotHoldIsSaidBeforeItFails_data();
+    void whatCannotHoldIsSaidBeforeItFails();
 };
 
 void TestStepLimits::limitsAgreeWithClosedForms_data()
@@ -231,6 +237,49 @@ void TestStepLimits::enoughDampingHoldsEveryStep()
     QVERIFY(found.holds());
     const Stability stopped = predicted(onePoint(0.2, 0.0).scene, "semi_implicit_euler");
     QVERIFY(std::isinf(stopped.limit));
+}
+
+/// Every hard case that a method with a limit does not claim because it grows.
+void TestStepLimits::whatCannotHoldIsSaidBeforeItFails_data()
+{
+    QTest::addColumn<QString>("id");
+    QTest::addColumn<QString>("method");
+    for (const HardCase &one : hardCases()) {
+        if (one.id == "feet_10000")
+            continue; // as feet_1000, and it takes seconds
+        for (const MethodPtr &method : allMethods()) {
+            const Claim claim = claimOf(one, method, one.brief);
+            const bool grows = claim.why && claim.why->id() == "claim-grows";
+            if (grows && method->stepLimit() == StepLimit::stiffness)
+                QTest::newRow((one.id + ", " + method->id()).c_str())
+                    << QString::fromStdString(one.id) << QString::fromStdString(method->id());
+        }
+    }
+}
+
+void TestStepLimits::whatCannotHoldIsSaidBeforeItFails()
+{
+    QFETCH(QString, id);
+    QFETCH(QString, method);
+    const HardCase one = findHardCase(id.toStdString()).value();
+    const MethodPtr rule = findMethod(method.toStdString());
+    const Verdict verdict = judge(one, rule, one.brief);
+    QVERIFY(!verdict.holds);
+    // At the start; where what is too stiff comes only with an event, as soon as that is there.
+    std::int64_t from = 0;
+    for (const Event &event : one.script.input)
+        from = std::max(from, std::holds_alternative<Set>(event.what) ? event.frame : 0);
+    QVERIFY(from <= std::max(verdict.frames, std::int64_t(1)));
+    Track track(scriptOf(one, rule, one.brief), 0);
+    track.seek({from, 0});
+    QVERIFY(!track.stop());
+    const Stability said = stabilityOf(track.shown().scene, track.now(), *rule, track.script().step.h);
+    QCOMPARE(said.bound, Bound::stiffness);
+    QVERIFY2(said.share() > 1.0, qPrintable(QString::number(said.share())));
+    QVERIFY(said.culprit.effect);
+    const std::vector<Remedy> remedies =
+        remediesFor(track.script(), track.shown().values, track.now(), said, nullptr);
+    QVERIFY(!remedies.empty());
 }
 
 QTEST_APPLESS_MAIN(TestStepLimits)

@@ -141,6 +141,26 @@ private slots:
         }
     }
 
+    void whereARunBeginsOnThePageDoesNotMatter()
+    {
+        Script script = star(1);
+        script.build = [](const Values &values) {
+            Scene scene;
+            scene.start = State::ofPoints(1); // at 0, 0
+            scene.names = {"foot"};
+            scene.groups = {{"foot", {0, 1}}};
+            scene.effects = {std::make_shared<PointSpring>(0, Vec2{270, 200}, values["k"]),
+                             std::make_shared<Damping>(values["damp"])};
+            return scene;
+        };
+        script.values.set("k", 20.0);
+        const std::vector<Remedy> found = remediesAfter(script, stopOf(script), &drag, patient);
+        const Remedy *smaller = find(found, Remedy::Kind::smallerStep);
+        QVERIFY(smaller && smaller->heldFor > 0);
+        QCOMPARE(smaller->step.h, 0.25); // 20 / 4 is past the limit, 20 / 16 is not
+        QVERIFY(find(found, Remedy::Kind::boundlessMethod));
+    }
+
     void allElseStaysAsItWas()
     {
         Script script = star(60);

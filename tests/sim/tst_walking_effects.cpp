@@ -254,6 +254,23 @@ private slots:
         QCOMPARE(state.gaitSpeed[0], -0.1);
     }
 
+    void allClocksOfOneCreatureTurnTogether()
+    {
+        State state = State::ofPoints(4);
+        for (int i = 0; i < 4; ++i)
+            state.place(i, {50, 0});
+        state.gaitSpeed.setConstant(4, 0.1);
+        // Points 0 and 1 are feet of one creature, 2 that of another one, 3 is loose.
+        const TurnRound turn({0.0, 100.0, 1e9, 0.0}, Eigen::ArrayXd::Constant(4, 5.0), {0, 1, 2, 3},
+                             {{1}, {0}, {}, {}});
+        state.place(1, {97, 0});
+        turn.drive(state, 1.0);
+        QCOMPARE(state.gaitSpeed[0], -0.1);
+        QCOMPARE(state.gaitSpeed[1], -0.1);
+        QCOMPARE(state.gaitSpeed[2], 0.1);
+        QCOMPARE(state.gaitSpeed[3], 0.1);
+    }
+
     void groundHoldsWhatIsBelowItAndNothingElse()
     {
         Dice dice(8);
