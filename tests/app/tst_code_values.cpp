@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
+#include <string>
+#include <utility>
 
 using namespace listing_bench;
 
@@ -44,6 +47,8 @@ private slots:
         sim::Timeline run = runOf(stepOf(lesson, step), method);
         const CodeListing listing = listingOf(stepOf(lesson, step), run);
         const int frames = run.now().points() > 20 ? 10 : 60;
+        // Nothing but the phase and the name decides where a value stands.
+        std::set<std::pair<int, std::string>> found;
         for (int frame = 1; frame <= frames; ++frame) {
             run.stepRow();
             const std::vector<std::string> &names = run.track().shown().scene.names;
@@ -54,8 +59,10 @@ private slots:
                         std::find_if(listing.sections.begin(), listing.sections.end(),
                                      [&](const CodeSection &one) { return one.has(moment.phase); });
                     QVERIFY(section != listing.sections.end());
-                    for (const sim::Live &live : moment.live)
-                        QVERIFY2(lineOf(*section, live), live.name.c_str());
+                    for (const sim::Live &live : moment.live) {
+                        if (found.emplace(moment.phase, live.name).second)
+                            QVERIFY2(lineOf(*section, live), live.name.c_str());
+                    }
                 }
             }
         }

@@ -12,6 +12,7 @@
 #include <QAccessible>
 #include <QClipboard>
 #include <QDir>
+#include <QDockWidget>
 #include <QMenu>
 #include <QPainter>
 #include <QSvgRenderer>

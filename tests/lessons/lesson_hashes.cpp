@@ -1,10 +1,11 @@
-// Prints a hash of 1000 frames of every step of every lesson: one line a step and method. What it prints must not depend
-// on the instructions that it runs with, nor on how it gets from frame to frame:
+// Prints a hash of 1000 frames (300 under the sanitizers) of every step of every lesson: one line a step and method.
+// What it prints must not depend on the instructions that it runs with, nor on how it gets from frame to frame:
 //   lesson_hashes      as the app does: what has come to rest sleeps
 //   lesson_hashes 1    each row is computed, by one thread, what hangs together at a time
 //   lesson_hashes 2    the same by two threads
 
 #include "tests/lessons/support.h"
+#include "tests/sizes.h"
 
 #include "sim/error.h"
 #include "sim/flush.h"
@@ -32,7 +33,7 @@ std::uint64_t hashed(std::uint64_t hash, const sim::State &state)
 }
 
 constexpr std::uint64_t begun = 0xcbf29ce484222325u;
-constexpr int frames = 1000;
+constexpr int frames = tests::sized(1000, 300);
 constexpr int looks = 10; ///< frames from one look at the state to the next
 
 std::uint64_t hashOfRun(const sim::Script &script)

@@ -1,4 +1,5 @@
 #include "tests/lessons/support.h"
+#include "tests/sizes.h"
 
 #include "sim/error.h"
 #include "sim/methods/methods.h"
@@ -8,7 +9,10 @@
 #include <QTest>
 
 #include <algorithm>
+#include <map>
 #include <random>
+#include <set>
+#include <string>
 
 using namespace support;
 
@@ -245,7 +249,7 @@ private slots:
         }
         sim::Timeline seeker(script, 40'000); // so small that most states are dropped
         std::mt19937 random(7);
-        for (int i = 0; i < 500; ++i) {
+        for (int i = 0; i < tests::sized(500, 100); ++i) {
             const auto chosen = std::uniform_int_distribution<std::size_t>(0, states.size() - 1)(random);
             const auto &[cursor, state] = *std::next(states.begin(), static_cast<std::ptrdiff_t>(chosen));
             seeker.seek(cursor);
@@ -277,26 +281,32 @@ private slots:
         const sim::Scene scene = sim::sceneOf(script, script.values);
         const sim::Pipeline pipeline = sim::compose(scene, *script.method, script.step);
         sim::State state = scene.start;
+        std::vector<std::set<std::string>> named(pipeline.phases.size());
         for (int frame = 0; frame < 40; ++frame) {
-            for (const sim::Phase &phase : pipeline.phases) {
+            for (std::size_t i = 0; i < named.size(); ++i) {
+                const sim::Phase &phase = pipeline.phases[i];
                 const sim::State before = state;
                 phase.run(state);
                 const int stride = 1 + phase.points.count / 12;
-                for (int point = phase.points.first; point < phase.points.end(); point += stride)
-                    checkNames(phase, phase.explain(before, state, point));
+                for (int point = phase.points.first; point < phase.points.end(); point += stride) {
+                    for (const sim::Live &live : phase.explain(before, state, point))
+                        named[i].insert(live.name);
+                }
             }
         }
+        for (std::size_t i = 0; i < named.size(); ++i)
+            checkNames(pipeline.phases[i], named[i]);
     }
 
 private:
-    static void checkNames(const sim::Phase &phase, const std::vector<sim::Live> &live)
+    static void checkNames(const sim::Phase &phase, const std::set<std::string> &names)
     {
         QString source;
         for (const sim::Region &region : phase.regions)
             source += regionText(region).value_or(QString());
-        for (const sim::Live &one : live) {
-            const QRegularExpression word(u"\\b%1\\b"_qs.arg(QString::fromStdString(one.name)));
-            QVERIFY2(source.contains(word), (phase.id + ": " + one.name).c_str());
+        for (const std::string &name : names) {
+            const QRegularExpression word(u"\\b%1\\b"_qs.arg(QString::fromStdString(name)));
+            QVERIFY2(source.contains(word), (phase.id + ": " + name).c_str());
         }
     }
 };

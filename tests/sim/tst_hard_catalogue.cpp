@@ -2,6 +2,7 @@
 // that the judge sees what fails.
 
 #include "support.h"
+#include "tests/sizes.h"
 
 #include "sim/error.h"
 #include "sim/hard/catalogue.h"
@@ -107,9 +108,11 @@ void TestHardCases::everyClaimHolds_data()
 {
     QTest::addColumn<QString>("id");
     QTest::addColumn<QString>("method");
+    int made = 0;
     for (const HardCase &one : hardCases()) {
         for (const MethodPtr &method : allMethods()) {
-            if (claimOf(one, method, one.brief).isMade)
+            const bool isMade = claimOf(one, method, one.brief).isMade;
+            if (isMade && made++ % tests::sized(1, 3) == 0) // in turn: some of each case, and of each method
                 QTest::newRow((one.id + ", " + method->id()).c_str())
                     << QString::fromStdString(one.id) << QString::fromStdString(method->id());
         }

@@ -1,6 +1,7 @@
 // Going anywhere in time gives the bits of a straight run.
 
 #include "support.h"
+#include "tests/sizes.h"
 
 #include "sim/effects/damping.h"
 #include "sim/effects/gravity.h"
@@ -79,7 +80,8 @@ private slots:
         const Script plain = support::script(support::sample(scene.toStdString()), method.toStdString(), h);
         for (const Script &script : {plain, handled(plain)}) {
             for (const std::size_t budget : {std::size_t{0}, tinyBudget, Timeline::defaultBudget}) {
-                const std::string found = support::seekMismatch(script, budget, h > 2 ? 200 : 60, 500, 1);
+                const std::string found =
+                    support::seekMismatch(script, budget, h > 2 ? 200 : 60, tests::sized(500, 100), 1);
                 QVERIFY2(found.empty(), found.c_str());
             }
         }

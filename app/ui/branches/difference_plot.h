@@ -3,7 +3,7 @@
 #include "app/model/difference_course.h"
 #include "app/ui/theme/theme.h"
 
-#include <qcustomplot.h>
+#include "app/ui/theme/custom_plot.h"
 
 namespace app {
 

@@ -4,7 +4,7 @@
 #include "app/ui/plots/plot_export.h"
 #include "app/ui/theme/theme.h"
 
-#include <qcustomplot.h>
+#include "app/ui/theme/custom_plot.h"
 
 namespace app {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <qcustomplot.h>
+#include "app/ui/theme/custom_plot.h"
 
 #include <vector>
 

@@ -3,7 +3,7 @@
 #include "app/ui/measure/method_ink.h"
 #include "app/ui/scene/label_places.h"
 
-#include <qcustomplot.h>
+#include "app/ui/theme/custom_plot.h"
 
 namespace app {
 

@@ -2,7 +2,7 @@
 
 #include "app/model/numbers.h"
 
-#include <qcustomplot.h>
+#include "app/ui/theme/custom_plot.h"
 
 #include <cmath>
 

@@ -2,7 +2,7 @@
 
 #include "app/model/words.h"
 
-#include <qcustomplot.h>
+#include "app/ui/theme/custom_plot.h"
 
 #include <QAction>
 #include <QClipboard>

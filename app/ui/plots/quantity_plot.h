@@ -4,7 +4,7 @@
 #include "app/model/plot_list.h"
 #include "app/ui/theme/theme.h"
 
-#include <qcustomplot.h>
+#include "app/ui/theme/custom_plot.h"
 
 namespace app {
 

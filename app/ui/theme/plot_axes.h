@@ -2,7 +2,7 @@
 
 #include "app/ui/theme/theme.h"
 
-#include <qcustomplot.h>
+#include "app/ui/theme/custom_plot.h"
 
 namespace app {
 
