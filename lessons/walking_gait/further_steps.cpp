@@ -115,7 +115,7 @@ Step wallsStep()
         "back, and the velocity across the wall becomes 0.\n\n"
         "The creature **turns round** when any part of it touches a wall: the clock's speed gets the sign "
         "that leads away. It is a rule, not a force: the wall only stops what hits it. With **at wall** on "
-        "keep_on it walks against the wall for good. Its standing feet then slip 1.1 px a frame, more than "
+        "*walk on* it walks against the wall for good. Its standing feet then slip 1.1 px a frame, more than "
         "twice as much as on its way.\n\n"
         "You can steer it, as before.");
     step.tries = wallsTries();

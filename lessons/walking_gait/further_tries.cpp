@@ -176,7 +176,7 @@ std::vector<Try> steeringTries()
 std::vector<Try> wallsTries()
 {
     return {
-        {Text::tr("Set **at wall** to keep_on and let it walk against a wall for 200 frames."),
+        {Text::tr("Set **at wall** to *walk on* and let it walk against a wall for 200 frames."),
          [](const Timeline &run) {
              return isSetTo(run, "at_wall", 1.0) && framesSinceSet(run, "at_wall") >= 200 &&
                     touchesAWall(run);

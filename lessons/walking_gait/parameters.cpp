@@ -138,7 +138,7 @@ Parameter atWall()
     Parameter parameter = choice("at_wall", Text::tr("At a wall"),
                                  Text::tr("Whether it turns round where it bumps into a wall, or walks on."),
                                  {QStringLiteral("turn"), QStringLiteral("keep_on")});
-    parameter.choiceTitles = {Text::tr("turn"), Text::tr("keep_on")};
+    parameter.choiceTitles = {Text::tr("turn"), Text::tr("walk on")};
     return parameter;
 }
 

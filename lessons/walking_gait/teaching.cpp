@@ -183,7 +183,7 @@ Teaching walls()
         Text::tr("Turning round at a wall is a rule for the clock; the wall itself only stops what hits "
                  "it."),
         {
-            Text::tr("Choose **keep_on** beside **At a wall**, press **Space**, and wait until it has walked "
+            Text::tr("Choose **walk on** beside **At a wall**, press **Space**, and wait until it has walked "
                      "against a wall for a while."),
             Text::tr("Type 200 beside **Left wall** and 340 beside **Right wall**, press **Space**, and "
                      "wait until it turns."),

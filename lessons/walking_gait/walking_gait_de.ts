@@ -78,12 +78,12 @@ Keines von beiden kommt über das Höchsttempo hinaus, 0,15 in jeder Richtung. L
     <message>
         <source>Two walls, as in the lesson before, for feet and body. Where an edge is past a wall, it is put back, and the velocity across the wall becomes 0.
 
-The creature **turns round** when any part of it touches a wall: the clock&apos;s speed gets the sign that leads away. It is a rule, not a force: the wall only stops what hits it. With **at wall** on keep_on it walks against the wall for good. Its standing feet then slip 1.1&#x202f;px a frame, more than twice as much as on its way.
+The creature **turns round** when any part of it touches a wall: the clock&apos;s speed gets the sign that leads away. It is a rule, not a force: the wall only stops what hits it. With **at wall** on *walk on* it walks against the wall for good. Its standing feet then slip 1.1&#x202f;px a frame, more than twice as much as on its way.
 
 You can steer it, as before.</source>
         <translation>Zwei Wände, wie in der Lektion davor, für Füße und Körper. Wo ein Rand über eine Wand hinaus ist, wird er zurückgesetzt, und die Geschwindigkeit quer zur Wand wird 0.
 
-Die Figur **kehrt um**, wenn irgendein Teil von ihr eine Wand berührt: Das Tempo der Uhr bekommt das Vorzeichen, das wegführt. Das ist eine Regel, keine Kraft: Die Wand hält nur an, was sie trifft. Steht **An einer Wand** auf weitergehen, geht sie endlos gegen die Wand. Ihre stehenden Füße rutschen dann 1,1&#x202f;px pro Bild, mehr als doppelt so viel wie unterwegs.
+Die Figur **kehrt um**, wenn irgendein Teil von ihr eine Wand berührt: Das Tempo der Uhr bekommt das Vorzeichen, das wegführt. Das ist eine Regel, keine Kraft: Die Wand hält nur an, was sie trifft. Steht **An einer Wand** auf *weitergehen*, geht sie endlos gegen die Wand. Ihre stehenden Füße rutschen dann 1,1&#x202f;px pro Bild, mehr als doppelt so viel wie unterwegs.
 
 Lenken kannst du sie wie zuvor.</translation>
     </message>
@@ -144,8 +144,8 @@ Jeden Druck spüren **beide**, in entgegengesetzter Richtung, im selben Moment. 
         <translation>Lass sie stehen: Bring die Uhr auf 0,005 rad/Bild an 0 heran.</translation>
     </message>
     <message>
-        <source>Set **at wall** to keep_on and let it walk against a wall for 200&#x202f;frames.</source>
-        <translation>Stelle **An einer Wand** auf weitergehen und lass sie 200&#x202f;Bilder lang gegen eine Wand gehen.</translation>
+        <source>Set **at wall** to *walk on* and let it walk against a wall for 200&#x202f;frames.</source>
+        <translation>Stelle **An einer Wand** auf *weitergehen* und lass sie 200&#x202f;Bilder lang gegen eine Wand gehen.</translation>
     </message>
     <message>
         <source>Put the walls 150&#x202f;px apart or closer, and see it turn to the left.</source>
@@ -552,7 +552,7 @@ Von hier an ist k 0,1.</translation>
         <translation>umkehren</translation>
     </message>
     <message>
-        <source>keep_on</source>
+        <source>walk on</source>
         <translation>weitergehen</translation>
     </message>
     <message>
@@ -788,7 +788,7 @@ Die Uhr macht nur a größer, Bild für Bild. Dann schwingt x hin und her, und y
         <translation>An einer Wand umzukehren ist eine Regel für die Uhr; die Wand selbst hält nur an, was sie trifft.</translation>
     </message>
     <message>
-        <source>Choose **keep_on** beside **At a wall**, press **Space**, and wait until it has walked against a wall for a while.</source>
+        <source>Choose **walk on** beside **At a wall**, press **Space**, and wait until it has walked against a wall for a while.</source>
         <translation>Wähle **weitergehen** neben **An einer Wand**, drück die **Leertaste** und warte, bis sie eine Weile gegen eine Wand gegangen ist.</translation>
     </message>
     <message>
