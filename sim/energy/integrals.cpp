@@ -235,6 +235,31 @@ void Integrals::step(const State &before, const State &after, double h, Balance 
         into.doubt += std::abs(sums.energy[name.account] - bent.energy[name.account]);
 }
 
+double Integrals::lifted(Begun &begun, const Island &island, double time, const Eigen::ArrayXd &from,
+                         const Eigen::ArrayXd &to) const
+{
+    if ((from == to).all())
+        return 0.0;
+    constexpr double rounding = 1e-9; // px
+    const bool isPart = island.flow.points() < begun.m_now.points() && !m_meter.turns();
+    if (!isPart || (to - from).abs().maxCoeff() > rounding) {
+        const double held = m_meter.stored(at(begun, island, time, from));
+        return m_meter.stored(at(begun, island, time, to)) - held;
+    }
+    // So little that pulls are the same all along. What the whole scene holds would cost each part the time of all.
+    State &middle = at(begun, island, time, 0.5 * (from + to));
+    Eigen::ArrayXd rows(island.flow.size());
+    double gained = 0.0;
+    for (const EffectPtr &effect : m_effects) {
+        const auto *force = dynamic_cast<const Force *>(effect.get());
+        if (!force || !m_meter.isStored(*force))
+            continue;
+        island.flow.pull(*force, middle, rows.data());
+        gained -= (island.rowMass * rows * (to - from)).sum();
+    }
+    return gained;
+}
+
 void Integrals::lap(Begun &begun, const Lap &lap, Balance &into) const
 {
     const Island island = islandOf(*lap.flow, m_meter);
@@ -242,12 +267,8 @@ void Integrals::lap(Begun &begun, const Lap &lap, Balance &into) const
         book(along(begun, island, lap.start, lap.end, lap.at), into);
     Eigen::ArrayXd place, speed;
     lap.at(lap.end, place, speed);
-    double lifted = 0.0;
-    if ((lap.nextPlace != place).any()) {
-        const double held = m_meter.stored(at(begun, island, lap.end, place));
-        lifted = m_meter.stored(at(begun, island, lap.end, lap.nextPlace)) - held;
-    }
-    into.energy[Account::impact] += lifted + kinetic(island, lap.nextSpeed) - kinetic(island, speed);
+    const double stored = lifted(begun, island, lap.end, place, lap.nextPlace);
+    into.energy[Account::impact] += stored + kinetic(island, lap.nextSpeed) - kinetic(island, speed);
     Vec2 &push = into.momentum[Account::impact];
     push = push + pushOf(island, lap.nextSpeed) - pushOf(island, speed);
 }

@@ -67,6 +67,9 @@ private:
     double clockPower(const State &state) const;
     Eigen::ArrayXd accelerations(State &state, const Eigen::ArrayXd &speed) const;
     void stop(PathEnd &end) const;
+    /// What more is stored where an island jumps.
+    double lifted(Begun &begun, const Island &island, double time, const Eigen::ArrayXd &from,
+                  const Eigen::ArrayXd &to) const;
     static double kinetic(const Island &island, const Eigen::ArrayXd &speed);
     /// The sum of what each point is pushed with, from accelerations (or velocities).
     Vec2 pushOf(const Island &island, const Eigen::ArrayXd &rate) const;

@@ -2,6 +2,7 @@
 
 #include "study_scenes.h"
 
+#include "sim/effects/body_spring.h"
 #include "sim/effects/point_spring.h"
 #include "sim/methods/methods.h"
 
