@@ -17,6 +17,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <deque>
 
 using namespace sim;
 using energy_bench::balanceOf;
@@ -136,7 +137,7 @@ private slots:
         QFETCH(double, bounce);
         const int count = static_cast<int>(company.size());
         Track together(scriptOf(roomOf(company, bounce), method), 0);
-        std::vector<Track> alone;
+        std::deque<Track> alone;
         for (const Creature &one : company)
             alone.emplace_back(scriptOf(roomOf({one}, bounce), method), 0);
         std::int64_t evaluations = 0;
@@ -236,8 +237,8 @@ private slots:
             const std::string what = support::difference(track.now(), waker.now());
             QVERIFY2(what.empty(), what.c_str());
             QCOMPARE(track.now().evaluations, waker.now().evaluations);
+            QVERIFY(frame != 3010 || track.now().speed(1).y > 0.0); // it falls again
         }
-        QVERIFY(track.now().speed(1).y != 0.0);
     }
 
     /// Energy and momentum of a crowd are those of its creatures, account by account.
