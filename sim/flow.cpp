@@ -8,14 +8,25 @@ namespace sim {
 
 namespace {
 
-/// The c of each point, added up over the drags that have one.
-std::vector<double> ratesOf(const Scene &scene)
+int countOf(const std::vector<Points> &runs)
 {
-    std::vector<double> rates(static_cast<std::size_t>(scene.start.points()), 0.0);
+    int count = 0;
+    for (const Points &run : runs)
+        count += run.count;
+    return count;
+}
+
+/// The c of each point of `runs`, added up over the drags that have one.
+std::vector<double> ratesOf(const Scene &scene, const std::vector<Points> &runs)
+{
+    std::vector<double> rates(static_cast<std::size_t>(countOf(runs)), 0.0);
     for (const EffectPtr &effect : scene.effects) {
-        const auto drag = std::dynamic_pointer_cast<const Drag>(effect);
-        for (std::size_t i = 0; drag && i < rates.size(); ++i)
-            rates[i] += drag->rate(static_cast<int>(i)).value_or(0.0);
+        const auto *drag = dynamic_cast<const Drag *>(effect.get());
+        std::size_t row = 0;
+        for (const Points &run : runs) {
+            for (int i = run.first; drag && i < run.end(); ++i)
+                rates[row++] += drag->rate(i).value_or(0.0);
+        }
     }
     return rates;
 }
@@ -34,13 +45,15 @@ std::optional<double> oneOf(const std::vector<double> &rates, const std::vector<
     return found.value_or(0.0);
 }
 
+/// The effects of a kind that work on points of `runs`.
 template <class Type>
-std::vector<std::shared_ptr<const Type>> all(const Scene &scene)
+std::vector<std::shared_ptr<const Type>> all(const Scene &scene, const std::vector<Points> &runs)
 {
     std::vector<std::shared_ptr<const Type>> found;
     for (const EffectPtr &effect : scene.effects) {
         const auto typed = std::dynamic_pointer_cast<const Type>(effect);
-        if (typed && typed->count(scene.start, {0, scene.start.points()}) > 0)
+        const auto works = [&](Points run) { return typed->count(scene.start, run) > 0; };
+        if (typed && std::any_of(runs.begin(), runs.end(), works))
             found.push_back(typed);
     }
     return found;
@@ -62,18 +75,21 @@ std::size_t bytes(int numbers)
 
 }
 
-Flow::Flow(const Scene &scene, Directions directions)
-    : m_directions(directions), m_points(scene.start.points()),
-      m_spins(static_cast<int>(scene.start.spin.rows())), m_size(2 * m_points + m_spins),
-      m_forces(all<Force>(scene)), m_torques(all<Torque>(scene))
+Flow::Flow(const Scene &scene, Directions directions) : Flow(scene, directions, {{0, scene.start.points()}})
 {
-    for (int i = 0; i < m_points; ++i)
-        m_inert.push_back(scene.hasInertia(i));
-    for (int i = 0; i < m_points; ++i) {
-        if (!m_inert[static_cast<std::size_t>(i)])
-            m_idle.push_back(i);
-    }
-    const std::vector<double> rates = ratesOf(scene);
+}
+
+Flow::Flow(const Scene &scene, Directions directions, std::vector<Points> runs)
+    : m_directions(directions), m_runs(std::move(runs)), m_points(countOf(m_runs)),
+      m_spins(scene.start.spin.rows() > 0 ? m_points : 0), m_size(2 * m_points + m_spins),
+      m_forces(all<Force>(scene, m_runs)), m_torques(all<Torque>(scene, m_runs))
+{
+    forEach([&](int point, int) {
+        m_inert.push_back(scene.hasInertia(point));
+        if (!m_inert.back())
+            m_idle.push_back(point);
+    });
+    const std::vector<double> rates = ratesOf(scene, m_runs);
     for (int row = 0; row < m_size; ++row) {
         const double rate = rates[static_cast<std::size_t>(row % m_points)];
         if (m_stretches.empty() || m_stretches.back().rate != rate)
@@ -81,17 +97,22 @@ Flow::Flow(const Scene &scene, Directions directions)
         ++m_stretches.back().count;
     }
     m_oneRate = oneOf(rates, m_inert);
-    for (const auto &driver : all<Driver>(scene)) {
+    for (const auto &driver : all<Driver>(scene, {{0, scene.start.points()}})) {
         if (driver->pace() == Pace::flows)
             m_flowing.push_back(driver);
         else if (driver->pace() == Pace::follows)
             m_following.push_back(driver);
     }
+    listEffects(scene);
+}
+
+void Flow::listEffects(const Scene &scene)
+{
     for (const EffectPtr &effect : scene.effects) {
         const auto *driver = dynamic_cast<const Driver *>(effect.get());
         const auto *drag = dynamic_cast<const Drag *>(effect.get());
         if (dynamic_cast<const Force *>(effect.get()) || dynamic_cast<const Torque *>(effect.get()) ||
-            (driver && driver->pace() != Pace::once) || (drag && hasRates(*drag, m_points)))
+            (driver && driver->pace() != Pace::once) || (drag && hasRates(*drag, scene.start.points())))
             m_effects.push_back(effect);
     }
 }
@@ -112,76 +133,122 @@ EffectPtr Flow::firstJump(const Scene &scene, Contacts contacts)
     return nullptr;
 }
 
+int Flow::pointAt(int row) const
+{
+    for (const Points &run : m_runs) {
+        if (row < run.count)
+            return run.first + row;
+        row -= run.count;
+    }
+    return -1;
+}
+
 void Flow::read(const State &state, double *q, double *v) const
 {
-    std::memcpy(q, state.position.data(), bytes(2 * m_points));
-    std::memcpy(v, state.velocity.data(), bytes(2 * m_points));
-    if (m_spins > 0) {
-        std::memcpy(q + 2 * m_points, state.angle.data(), bytes(m_spins));
-        std::memcpy(v + 2 * m_points, state.spin.data(), bytes(m_spins));
-    }
-    for (int i = 0; i < m_points; ++i) {
-        if (goesOn(state, i))
-            continue;
-        v[i] = v[m_points + i] = 0.0;
+    forEachRun([&](Points run, int row) {
+        for (int axis = 0; axis < 2; ++axis) {
+            std::memcpy(q + axis * m_points + row, &state.position(run.first, axis), bytes(run.count));
+            std::memcpy(v + axis * m_points + row, &state.velocity(run.first, axis), bytes(run.count));
+        }
+        if (m_spins > 0) {
+            std::memcpy(q + 2 * m_points + row, &state.angle[run.first], bytes(run.count));
+            std::memcpy(v + 2 * m_points + row, &state.spin[run.first], bytes(run.count));
+        }
+    });
+    forEach([&](int point, int row) {
+        if (goesOn(state, point, row))
+            return;
+        v[row] = v[m_points + row] = 0.0;
         if (m_spins > 0)
-            v[2 * m_points + i] = 0.0;
-    }
+            v[2 * m_points + row] = 0.0;
+    });
 }
 
 void Flow::place(const double *q, State &state) const
 {
-    if (m_spins > 0)
-        std::memcpy(state.angle.data(), q + 2 * m_points, bytes(m_spins));
-    else
-        std::memcpy(state.position.data(), q, bytes(2 * m_points));
+    forEachRun([&](Points run, int row) {
+        if (m_spins > 0) {
+            std::memcpy(&state.angle[run.first], q + 2 * m_points + row, bytes(run.count));
+            return;
+        }
+        for (int axis = 0; axis < 2; ++axis)
+            std::memcpy(&state.position(run.first, axis), q + axis * m_points + row, bytes(run.count));
+    });
     follow(state);
 }
 
 void Flow::push(const double *v, State &state) const
 {
-    for (int i = 0; i < m_points; ++i) {
-        if (!goesOn(state, i))
-            continue;
-        state.velocity(i, 0) = v[i];
-        state.velocity(i, 1) = v[m_points + i];
+    forEach([&](int point, int row) {
+        if (!goesOn(state, point, row))
+            return;
+        state.velocity(point, 0) = v[row];
+        state.velocity(point, 1) = v[m_points + row];
         if (m_spins > 0)
-            state.spin[i] = v[2 * m_points + i];
+            state.spin[point] = v[2 * m_points + row];
+    });
+}
+
+void Flow::clear(State &state) const
+{
+    for (const Points &run : m_runs) {
+        state.acceleration.middleRows(run.first, run.count).setZero();
+        if (m_spins > 0)
+            state.turning.segment(run.first, run.count).setZero();
     }
 }
 
 void Flow::accelerations(State &state, double *a) const
 {
-    const Points everything = {0, m_points};
-    state.acceleration.setZero();
-    for (const auto &force : m_forces)
-        force->add(state, everything, 1.0, m_directions, state.acceleration);
-    state.turning.setZero();
-    for (const auto &torque : m_torques)
-        torque->add(state, everything, 1.0, state.turning);
+    clear(state);
+    for (const auto &force : m_forces) {
+        for (const Points &run : m_runs)
+            force->add(state, run, 1.0, m_directions, state.acceleration);
+    }
+    for (const auto &torque : m_torques) {
+        for (const Points &run : m_runs)
+            torque->add(state, run, 1.0, state.turning);
+    }
     gathered(state, a);
+}
+
+void Flow::pull(const Force &force, State &state, double *a) const
+{
+    clear(state);
+    for (const Points &run : m_runs)
+        force.add(state, run, 1.0, m_directions, state.acceleration);
+    take(state, a);
+}
+
+void Flow::take(const State &state, double *a) const
+{
+    forEachRun([&](Points run, int row) {
+        for (int axis = 0; axis < 2; ++axis)
+            std::memcpy(a + axis * m_points + row, &state.acceleration(run.first, axis), bytes(run.count));
+        if (m_spins > 0)
+            std::memcpy(a + 2 * m_points + row, &state.turning[run.first], bytes(run.count));
+    });
 }
 
 void Flow::gathered(State &state, double *a) const
 {
-    for (const int idle : m_idle)
+    for (const int idle : m_idle) {
         state.acceleration.row(idle).setZero();
-    std::memcpy(a, state.acceleration.data(), bytes(2 * m_points));
-    if (m_spins == 0)
-        return;
-    for (const int idle : m_idle)
-        state.turning[idle] = 0.0;
-    std::memcpy(a + 2 * m_points, state.turning.data(), bytes(m_spins));
+        if (m_spins > 0)
+            state.turning[idle] = 0.0;
+    }
+    take(state, a);
 }
 
 bool Flow::slopes(const State &state, Slopes &into) const
 {
-    const Points everything = {0, m_points};
     bool known = true;
-    for (const auto &force : m_forces)
-        known = force->addSlopes(state, everything, 1.0, m_directions, into) && known;
-    for (const auto &torque : m_torques)
-        known = torque->addSlopes(state, everything, 1.0, into) && known;
+    for (const Points &run : m_runs) {
+        for (const auto &force : m_forces)
+            known = force->addSlopes(state, run, 1.0, m_directions, into) && known;
+        for (const auto &torque : m_torques)
+            known = torque->addSlopes(state, run, 1.0, into) && known;
+    }
     return known;
 }
 
@@ -199,8 +266,8 @@ void Flow::follow(State &state) const
 
 void Flow::prepare(State &state) const
 {
-    state.acceleration.setZero(m_points, 2);
-    state.turning.setZero(m_spins);
+    state.acceleration.setZero(state.points(), 2);
+    state.turning.setZero(state.spin.rows());
 }
 
 }

@@ -15,9 +15,17 @@ class Flow
 {
 public:
     Flow(const Scene &scene, Directions directions);
+    /// Of one island of the scene: q holds the numbers of the points of `runs`, which are in ascending order and have
+    /// among them all that any of their points is tied to. Drivers that flow or follow are the whole scene's.
+    Flow(const Scene &scene, Directions directions, std::vector<Points> runs);
 
     /// Numbers in q: 2 a point, and 1 for each that has a spin.
     int size() const { return m_size; }
+    /// Points in q, and which they are.
+    int points() const { return m_points; }
+    const std::vector<Points> &runs() const { return m_runs; }
+    /// The scene's number of the point in row `row` of q, below points().
+    int pointAt(int row) const;
 
     /// Rows of q with the same c, in 1/frame.
     struct Stretch
@@ -42,6 +50,8 @@ public:
     void push(const double *v, State &state) const;
     /// a(q, t), without damping, where `state` is. Uses its scratch.
     void accelerations(State &state, double *a) const;
+    /// The same of one force alone, also on points that do not go on by themselves.
+    void pull(const Force &force, State &state, double *a) const;
     /// What a method has gathered in State::acceleration and State::turning, as one row like a(q, t).
     void gathered(State &state, double *a) const;
     /// The derivatives of a by q. False if a force of the scene has none.
@@ -59,18 +69,43 @@ public:
     static EffectPtr firstJump(const Scene &scene, Contacts contacts);
 
 private:
-    bool goesOn(const State &state, int point) const
+    bool goesOn(const State &state, int point, int row) const
     {
-        return state.feels(point) && m_inert[static_cast<std::size_t>(point)];
+        return state.feels(point) && m_inert[static_cast<std::size_t>(row)];
     }
     void follow(State &state) const;
+    /// Sets to 0 what is gathered.
+    void clear(State &state) const;
+    void take(const State &state, double *a) const;
+    void listEffects(const Scene &scene);
+    /// Calls `visit(point, row)` for each point of it.
+    template <class Visit>
+    void forEach(Visit &&visit) const
+    {
+        int row = 0;
+        for (const Points &run : m_runs) {
+            for (int point = run.first; point < run.end(); ++point)
+                visit(point, row++);
+        }
+    }
+    /// Calls `visit(run, row)` for each run, with the row of its first point.
+    template <class Visit>
+    void forEachRun(Visit &&visit) const
+    {
+        int row = 0;
+        for (const Points &run : m_runs) {
+            visit(run, row);
+            row += run.count;
+        }
+    }
 
     Directions m_directions;
+    std::vector<Points> m_runs;
     int m_points = 0;
     int m_spins = 0;
     int m_size = 0;
-    std::vector<char> m_inert; ///< a point each
-    std::vector<int> m_idle;   ///< the others' numbers
+    std::vector<char> m_inert; ///< a row each
+    std::vector<int> m_idle;   ///< the numbers of the other points
     std::vector<Stretch> m_stretches;
     std::optional<double> m_oneRate;
     std::vector<EffectPtr> m_effects;

@@ -11,7 +11,8 @@ namespace {
 /// What a method has computed ahead holds as long as nothing comes in from outside.
 void forgetAhead(State &state)
 {
-    state.ahead.from = state.ahead.to = 0.0;
+    for (Ahead &ahead : state.ahead)
+        ahead.from = ahead.to = 0.0;
     state.resting.setZero();
 }
 

@@ -87,7 +87,7 @@ bool runOnAlike(const State &a, const State &b)
     // First what differs while anything moves: it costs next to nothing.
     if (!sameNumbers(a.position, b.position) || !sameNumbers(a.velocity, b.velocity) ||
         !sameNumbers(a.angle, b.angle) || !sameNumbers(a.spin, b.spin) || !sameNumbers(a.gait, b.gait) ||
-        a.ahead.to != b.ahead.to || a.ahead.from != b.ahead.from)
+        a.ahead != b.ahead)
         return false;
     State later = b;
     later.frame = a.frame;

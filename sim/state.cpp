@@ -67,4 +67,13 @@ int firstNotFinite(const State &state)
     return state.points();
 }
 
+int firstStuck(const State &state)
+{
+    for (const Ahead &ahead : state.ahead) {
+        if (ahead.stuck >= 0)
+            return ahead.stuck;
+    }
+    return -1;
+}
+
 }

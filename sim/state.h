@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -47,8 +48,8 @@ struct Outside
     Keys keys;
 };
 
-/// The stretch of time that a method with steps of its own has computed, seen from the frame that is done. Whole
-/// frames inside it are read off; State::stages holds what for.
+/// The stretch of time that a method with steps of its own has computed for one island of a scene, seen from the frame
+/// that is done. Whole frames inside it are read off; State::stages holds what for.
 struct Ahead
 {
     double from = 0.0;   ///< frames, where its last step began; 0 or less
@@ -57,6 +58,7 @@ struct Ahead
     double next = 0.0;   ///< frames, the length that its next step should have; 0: not known yet
     int stuck =
         -1; ///< the point pulled hardest where too many steps did not reach the next frame; -1: they did
+    friend bool operator==(const Ahead &, const Ahead &) = default;
 };
 
 /// All that a step reads and writes, as plain values. Copying it is the snapshot; two equal States run on alike.
@@ -77,8 +79,10 @@ struct State
     /// For each point the surfaces that it rests on, a bit each (the first is 1); empty for methods that do not locate
     /// contacts.
     Eigen::ArrayXi resting;
-    Ahead ahead;
-    std::int64_t evaluations = 0; ///< how often methods that choose this themselves have computed all forces
+    std::vector<Ahead> ahead; ///< one an island; empty for other methods, and before the first step
+    /// On how many points methods that choose this themselves have computed all forces, one time after the other:
+    /// divided by points() it is how often all points had their turn.
+    std::int64_t evaluations = 0;
 
     Eigen::ArrayXd gait;      ///< rad, one a gait clock
     Eigen::ArrayXd gaitSpeed; ///< rad/frame, one a gait clock
@@ -96,6 +100,8 @@ struct State
     void place(int point, Vec2 x);
     void push(int point, Vec2 v);
     bool feels(int point) const { return inverseMass[point] != 0.0; }
+    /// How often all points had their turn, see `evaluations`.
+    double turns() const { return static_cast<double>(evaluations) / std::max(1, points()); }
 };
 
 /// Calls `visit(data, bytes)` for each run of memory that makes up `state`, sizes included. The one list of what
@@ -122,11 +128,15 @@ void visitMemory(const State &state, Visit &&visit)
     array(state.turning);
     array(state.stages);
     array(state.resting);
-    one(state.ahead.from);
-    one(state.ahead.to);
-    one(state.ahead.length);
-    one(state.ahead.next);
-    one(state.ahead.stuck);
+    one(state.ahead.size());
+    for (const Ahead &ahead :
+         state.ahead) { // each number by itself: there is room between them that means nothing
+        one(ahead.from);
+        one(ahead.to);
+        one(ahead.length);
+        one(ahead.next);
+        one(ahead.stuck);
+    }
     one(state.evaluations);
     array(state.gait);
     array(state.gaitSpeed);
@@ -157,5 +167,8 @@ std::size_t memoryOf(const State &state);
 /// The first point with a number (position, velocity, angle, spin, or what is gathered) that is not finite, or -1;
 /// the point count for a number that belongs to no point.
 int firstNotFinite(const State &state);
+
+/// Ahead::stuck of the first island that has one, or -1.
+int firstStuck(const State &state);
 
 }

@@ -20,8 +20,9 @@ struct Failure
 /// What keeps a run from going on from `state`, if anything does.
 std::optional<Failure> failureOf(const State &state)
 {
-    if (state.ahead.stuck >= 0) // first: where steps lead no further, tries may have left any numbers
-        return Failure{StopReason::tooManySteps, state.ahead.stuck};
+    // first: where steps lead no further, tries may have left any numbers
+    if (const int point = firstStuck(state); point >= 0)
+        return Failure{StopReason::tooManySteps, point};
     if (const int point = firstNotFinite(state); point >= 0)
         return Failure{StopReason::notFinite, point};
     return {};

@@ -50,8 +50,16 @@ double energyDrift(ExactRun &exact, const Script &script, const Scene &scene, co
 double computations(const Script &script, const State &state, const State *before)
 {
     if (script.step.adaptive())
-        return before ? static_cast<double>(state.evaluations - before->evaluations) : nothing;
+        return before ? state.turns() - before->turns() : nothing;
     return double(script.method->evaluations()) * script.step.perRow / script.step.rowFrames;
+}
+
+double lastStep(const State &state)
+{
+    double shortest = nothing;
+    for (const sim::Ahead &ahead : state.ahead)
+        shortest = std::fmin(shortest, ahead.length);
+    return shortest;
 }
 
 Measure offMeasure(const Exact &exact)
@@ -89,7 +97,7 @@ Measure stepMeasure()
                        {}};
     measure.ofRun = [](const Script &script, const Scene &, const State &state, const State *before,
                        const Values &) {
-        return !script.step.adaptive() ? script.step.h : before ? state.ahead.length : nothing;
+        return !script.step.adaptive() ? script.step.h : before ? lastStep(state) : nothing;
     };
     return measure;
 }

@@ -19,6 +19,10 @@ double energyDrift(lessons::ExactRun &exact, const sim::Script &script, const si
 /// the method chooses.
 double computations(const sim::Script &script, const sim::State &state, const sim::State *before);
 
+/// The length of the last step of a method that chooses it, in frames: the shortest, where parts of the scene have their
+/// own; NaN where it has taken none.
+double lastStep(const sim::State &state);
+
 lessons::Measure offMeasure(const Exact &exact);
 lessons::Measure driftMeasure(const Exact &exact);
 lessons::Measure stepMeasure();

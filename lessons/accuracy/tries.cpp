@@ -77,7 +77,7 @@ Try orderTry(const QString &text, const char *id, double h)
 double averageComputations(const Timeline &run)
 {
     if (isAdaptive(run))
-        return static_cast<double>(run.now().evaluations) / static_cast<double>(run.at().frame);
+        return run.now().turns() / static_cast<double>(run.at().frame);
     return computations(run.script(), run.now(), nullptr);
 }
 
@@ -158,7 +158,7 @@ std::vector<Try> adaptTries(const Exact &exact, const Values &presets)
              "Throw the foot past the middle, within 10 px of it. Watch its steps get shorter than 1 frame."),
          [](const Timeline &run) {
              return isAdaptive(run) && wasThrown(run, "foot") && heldBody(run).empty() &&
-                    distance(run, "foot", "body") <= 10.0 && run.now().ahead.length < 1.0;
+                    distance(run, "foot", "body") <= 10.0 && lastStep(run.now()) < 1.0;
          }},
         {Text::tr(
              "**Runge–Kutta 4**: find a step with which it is less than 0.2 px off at frame 150. What does "

@@ -71,7 +71,7 @@ bool isStill(const sim::Timeline &timeline)
     for (int row = 0; row < 2; ++row) {
         for (int phase = 0; phase < segment->pipeline.phasesPerRow(); ++phase)
             segment->pipeline.phaseAt(phase).run(state);
-        if (state.ahead.stuck >= 0 || before.rows() != state.position.rows() ||
+        if (sim::firstStuck(state) >= 0 || before.rows() != state.position.rows() ||
             !((state.position - before).abs() <= stillness).all()) // false for what is not finite, too
             return false;
         before = state.position;

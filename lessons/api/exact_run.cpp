@@ -50,7 +50,7 @@ const sim::State *ExactRun::at(const sim::Script &script, std::int64_t frame)
     if (!track)
         return nullptr;
     track->seek({std::min(frame, track->computed()), 0});
-    while (track->at().frame < frame && track->now().evaluations < mostEvaluations && !track->stop())
+    while (track->at().frame < frame && track->now().turns() < mostEvaluations && !track->stop())
         track->seek({track->at().frame + 1, 0});
     return track->at().frame == frame ? &track->now() : nullptr;
 }

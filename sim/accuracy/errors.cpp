@@ -133,7 +133,7 @@ private:
         m_seconds = run.seconds / done * static_cast<double>(horizon);
         const int each = row.way.method->evaluations();
         row.evaluations = each > 0 ? each * static_cast<double>(script.step.perRow) / script.step.rowFrames
-                                   : static_cast<double>(run.evaluations) / done;
+                                   : run.evaluations / done;
         row.firstRun = 1e9 * run.computed / done;
         conclude(row, run.end, isFar);
     }

@@ -25,8 +25,8 @@ struct RunResult
     RunEnd end = RunEnd::done;
     std::int64_t frames = 0; ///< computed, all finite
     double seconds = 0.0;
-    double computed = 0.0;        ///< seconds without what other programs took
-    std::int64_t evaluations = 0; ///< as State counts them
+    double computed = 0.0;    ///< seconds without what other programs took
+    double evaluations = 0.0; ///< how often all points had their turn, as State counts that
 };
 
 /// How a run ends that stops by itself.
@@ -96,7 +96,7 @@ RunResult runFrames(const Script &script, std::int64_t frames, double seconds, W
     const GoesOn goesOn = patience.asked();
     const double computedBefore = computedSeconds();
     RunResult result;
-    const std::int64_t before = track.now().evaluations;
+    const double before = track.now().turns();
     for (std::int64_t frame = track.rowFrames(); frame <= frames && result.end == RunEnd::done;
          frame += track.rowFrames()) {
         const bool isThere = track.seek({frame, 0}, goesOn);
@@ -107,7 +107,7 @@ RunResult runFrames(const Script &script, std::int64_t frames, double seconds, W
             result.end = endOf(*track.stop());
         } else {
             result.frames = frame;
-            result.evaluations = track.now().evaluations - before;
+            result.evaluations = track.now().turns() - before;
             if (!visit(frame, track.now()))
                 result.end = RunEnd::leftOff;
         }

@@ -4,19 +4,20 @@
 
 namespace sim {
 
+Tally::Tally(std::vector<char> movers)
+    : m_movers(std::move(movers)), m_all(std::count(m_movers.begin(), m_movers.end(), 1))
+{
+}
+
 double Tally::shareOf(Points points)
 {
-    for (const Share &known : m_shares) {
-        if (known.points.first == points.first && known.points.count == points.count)
-            return known.share;
+    const auto [known, isNew] = m_shares.try_emplace({points.first, points.count}, 1.0);
+    if (isNew && m_all > 0) { // what works on no point of its own is computed as a whole
+        const auto first = m_movers.begin() + points.first;
+        known->second =
+            static_cast<double>(std::count(first, first + points.count, 1)) / static_cast<double>(m_all);
     }
-    const auto first = m_movers.begin() + points.first;
-    const auto all = std::count(m_movers.begin(), m_movers.end(), 1);
-    const auto among = std::count(first, first + points.count, 1);
-    // what works on no point of its own is computed as a whole
-    const double share = all == 0 ? 1.0 : static_cast<double>(among) / static_cast<double>(all);
-    m_shares.push_back({points, share});
-    return share;
+    return known->second;
 }
 
 }

@@ -2,7 +2,9 @@
 
 #include "sim/effect.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -59,7 +61,7 @@ class Tally
 {
 public:
     /// `movers`: for each point whether the effect computes something when it is that point's turn.
-    explicit Tally(std::vector<char> movers) : m_movers(std::move(movers)) {}
+    explicit Tally(std::vector<char> movers);
 
     Calls acts;   ///< that did what the effect is for
     Calls slopes; ///< that asked for derivatives
@@ -93,13 +95,10 @@ public:
 private:
     double shareOf(Points points);
 
-    struct Share
-    {
-        Points points;
-        double share = 0.0;
-    };
     std::vector<char> m_movers;
-    std::vector<Share> m_shares; ///< those asked for before
+    std::ptrdiff_t m_all; ///< movers
+    /// Those asked for before, by first point and count: one that computes island by island asks for many.
+    std::map<std::pair<int, int>, double> m_shares;
 };
 
 }

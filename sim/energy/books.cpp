@@ -82,7 +82,8 @@ void Books::wholeStep(State &state, std::size_t first, std::size_t last, Balance
     const std::vector<Phase> &phases = m_segment.pipeline.phases;
     const State before = state;
     if (const auto &byLaps = phases[first].runByLaps) {
-        byLaps(state, [&](const Lap &lap) { m_integrals.lap(before, lap, into); });
+        Integrals::Begun begun(before);
+        byLaps(state, [&](const Lap &lap) { m_integrals.lap(begun, lap, into); });
         return;
     }
     for (std::size_t i = first; i <= last; ++i)

@@ -1,7 +1,7 @@
 #include "sim/methods/adaptive.h"
 
 #include "sim/error.h"
-#include "sim/methods/advance.h"
+#include "sim/methods/courses.h"
 
 namespace sim {
 
@@ -14,6 +14,17 @@ std::string firstDrag(const Scene &scene)
             return effect->id();
     }
     return {};
+}
+
+/// What the equations have in them, and contacts.
+std::vector<EffectPtr> effectsWithin(const Flow &flow, const Scene &scene)
+{
+    std::vector<EffectPtr> all = flow.effects();
+    for (const EffectPtr &effect : scene.effects) {
+        if (dynamic_cast<const Contact *>(effect.get()))
+            all.push_back(effect);
+    }
+    return all;
 }
 
 }
@@ -36,7 +47,7 @@ void Adaptive::prepare(State &state) const
     state.turning.setZero(state.spin.rows());
     state.stages.setZero(2 * state.points() + state.spin.rows(), Course::columns(m_rule));
     state.resting.setZero(state.points());
-    state.ahead = {};
+    state.ahead.clear();
 }
 
 std::vector<Phase> Adaptive::phases(const Scene &scene, StepSize size) const
@@ -47,8 +58,8 @@ std::vector<Phase> Adaptive::phases(const Scene &scene, StepSize size) const
         if (group.inertia == Inertia::none)
             throw Error("needs-inertia", {{"method", id()}, {"group", group.title}});
     }
-    const auto course = std::make_shared<const Course>(scene, m_rule, directions(), size.tolerance);
-    if (!m_rule.fits(course->flow))
+    const Flow whole(scene, directions());
+    if (!m_rule.fits(whole))
         throw Error("method-does-not-fit", {{"method", id()}, {"effect", firstDrag(scene)}});
     Phase phase;
     phase.id = "integrate";
@@ -56,7 +67,7 @@ std::vector<Phase> Adaptive::phases(const Scene &scene, StepSize size) const
     phase.points = {0, scene.start.points()};
     phase.moves = true;
     phase.integrates = true;
-    phase.within = course->effects();
+    phase.within = effectsWithin(whole, scene);
     phase.regions = {{"sim/methods/advance.cpp", "try_step"},
                      {"sim/methods/advance.cpp", "next_step"},
                      {"sim/methods/advance.cpp", "read_off"}};
@@ -65,16 +76,20 @@ std::vector<Phase> Adaptive::phases(const Scene &scene, StepSize size) const
         for (const Region &region : effect->regions(directions()))
             phase.regions.push_back(region);
     }
-    phase.run = [course](State &state) { Advance(*course, state).toNextFrame([] { return true; }); };
-    phase.runWhile = [course](State &state, const GoesOn &goesOn) {
-        return Advance(*course, state).toNextFrame(goesOn);
+    const auto courses = std::make_shared<const Courses>(scene, m_rule, directions(), size.tolerance);
+    phase.run = [courses](State &state) { courses->toNextFrame(state, [] { return true; }); };
+    phase.runWhile = [courses](State &state, const GoesOn &goesOn) {
+        return courses->toNextFrame(state, goesOn);
     };
-    phase.runByLaps = [course](State &state, const LapVisit &visit) {
-        Advance(*course, state).toNextFrame([] { return true; }, visit);
+    phase.runByLaps = [courses](State &state, const LapVisit &visit) {
+        courses->toNextFrame(
+            state, [] { return true; }, visit);
     };
-    phase.explain = [](const State &before, const State &after, int point) {
+    phase.explain = [courses](const State &before, const State &after, int point) {
         std::vector<Live> live = changeOf(before, after, point);
-        live.push_back({"h", after.ahead.length});
+        const Course *course = courses->of(point);
+        if (course && course->number < after.ahead.size())
+            live.push_back({"h", after.ahead[course->number].length});
         return live;
     };
     if (scene.groups.empty() || (scene.start.inverseMass == 0.0).all())

@@ -11,7 +11,6 @@ namespace sim {
 namespace {
 
 constexpr int mostTries = 20'000;    ///< steps a frame, the rejected ones included
-constexpr int triesBetween = 20;     ///< looks at whether anybody waits
 constexpr double longestStep = 10.0; ///< frames
 /// What damping leaves in one step is at least e^-2: past that, the polynomial through a step would have to follow
 /// e^(c t), which the error at its end does not show.
@@ -57,29 +56,19 @@ double nextStep(
 
 }
 
-Course::Course(const Scene &scene, const StepRule &how, Directions directions, double within)
-    : flow(scene, directions), rule(how), tolerance(within), longest(longestStep), touching(scene)
+Course::Course(const Scene &scene, Flow island, const StepRule &how, double within)
+    : flow(std::move(island)), rule(how), tolerance(within), longest(longestStep),
+      touching(scene, flow.runs())
 {
-    for (const EffectPtr &effect : scene.effects) {
-        if (dynamic_cast<const Contact *>(effect.get()))
-            contacts.push_back(effect);
-    }
     for (const Flow::Stretch &rows : flow.stretches()) {
         if (rows.rate > 0.0 && std::isfinite(rows.rate))
             longest = std::min(longest, mostDamping / rows.rate);
     }
 }
 
-std::vector<EffectPtr> Course::effects() const
-{
-    std::vector<EffectPtr> all = flow.effects();
-    all.insert(all.end(), contacts.begin(), contacts.end());
-    return all;
-}
-
 Advance::Advance(const Course &course, State &state)
-    : m_course(course), m_state(state), m_size(course.flow.size()), m_points(state.points()),
-      m_pulls(course.flow, course.touching, state)
+    : m_course(course), m_state(state), m_ahead(state.ahead[course.number]), m_size(course.flow.size()),
+      m_points(course.flow.points()), m_pulls(course.flow, course.touching, state)
 {
     const int columns = 6 + course.rule.scratchColumns();
     Scratch &numbers = scratch(static_cast<std::size_t>(m_size * columns), course.flow.stretches().size());
@@ -104,20 +93,15 @@ Attempt Advance::attemptOf(double start, double h)
     return step;
 }
 
-bool Advance::isLeftOff(int tries, const GoesOn &goesOn)
+bool Advance::toNextFrame(Patient &patient)
 {
-    return tries % triesBetween == triesBetween - 1 && !goesOn();
-}
-
-bool Advance::toNextFrame(const GoesOn &goesOn)
-{
-    Ahead &ahead = m_state.ahead;
+    Ahead &ahead = m_ahead;
     //! [adaptive_order]
     if (ahead.to <= 0)
         begin();
     // until a step ends past the frame
     for (int i = 0; ahead.to < 1; ++i) {
-        if (isLeftOff(i, goesOn))
+        if (patient.leavesOff())
             return false;
         if (i == mostTries) {
             giveUp();
@@ -140,21 +124,22 @@ void Advance::begin()
         if (std::isinf(rows.rate)) // damping stops it at once
             std::fill(endSpeed() + rows.first, endSpeed() + rows.end(), 0.0);
     }
-    m_state.ahead.from = m_state.ahead.to = 0.0;
-    m_state.resting.setZero();
+    m_ahead.from = m_ahead.to = 0.0;
+    for (const Points &run : m_course.flow.runs())
+        m_state.resting.segment(run.first, run.count).setZero();
     const Eigen::ArrayXd place = Eigen::Map<Eigen::ArrayXd>(endPlace(), m_visit ? m_size : 0);
     const Eigen::ArrayXd speed = Eigen::Map<Eigen::ArrayXd>(endSpeed(), m_visit ? m_size : 0);
     bounce();
     settle();
     if (m_visit)
         tellBegun(place, speed);
-    if (m_state.ahead.next > 0.0)
+    if (m_ahead.next > 0.0)
         return;
     // A guess; the first error estimate puts it right.
     const double pull = largest(endSlope(), m_size) + 1e-10;
     const double share =
         std::pow(m_course.tolerance / (pull + m_course.tolerance), 1.0 / m_course.rule.errorOrder());
-    m_state.ahead.next = std::min(m_course.longest, std::clamp(0.5 * share, 1e-6, 1.0));
+    m_ahead.next = std::min(m_course.longest, std::clamp(0.5 * share, 1e-6, 1.0));
 }
 
 // Shown lines are short.
@@ -162,8 +147,8 @@ void Advance::begin()
 //! [try_step]
 void Advance::tryStep()
 {
-    double start = m_state.ahead.to;
-    double h = m_state.ahead.next;
+    double start = m_ahead.to;
+    double h = m_ahead.next;
     std::copy_n(endPlace(), m_size, m_place);
     std::copy_n(endSpeed(), m_size, m_speed);
     std::copy_n(endSlope(), m_size, m_slope);
@@ -177,9 +162,9 @@ void Advance::tryStep()
         share = std::min(share, 1e9);
     double next = nextStep(h,
         share + 1e-12, rule.errorOrder());
-    m_state.ahead.next =
+    m_ahead.next =
         std::min(next, m_course.longest);
-    if (m_state.ahead.to == start)
+    if (m_ahead.to == start)
         shorten(h); // it led nowhere
 }
 //! [try_step]
@@ -188,7 +173,7 @@ void Advance::tryStep()
 void Advance::shorten(double h)
 {
     // Besides rejected steps: a contact at the very start that left all as it was. The polynomial is too rough there.
-    m_state.ahead.next = std::min(m_state.ahead.next, 0.5 * h);
+    m_ahead.next = std::min(m_ahead.next, 0.5 * h);
 }
 
 double Advance::exactness() const
@@ -200,7 +185,7 @@ double Advance::exactness() const
 
 void Advance::accept(const Attempt &step)
 {
-    Ahead &ahead = m_state.ahead;
+    Ahead &ahead = m_ahead;
     ahead.from = step.start;
     ahead.length = step.h;
     ahead.to = step.start + step.h;
@@ -217,9 +202,9 @@ void Advance::accept(const Attempt &step)
         tell(step.start);
 }
 
-Advance::Moving Advance::dense(int point, double h, double theta) const
+Advance::Moving Advance::dense(int row, double h, double theta) const
 {
-    const auto row = [&](int i) {
+    const auto number = [&](int i) {
         for (const Flow::Stretch &rows : m_course.flow.stretches()) {
             if (i < rows.end())
                 return m_course.rule.dense(denseColumns(), m_size, i,
@@ -227,7 +212,7 @@ Advance::Moving Advance::dense(int point, double h, double theta) const
         }
         return StepRule::At{};
     };
-    const StepRule::At x = row(point), y = row(m_points + point);
+    const StepRule::At x = number(row), y = number(m_points + row);
     return {{x.place, y.place}, {x.speed, y.speed}};
 }
 
@@ -248,7 +233,7 @@ void Advance::denseAll(double h, double theta, double *x, double *v) const
 //! [read_off]
 void Advance::readOff()
 {
-    Ahead &ahead = m_state.ahead;
+    Ahead &ahead = m_ahead;
     double *x = endPlace();
     double *v = endSpeed();
     if (ahead.to > 1) {
@@ -273,7 +258,7 @@ void Advance::giveUp()
         if (!(length(at(endSlope(), i)) <= length(at(endSlope(), worst))))
             worst = i;
     }
-    m_state.ahead.stuck = worst;
+    m_ahead.stuck = m_course.flow.pointAt(worst);
 }
 
 }

@@ -4,36 +4,55 @@
 #include "sim/method.h"
 #include "sim/methods/step_rule.h"
 
+#include <cstddef>
+#include <cstdint>
+
 namespace sim {
 
-/// What an adaptive method computes: equations, surfaces, and how.
+/// What an adaptive method computes of one island: equations, surfaces, and how.
 class Course
 {
 public:
     /// `tolerance`: px (or degrees) that a step may be off, in a place or in the way of a frame.
-    Course(const Scene &scene, const StepRule &how, Directions directions, double tolerance);
+    Course(const Scene &scene, Flow island, const StepRule &how, double tolerance);
 
     /// How many columns of State::stages it uses.
     static int columns(const StepRule &rule) { return 3 + rule.denseColumns(); }
-    std::vector<EffectPtr> effects() const;
 
     Flow flow;
     const StepRule &rule;
     double tolerance;
     double longest; ///< frames, the longest step
     Touching touching;
-    std::vector<EffectPtr> contacts;
+    std::size_t number = 0;  ///< which of State::ahead is its own
+    Eigen::Index column = 0; ///< where in State::stages its columns begin
 };
 
-/// Takes a state on to the next frame by steps of its own length. What it computes ahead it leaves in the state.
+/// Counts the tries of all islands, and asks after some whether anybody still waits.
+class Patient
+{
+public:
+    explicit Patient(const GoesOn &goesOn) : m_goesOn(goesOn) {}
+    /// To be called before each try.
+    bool leavesOff() { return m_tries++ % triesBetween == triesBetween - 1 && !m_goesOn(); }
+
+private:
+    static constexpr std::int64_t triesBetween = 20;
+
+    const GoesOn &m_goesOn;
+    std::int64_t m_tries = 0;
+};
+
+/// Takes an island of a state on to the next frame by steps of its own length. What it computes ahead it leaves in the
+/// state.
 class Advance
 {
 public:
     Advance(const Course &course, State &state);
-    /// Returns whether it has got there or has given up; if not, `goesOn` said no on the way.
-    bool toNextFrame(const GoesOn &goesOn);
+    /// Returns whether it has got there or has given up; if not, nobody waited any more on the way.
+    bool toNextFrame(Patient &patient);
     /// The same; tells each step as it is done, up to the frame.
-    bool toNextFrame(const GoesOn &goesOn, const LapVisit &visit);
+    bool toNextFrame(Patient &patient, const LapVisit &visit);
 
 private:
     /// From a state that holds no step: puts what is past a surface onto it.
@@ -62,32 +81,30 @@ private:
     /// Accelerations at the end of the step, of what rests without what its surface takes up.
     void settle();
     void readOff();
-    /// Whether nobody waits for the frame any more, after `tries` tries.
-    static bool isLeftOff(int tries, const GoesOn &goesOn);
     /// Notes in the state that its steps lead no further.
     void giveUp();
     /// Tells the visitor of the step that `ahead` describes, from `start` on.
     void tell(double start) const;
     void tellBegun(const Eigen::ArrayXd &place, const Eigen::ArrayXd &speed) const;
 
-    Vec2 at(const double *numbers, int point) const { return {numbers[point], numbers[m_points + point]}; }
-    void put(double *numbers, int point, Vec2 value) const
+    Vec2 at(const double *numbers, int row) const { return {numbers[row], numbers[m_points + row]}; }
+    void put(double *numbers, int row, Vec2 value) const
     {
-        numbers[point] = value.x;
-        numbers[m_points + point] = value.y;
+        numbers[row] = value.x;
+        numbers[m_points + row] = value.y;
     }
-    /// Where the dense output has a point, and its velocity, at a share of the step.
+    /// Where the dense output has the point of a row, and its velocity, at a share of the step.
     struct Moving
     {
         Vec2 x;
         Vec2 v;
     };
-    Moving dense(int point, double h, double theta) const;
+    Moving dense(int row, double h, double theta) const;
     void denseAll(double h, double theta, double *x, double *v) const;
     bool rests(const Touching::Place &place) const { return m_pulls.rests(place); }
     bool free(const Touching::Place &place) const { return m_state.feels(place.point) && !rests(place); }
 
-    double *column(int number) const { return m_state.stages.data() + number * m_size; }
+    double *column(int number) const { return m_state.stages.data() + m_course.column + number * m_size; }
     double *endPlace() const { return column(0); }
     double *endSpeed() const { return column(1); }
     double *endSlope() const { return column(2); }
@@ -95,8 +112,9 @@ private:
 
     const Course &m_course;
     State &m_state;
+    Ahead &m_ahead;
     int m_size;
-    int m_points;
+    int m_points; ///< of the island
     Pulls m_pulls;
     double *m_place; ///< where the step began; scratch, like the rest
     double *m_speed;

@@ -21,7 +21,7 @@ void Advance::end(double start, double h)
     if (first > 1.0)
         return;
     denseAll(h, first, endPlace(), endSpeed());
-    m_state.ahead.to = start + first * h;
+    m_ahead.to = start + first * h;
     if (liftAt > first) {
         m_lifted = -1;
     } else {
@@ -37,9 +37,9 @@ void Advance::end(double start, double h)
 bool Advance::mayTouch(const Touching::Place &place) const
 {
     const Surface &surface = place.surface;
-    if (gap(surface, at(endPlace(), place.point)) < 0.0)
+    if (gap(surface, at(endPlace(), place.row)) < 0.0)
         return true;
-    return away(surface, at(m_speed, place.point)) <= 0.0 && away(surface, at(endSpeed(), place.point)) > 0.0;
+    return away(surface, at(m_speed, place.row)) <= 0.0 && away(surface, at(endSpeed(), place.row)) > 0.0;
 }
 
 bool Advance::mayMeet() const
@@ -56,7 +56,7 @@ double Advance::firstTouch(double h) const
         if (!free(place) || !mayTouch(place))
             continue;
         // One look spares the search for what is still in the air when another has touched.
-        const bool late = first <= 1.0 && gap(place.surface, dense(place.point, h, first).x) > 0.0;
+        const bool late = first <= 1.0 && gap(place.surface, dense(place.row, h, first).x) > 0.0;
         if (!late)
             first = std::min(first, touch(place, h));
     }
@@ -66,12 +66,12 @@ double Advance::firstTouch(double h) const
 double Advance::touch(const Touching::Place &place, double h) const
 {
     const Surface &surface = place.surface;
-    const auto gapAt = [&](double theta) { return gap(surface, dense(place.point, h, theta).x); };
-    const auto speedAt = [&](double theta) { return away(surface, dense(place.point, h, theta).v); };
-    if (gap(surface, at(endPlace(), place.point)) < 0.0) {
+    const auto gapAt = [&](double theta) { return gap(surface, dense(place.row, h, theta).x); };
+    const auto speedAt = [&](double theta) { return away(surface, dense(place.row, h, theta).v); };
+    if (gap(surface, at(endPlace(), place.row)) < 0.0) {
         // What has just bounced stands on the surface: it can only come back after its highest point.
-        const bool leaves = away(surface, at(m_speed, place.point)) > 0.0;
-        const bool returns = away(surface, at(endSpeed(), place.point)) > 0.0;
+        const bool leaves = away(surface, at(m_speed, place.row)) > 0.0;
+        const bool returns = away(surface, at(endSpeed(), place.row)) > 0.0;
         const double highest = leaves && !returns ? firstRoot(speedAt, 0.0, 1.0) : 0.0;
         if (gapAt(highest) <= 0.0)
             return highest;
@@ -87,15 +87,13 @@ double Advance::touch(const Touching::Place &place, double h) const
 double Advance::firstLift(double start, double h)
 {
     m_lifted = -1;
-    if ((m_state.resting == 0).all())
-        return none;
     double *x = m_trial, *a = m_trial + m_size;
     const auto pullAt = [&](double theta) {
         denseAll(h, theta, x, a);
         m_pulls.whole(x, start + theta * h, a);
     };
     // The pull of a place's surface less what it takes up: below 0 it lifts.
-    const auto press = [&](const Touching::Place &place) { return -away(place.surface, at(a, place.point)); };
+    const auto press = [&](const Touching::Place &place) { return -away(place.surface, at(a, place.row)); };
     std::vector<const Touching::Place *> lifting; // the last is looked at first
     const auto keepLifting = [&](double theta) {
         pullAt(theta);
@@ -106,6 +104,8 @@ double Advance::firstLift(double start, double h)
         if (rests(*place))
             lifting.push_back(&*place);
     }
+    if (lifting.empty())
+        return none;
     keepLifting(1.0);
     double first = none;
     // Each search takes all forces many times: what still rests when another has lifted is not searched for.
@@ -133,24 +133,24 @@ void Advance::bounce()
         if (!free(place))
             continue;
         const Surface &surface = place.surface;
-        const Vec2 x = at(endPlace(), place.point), v = at(endSpeed(), place.point);
+        const Vec2 x = at(endPlace(), place.row), v = at(endSpeed(), place.row);
         const double distance = gap(surface, x);
         if (distance < 0.0)
-            put(endPlace(), place.point, x - distance * surface.normal);
+            put(endPlace(), place.row, x - distance * surface.normal);
         if (distance <= touching && away(surface, v) < 0.0)
-            put(endSpeed(), place.point, bounced(surface, v));
+            put(endSpeed(), place.row, bounced(surface, v));
     }
 }
 
 void Advance::settle()
 {
-    m_pulls.whole(endPlace(), m_state.ahead.to, endSlope());
+    m_pulls.whole(endPlace(), m_ahead.to, endSlope());
     for (const Touching::Place &place : m_course.touching.places()) {
         if (!m_state.feels(place.point))
             continue;
         const Surface &surface = place.surface;
-        const double pull = away(surface, at(endSlope(), place.point));
-        const Vec2 x = at(endPlace(), place.point), v = at(endSpeed(), place.point);
+        const double pull = away(surface, at(endSlope(), place.row));
+        const Vec2 x = at(endPlace(), place.row), v = at(endSpeed(), place.row);
         const double into = std::max(0.0, -pull);
         const bool slow = std::abs(away(surface, v)) <= restingSpeed(into, m_course.tolerance) &&
                           gap(surface, x) <= touching;
@@ -159,7 +159,7 @@ void Advance::settle()
         else if (!rests(place) && slow && pull <= 0.0 && place.point != m_lifted)
             m_state.resting[place.point] |= place.bit;
         if (rests(place))
-            put(endSpeed(), place.point, held(surface, v));
+            put(endSpeed(), place.row, held(surface, v));
     }
     m_pulls.hold(endSlope());
 }

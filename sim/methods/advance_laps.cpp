@@ -4,18 +4,19 @@
 
 namespace sim {
 
-bool Advance::toNextFrame(const GoesOn &goesOn, const LapVisit &visit)
+bool Advance::toNextFrame(Patient &patient, const LapVisit &visit)
 {
     m_visit = &visit;
-    if (m_state.ahead.to > 0.0)
+    if (m_ahead.to > 0.0)
         tell(0.0);
-    return toNextFrame(goesOn);
+    return toNextFrame(patient);
 }
 
 void Advance::tell(double start) const
 {
-    const Ahead &ahead = m_state.ahead;
+    const Ahead &ahead = m_ahead;
     Lap lap;
+    lap.flow = &m_course.flow;
     lap.start = start;
     lap.end = std::min(ahead.to, 1.0);
     lap.at = [this, from = ahead.from, h = ahead.length](double time, Eigen::ArrayXd &place,
@@ -36,6 +37,7 @@ void Advance::tell(double start) const
 void Advance::tellBegun(const Eigen::ArrayXd &place, const Eigen::ArrayXd &speed) const
 {
     Lap lap; // of no length: what stood past a surface is put onto it
+    lap.flow = &m_course.flow;
     lap.at = [&](double, Eigen::ArrayXd &x, Eigen::ArrayXd &v) {
         x = place;
         v = speed;

@@ -98,7 +98,7 @@ Numbers ImplicitStep::pulls(const Numbers &place)
     Numbers a(place.size());
     m_equations.flow().place(place.data(), m_state);
     m_equations.flow().accelerations(m_state, a.data());
-    ++m_state.evaluations;
+    m_state.evaluations += m_state.points();
     for (std::size_t row = 0; row < m_unknowns.size(); ++row) {
         if (m_unknowns[row] < 0)
             a[static_cast<Eigen::Index>(row)] = 0.0;

@@ -18,7 +18,7 @@ void Pulls::whole(const double *place, double time, double *into)
     clockTo(time);
     m_flow.place(place, m_state);
     m_flow.accelerations(m_state, into);
-    ++m_state.evaluations;
+    m_state.evaluations += m_flow.points();
 }
 
 void Pulls::at(const double *place, double time, double *into)
@@ -35,13 +35,13 @@ void Pulls::hold(double *numbers) const
     }
     if (!m_touching.any())
         return;
-    const int points = m_state.points();
+    const int points = m_flow.points();
     for (const Touching::Place &place : m_touching.places()) {
         if (!rests(place))
             continue;
-        const Vec2 left = held(place.surface, {numbers[place.point], numbers[points + place.point]});
-        numbers[place.point] = left.x;
-        numbers[points + place.point] = left.y;
+        const Vec2 left = held(place.surface, {numbers[place.row], numbers[points + place.row]});
+        numbers[place.row] = left.x;
+        numbers[points + place.row] = left.y;
     }
 }
 

@@ -2,20 +2,26 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 namespace sim {
 
-Touching::Touching(const Scene &scene)
+Touching::Touching(const Scene &scene, const std::vector<Points> &runs)
 {
-    for (int point = 0; point < scene.start.points(); ++point) {
-        int number = 0;
-        for (const EffectPtr &effect : scene.effects) {
-            const auto contact = std::dynamic_pointer_cast<const Contact>(effect);
-            if (!contact || !scene.hasInertia(point))
-                continue;
-            for (const Surface &surface : contact->surfaces(point))
-                m_places.push_back({point, 1 << number++, surface});
+    std::vector<const Contact *> contacts;
+    for (const EffectPtr &effect : scene.effects) {
+        if (const auto *contact = dynamic_cast<const Contact *>(effect.get()))
+            contacts.push_back(contact);
+    }
+    int row = 0;
+    for (const Points &run : runs) {
+        for (int point = run.first; point < run.end(); ++point, ++row) {
+            int number = 0;
+            for (const Contact *contact : contacts) {
+                if (!scene.hasInertia(point))
+                    continue;
+                for (const Surface &surface : contact->surfaces(point))
+                    m_places.push_back({point, row, 1 << number++, surface});
+            }
         }
     }
 }

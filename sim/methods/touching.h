@@ -11,15 +11,17 @@ namespace sim {
 /// 0.001 px/frame is always slow enough: under a pull of 0.5 that is a rise of a millionth of a pixel.
 double restingSpeed(double pull, double tolerance);
 
-/// The surfaces that the points of a scene meet.
+/// The surfaces that the points of an island meet.
 class Touching
 {
 public:
-    explicit Touching(const Scene &scene);
+    /// `runs`: as those of the island's Flow.
+    Touching(const Scene &scene, const std::vector<Points> &runs);
 
     struct Place
     {
         int point = 0;
+        int row = 0; ///< of the point among the numbers of the island's Flow
         int bit = 0; ///< of State::resting
         Surface surface;
     };

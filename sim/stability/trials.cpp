@@ -46,7 +46,7 @@ try {
     const bool isThere = track.seek({frames, 0}, [&] {
         phases += 1.0;
         const double forces = static_cast<double>(track.now().evaluations);
-        return points * (phases + forces) < mostWork && goesOn();
+        return points * phases + forces < mostWork && goesOn();
     });
     if (!isThere)
         return Trial::takesTooLong;

@@ -51,14 +51,22 @@ void chain(benchmark::State &run)
     frames(run, sim::hard::stretchedChain(values), "semi_implicit_euler", sim::StepSize::of(1.0));
 }
 
-/// All of them take the steps that the one needs for which they are hardest.
+/// Each takes the steps that it needs.
 void exactCreatures(benchmark::State &run)
 {
     frames(run, bench::crowd::inTheAir(static_cast<int>(run.range(0))), "rkn86", sim::StepSize::within(1e-6));
 }
 
+/// The same where each meets walls on its own.
+void exactCrowd(benchmark::State &run)
+{
+    frames(run, bench::crowd::inTheRoom(static_cast<int>(run.range(0))), "rkn86",
+           sim::StepSize::within(1e-3));
+}
+
 BENCHMARK(feetOnOneBody)->Arg(10)->Arg(100)->Arg(1'000)->Arg(10'000)->Complexity();
 BENCHMARK(chain)->Arg(10)->Arg(100)->Arg(1'000)->Complexity();
 BENCHMARK(exactCreatures)->Arg(1)->Arg(10)->Arg(100)->Complexity();
+BENCHMARK(exactCrowd)->Arg(1)->Arg(10)->Arg(100)->Complexity();
 
 }

@@ -196,6 +196,7 @@ std::vector<GrowingRow> allGrowingRows()
         counted("a chain of sticks", "chain", "stick", {10, 100, 1'000}),
         square("stiff cloth, backward Euler", "clothImplicit", {16, 32, 64}),
         counted("creatures within 1e-6 px, rkn86", "exactCreatures", "creature", {1, 10, 100}),
+        counted("creatures in a room within 0.001 px, rkn86", "exactCrowd", "creature", {1, 10, 100}),
         counted("paint creatures", "paintAllCreatures", "creature", {1, 80, 200, 833, 10'000, 100'000}),
         tree("paint a tree", "paintWholeTree", {7, 11, 12, 13, 14, 16}),
     };

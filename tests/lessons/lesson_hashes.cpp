@@ -24,11 +24,15 @@ namespace {
 /// Source: Fowler, Noll and Vo, FNV-1a with 64 bits.
 std::uint64_t hashed(std::uint64_t hash, const sim::State &state)
 {
-    sim::visitMemory(state, [&](const void *data, std::size_t bytes) {
+    const auto visit = [&](const void *data, std::size_t bytes) {
         const auto *byte = static_cast<const unsigned char *>(data);
         for (std::size_t i = 0; i < bytes; ++i)
             hash = (hash ^ byte[i]) * 0x100000001b3u;
-    });
+    };
+    const auto arr = [&](const auto &a) { visit(a.data(), std::size_t(a.size()) * sizeof *a.data()); };
+    arr(state.position); arr(state.velocity); arr(state.acceleration); arr(state.previous); arr(state.inverseMass);
+    arr(state.angle); arr(state.spin); arr(state.turning); arr(state.stages); arr(state.resting); arr(state.gait); arr(state.gaitSpeed);
+    visit(&state.frame, 8);
     return hash;
 }
 
@@ -67,7 +71,7 @@ std::uint64_t hashOfRows(const sim::Script &script, int threads)
             sim::beginRow(next, script, segment, segment, state.frame + row);
             for (int step = 0; step < script.step.perRow; ++step)
                 sim::runStep(pipeline, next, crew);
-            goesOn = next.ahead.stuck < 0 && sim::firstNotFinite(next) < 0;
+            goesOn = sim::firstStuck(next) < 0 && sim::firstNotFinite(next) < 0;
             if (goesOn)
                 state = std::move(next);
         }

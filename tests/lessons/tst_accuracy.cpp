@@ -191,7 +191,7 @@ void AccuracyLesson::adaptiveStepsPayLess()
     const sim::Script script = step("adapt").script();
     const double off = offAt(script, 150);
     QVERIFY(off > 0.001 && off < 0.2);
-    const double perFrame = static_cast<double>(stateAfter(script, 150).evaluations) / 150;
+    const double perFrame = stateAfter(script, 150).turns() / 150;
     QVERIFY(perFrame < 5.0);
     double sum = 0.0;
     for (double computations : measured("adapt", 2, script, 150))

@@ -171,7 +171,7 @@ private slots:
             const bool acts = !effect.idle() && effect.count(scene.start, {0, scene.start.points()}) > 0;
             const double found = counted.tallies[i]->evaluations;
             if (isPull && acts)
-                QCOMPARE(found, static_cast<double>(track.now().evaluations));
+                QCOMPARE(found, track.now().turns());
             else if (!acts)
                 QCOMPARE(found, 0.0);
             else if (dynamic_cast<const sim::Drag *>(&effect))

@@ -51,8 +51,8 @@ class EveryLesson : public QObject
         }
     }
 
-    /// In a crowd each touch ends a step of a method that chooses its steps, for all of them, and an implicit one solves
-    /// for all of them together: a frame of those takes up to seconds.
+    /// An implicit method solves for all of a crowd together, and one that chooses its steps takes some for each touch:
+    /// that takes too long here.
     static bool takesLong(const lessons::Step &step, const sim::Method &method)
     {
         const std::vector<std::string> needs = method.needs();

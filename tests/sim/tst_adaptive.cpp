@@ -156,7 +156,7 @@ private slots:
             for (int frame = frames - 40; frame <= frames; ++frame) {
                 const State &state = all[std::size_t(frame)];
                 error = std::max(error, std::abs(state.at(0).x - closedForm(100, 3, 0.2, 1.0, frame)));
-                length += state.ahead.length / 41;
+                length += state.ahead.front().length / 41;
             }
             return std::pair(error, length);
         };
@@ -319,7 +319,7 @@ private slots:
         script.input = {{10, Grab{"ball"}}, {10, Move{{50, 60}}}, {12, Release{}}};
         Track track(script, 0);
         track.seek({9, 0});
-        QVERIFY(track.now().ahead.to > 0.0);
+        QVERIFY(track.now().ahead.front().to > 0.0);
         track.seek({11, 0});
         QVERIFY(track.now().at(0) == (Vec2{50, 60}));
         track.seek({30, 0}); // free from frame 11 on, at rest

@@ -261,7 +261,7 @@ private slots:
             const State two = support::plainRun(scene, method.toStdString(), 1.0, 100);
             QVERIFY(sameBits(one, two));
             QCOMPARE(firstNotFinite(one), -1);
-            QVERIFY(one.evaluations >= 200 && one.evaluations < 100 * 50);
+            QVERIFY(one.turns() >= 200 && one.turns() < 100 * 50);
         }
     }
 

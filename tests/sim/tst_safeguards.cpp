@@ -54,7 +54,7 @@ Solved burstApart(double k, int feet, double out, Effort effort)
     ImplicitStep step(equations, state, effort);
     const Numbers from = step.motion.x, drift = step.motion.v, share = step.kept(1.0);
     const Numbers u = step.solve(from, drift, 1.0, share);
-    const std::int64_t evaluations = state.evaluations;
+    const auto evaluations = static_cast<std::int64_t>(state.turns());
     const Numbers off = u - drift - share * step.pulls(from + u);
     return {off.abs().maxCoeff(), evaluations};
 }

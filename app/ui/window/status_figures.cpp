@@ -90,7 +90,7 @@ QString StatusFigures::workWords() const
     const std::int64_t frames = track.now().frame;
     if (frames <= 0 || track.now().evaluations <= 0)
         return {};
-    const double mean = static_cast<double>(track.now().evaluations) / static_cast<double>(frames);
+    const double mean = track.now().turns() / static_cast<double>(frames);
     return tr("forces %1 times a frame until now").arg(roughNumber(mean));
 }
 
