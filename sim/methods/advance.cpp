@@ -101,9 +101,9 @@ bool Advance::toNextFrame(Patient &patient)
         begin();
     // until a step ends past the frame
     for (int i = 0; ahead.to < 1; ++i) {
-        if (patient.leavesOff())
+        if (patient.leavesOff(m_points))
             return false;
-        if (i == mostTries) {
+        if (i == mostTries || patient.isSpent()) {
             giveUp();
             return true;
         }

@@ -28,19 +28,30 @@ public:
     Eigen::Index column = 0; ///< where in State::stages its columns begin
 };
 
-/// Counts the tries of all islands, and asks after some whether anybody still waits.
+/// Counts the tries of all islands in a frame, and asks after some whether anybody still waits.
 class Patient
 {
 public:
-    explicit Patient(const GoesOn &goesOn) : m_goesOn(goesOn) {}
-    /// To be called before each try.
-    bool leavesOff() { return m_tries++ % triesBetween == triesBetween - 1 && !m_goesOn(); }
+    /// For a scene of `points` points.
+    Patient(const GoesOn &goesOn, int points) : m_goesOn(goesOn), m_left(atLeast + forEach * points) {}
+    /// To be called before each try of an island of `points` points.
+    bool leavesOff(int points)
+    {
+        m_left -= points;
+        return m_tries++ % triesBetween == triesBetween - 1 && !m_goesOn();
+    }
+    /// Whether the frame has taken so many tries, whatever the scene, that it is not to go on: a
+    /// run that leads nowhere stops in the end, and nobody waits for it.
+    bool isSpent() const { return m_left < 0; }
 
 private:
     static constexpr std::int64_t triesBetween = 20;
+    static constexpr std::int64_t atLeast = 4'000'000; ///< tries times points
+    static constexpr std::int64_t forEach = 300;       ///< tries
 
     const GoesOn &m_goesOn;
     std::int64_t m_tries = 0;
+    std::int64_t m_left; ///< tries times points
 };
 
 /// Takes an island of a state on to the next frame by steps of its own length. What it computes ahead it leaves in the

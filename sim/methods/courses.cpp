@@ -68,13 +68,13 @@ bool Courses::each(State &state, One &&advance) const
 
 bool Courses::toNextFrame(State &state, const GoesOn &goesOn) const
 {
-    Patient patient(goesOn);
+    Patient patient(goesOn, state.points());
     return each(state, [&](const Course &course) { return Advance(course, state).toNextFrame(patient); });
 }
 
 bool Courses::toNextFrame(State &state, const GoesOn &goesOn, const LapVisit &visit) const
 {
-    Patient patient(goesOn);
+    Patient patient(goesOn, state.points());
     return each(state,
                 [&](const Course &course) { return Advance(course, state).toNextFrame(patient, visit); });
 }
