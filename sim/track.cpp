@@ -149,8 +149,8 @@ bool Track::runWhole(const Pipeline &pipeline, State &state, const std::vector<c
         runStep(pipeline, state, m_crew, asleep);
         return !goesOn || goesOn();
     }
-    return std::all_of(pipeline.phases.begin(), pipeline.phases.end(),
-                       [&](const Phase &phase) { return run(phase, state, goesOn); });
+    return std::all_of(pipeline.passes.begin(), pipeline.passes.end(),
+                       [&](const Phase &pass) { return run(pass, state, goesOn); });
 }
 
 Track::Next Track::endRow(const GoesOn &goesOn)
