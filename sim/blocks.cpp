@@ -8,12 +8,12 @@ namespace sim {
 
 namespace {
 
-/// A phase finds in the processor's cache what the one before it has left there: a point has 56 bytes in a State, and
+/// A pass finds in the processor's cache what the one before it has left there: a point has 56 bytes in a State, and
 /// what effects know of it comes on top. In smaller blocks calls cost more than they save, and larger ones do not
 /// fit into every cache: see tests/bench/bench_blocks.cpp. Of creatures with five feet these are 256: their runs fill
 /// vectors and cache lines, which those of 2,048 points do not, and take 5 % less.
 constexpr int pointsInBlock = 1536;
-/// A piece costs a call of each phase, and that a search for where it begins.
+/// A piece costs a call of each pass, and that a search for where it begins.
 constexpr int shortestPiece = 16;
 
 /// A run of points, and the block that it is in.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/direction.h"
+#include "sim/point_rule.h"
 #include "sim/state.h"
 
 #include <memory>
@@ -128,6 +129,8 @@ public:
     {
         add(state, part, scale, directions, into);
     }
+    /// What add() does with each of the points as they stand in `onto`, where that is a rule for one point; else none.
+    virtual PointRule rule(Points, double, Onto) const { return {}; }
     /// Adds `scale` times the derivatives of what add() adds. Returns false, and adds nothing, for a force that has
     /// none.
     virtual bool addSlopes(const State &, Points, double, Directions, Slopes &) const { return false; }
@@ -164,6 +167,8 @@ class Drag : public Effect
 {
 public:
     virtual void slow(State &state, Points points, double h) const = 0;
+    /// What slow() does with each of `points`, where none of them turns and that is a rule for one point; else none.
+    virtual PointRule rule(Points, double) const { return {}; }
     /// The c of `point` (1/frame) for a drag that is v' = -c v: 0 for what it leaves alone, infinite for what it
     /// stops at once. Empty for any other kind of drag.
     virtual std::optional<double> rate(int) const { return {}; }
@@ -219,6 +224,8 @@ class Contact : public Effect
 {
 public:
     virtual void resolve(State &state, Points points) const = 0;
+    /// What resolve() does with each of `points`, where that is a rule for one point; else none.
+    virtual PointRule rule(Points) const { return {}; }
     /// The surfaces that `point` meets: what resolve() comes to when steps get small.
     virtual std::vector<Surface> surfaces(int point) const = 0;
 };

@@ -36,6 +36,8 @@ struct Phase
     /// part of its points. Parts that no tie leads out of come to what `run` does, in any order; one of several runs of
     /// points is run by run, in order, and as one run where a constraint ties.
     std::function<void(State &, Points)> runOn;
+    /// What `run` does with each of its points, where that is a rule for one point and all that it does.
+    PointRule rule;
     /// Only where `run` may take long: does the same, and leaves off when nobody waits any more. Returns whether it is
     /// done; if not, the state is good for nothing.
     std::function<bool(State &, const GoesOn &)> runWhile;

@@ -1,6 +1,7 @@
 #include "sim/pipeline.h"
 
 #include "sim/error.h"
+#include "sim/joined.h"
 
 #include <algorithm>
 #include <cmath>
@@ -61,7 +62,7 @@ Pipeline compose(const Scene &scene, const Method &method, StepSize step)
     if (adaptive != step.adaptive())
         throw Error(adaptive ? "needs-tolerance" : "needs-step", {{"method", method.id()}});
     Scene acting = scene;
-    Pipeline pipeline{{}, step, {}, {}};
+    Pipeline pipeline{{}, step, {}, {}, {}};
     const auto idle = [](const EffectPtr &effect) { return effect->idle(); };
     std::copy_if(scene.effects.begin(), scene.effects.end(), std::back_inserter(pipeline.leftOut), idle);
     std::erase_if(acting.effects, idle);
@@ -69,7 +70,8 @@ Pipeline compose(const Scene &scene, const Method &method, StepSize step)
     checkFit(acting, method, pipeline.phases);
     if (pipeline.phases.empty())
         throw Error("nothing-moves", {{"method", method.id()}});
-    pipeline.blocks = blocksOf(acting, pipeline.phases);
+    pipeline.passes = joined(pipeline.phases);
+    pipeline.blocks = blocksOf(acting, pipeline.passes);
     return pipeline;
 }
 

@@ -13,8 +13,9 @@ struct Pipeline
     std::vector<Phase> phases;
     StepSize step;
     std::vector<EffectPtr> leftOut; ///< listed, but idle: no phase computes them
-    std::vector<Block>
-        blocks; ///< the same step in blocks; empty: phase after phase is as good. See runStep()
+    /// The same step for those who do not look into it, neighbouring phases made one: see joined() and runStep().
+    std::vector<Phase> passes;
+    std::vector<Block> blocks; ///< the passes in blocks; empty: pass after pass is as good. See runStep()
 
     int phasesPerStep() const { return static_cast<int>(phases.size()); }
     int phasesPerRow() const { return phasesPerStep() * step.perRow; }

@@ -12,7 +12,7 @@ constexpr std::size_t blocksWorthSharing = 16;
 void runBlock(const Pipeline &pipeline, const Block &block, State &state)
 {
     for (const Piece &piece : block)
-        pipeline.phases[static_cast<std::size_t>(piece.phase)].runOn(state, piece.points);
+        pipeline.passes[static_cast<std::size_t>(piece.pass)].runOn(state, piece.points);
 }
 
 /// Blocks share State::previous: the first phase that keeps places there would make room for all of them.
@@ -42,8 +42,8 @@ void runStep(const Pipeline &pipeline, State &state, Crew &crew)
 void runStep(const Pipeline &pipeline, State &state, Crew &crew, const std::vector<char> &asleep)
 {
     if (pipeline.blocks.empty()) {
-        for (const Phase &phase : pipeline.phases)
-            phase.run(state);
+        for (const Phase &pass : pipeline.passes)
+            pass.run(state);
         return;
     }
     makeRoom(pipeline, state);

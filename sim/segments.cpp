@@ -35,7 +35,7 @@ void Segments::check(const Script &script, std::int64_t frame) const
 {
     for (const Change &change : m_changes) {
         if (change.frame >= frame)
-            compose(sceneOf(script, change.values), *script.method, script.step);
+            at(script, change.frame);
     }
 }
 

@@ -27,7 +27,7 @@ public:
     /// Those of `script`, which differs from the one before in its input alone. What stays as it was is not composed
     /// again.
     void replace(const Script &script);
-    /// Composes each scene that the script comes to from `frame` on.
+    /// Composes each scene that the script comes to from `frame` on. The last ones are at hand from then on.
     /// @throws Error when one does not fit its method
     void check(const Script &script, std::int64_t frame) const;
     /// The segment of the row that ends at `rowEnd`. `script` is the one that these are of.

@@ -1,5 +1,7 @@
 #include "sim/state.h"
 
+#include "sim/finite.h"
+
 #include <vector>
 
 namespace sim {
@@ -48,12 +50,8 @@ std::size_t memoryOf(const State &state)
 
 int firstNotFinite(const State &state)
 {
-    // x - x is 0 for every finite x and NaN for the others, and a sum keeps that: one pass that vectorises, then a
-    // search if needed.
-    const auto finite = [](const auto &numbers) { return (numbers - numbers).sum() == 0.0; };
-    if (finite(state.position) && finite(state.velocity) && finite(state.acceleration) &&
-        finite(state.angle) && finite(state.spin) && finite(state.turning) && finite(state.gait) &&
-        finite(state.gaitSpeed))
+    const bool clocks = state.gait.isFinite().all() && state.gaitSpeed.isFinite().all();
+    if (clocks && areFinite(state, {0, state.points()}))
         return -1;
     const auto finiteAt = [](const auto &numbers, int point) {
         return numbers.rows() == 0 || numbers.row(point).isFinite().all();

@@ -1,5 +1,6 @@
 #include "sim/track.h"
 
+#include "sim/finite.h"
 #include "sim/flush.h"
 #include "sim/guilt.h"
 #include "sim/row_start.h"
@@ -28,6 +29,12 @@ std::optional<Failure> failureOf(const State &state)
     return {};
 }
 
+void checkInput(const Script &script)
+{
+    for (const Event &event : script.input)
+        checkFinite(event);
+}
+
 /// -1 for what belongs to no point.
 int pointOf(const Failure &failure, const State &state)
 {
@@ -49,7 +56,8 @@ Track::Track(Script script, std::size_t budget, Sleeping sleeping)
     : m_script(std::move(script)), m_segments(m_script), m_sleeping(sleeping),
       m_history(budget, m_script.step.rowFrames)
 {
-    check(m_script, 0);
+    checkInput(m_script);
+    m_segments.check(m_script, 0);
     m_segment = segmentAt(0);
     m_now = m_segment->scene.start;
     m_history.keep(m_now);
@@ -57,8 +65,7 @@ Track::Track(Script script, std::size_t budget, Sleeping sleeping)
 
 void Track::check(const Script &script, std::int64_t frame)
 {
-    for (const Event &event : script.input)
-        checkFinite(event);
+    checkInput(script);
     Segments(script).check(script, frame);
 }
 
@@ -150,13 +157,14 @@ bool Track::runWhole(const Pipeline &pipeline, State &state, const std::vector<c
         runStep(pipeline, state, m_crew, asleep);
         return !goesOn || goesOn();
     }
-    return std::all_of(pipeline.phases.begin(), pipeline.phases.end(),
-                       [&](const Phase &phase) { return run(phase, state, goesOn); });
+    return std::all_of(pipeline.passes.begin(), pipeline.passes.end(),
+                       [&](const Phase &pass) { return run(pass, state, goesOn); });
 }
 
 Track::Next Track::endRow(const GoesOn &goesOn)
 {
-    if (failureOf(m_now))
+    const bool isGood = m_now.ahead.stuck < 0 && isFinite(m_now, m_crew);
+    if (!isGood)
         return stopHere(goesOn);
     m_at = {m_at.frame + rowFrames(), 0};
     m_computed = std::max(m_computed, m_at.frame);

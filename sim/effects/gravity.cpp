@@ -35,6 +35,14 @@ void Gravity::add(const State &state, Points movers, double scale, Directions, E
                 [=, gravity = m_gravity](int i) { return down[i] + scale * fall(gravity).y; });
 }
 
+PointRule Gravity::rule(Points, double scale, Onto onto) const
+{
+    const double by = scale * fall(m_gravity).y;
+    if (onto == Onto::velocity)
+        return rules::FallsAtOnce{by};
+    return rules::Falls{by};
+}
+
 bool Gravity::addSlopes(const State &, Points, double, Directions, Slopes &) const
 {
     return true; // the same everywhere

@@ -70,9 +70,12 @@ public:
         return m_room.sidesAreFar() && std::isinf(m_room.floor) && m_room.floor > 0.0;
     }
     void resolve(State &state, Points points) const override;
+    PointRule rule(Points) const override { return rules::MeetsWalls{this}; }
     std::vector<Surface> surfaces(int point) const override;
 
     const Room &room() const { return m_room; }
+    /// Half of each point's width in px.
+    const Eigen::ArrayXd &half() const { return m_half; }
 
 private:
     Room m_room;

@@ -46,6 +46,7 @@ Adding gathering()
             gatherTorque,
             {"sim/methods/gathering.cpp", "gather"},
             {"sim/methods/gathering.cpp", "gather_torque"},
+            Onto::acceleration,
             gatherPart};
 }
 

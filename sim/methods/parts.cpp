@@ -13,6 +13,20 @@ bool runsInOrder(const EffectPtr &effect)
     return !dynamic_cast<const Driver *>(effect.get());
 }
 
+/// The same points in ascending order, neighbouring runs made one.
+std::vector<Points> inOrder(std::vector<Points> runs)
+{
+    std::sort(runs.begin(), runs.end(), [](Points a, Points b) { return a.first < b.first; });
+    std::vector<Points> fewer;
+    for (const Points &run : runs) {
+        if (!fewer.empty() && fewer.back().end() == run.first)
+            fewer.back().count += run.count;
+        else
+            fewer.push_back(run);
+    }
+    return fewer;
+}
+
 }
 
 PhaseList::PhaseList(const Scene &scene, Directions directions, double h)
@@ -68,12 +82,9 @@ std::vector<Points> PhaseList::inert(Points points) const
         const auto free = m_scene.start.inverseMass.segment(first, end - first) != 0.0;
         if (!free.any())
             continue;
-        if (!runs.empty() && runs.back().end() == first)
-            runs.back().count += end - first;
-        else
-            runs.push_back({first, end - first});
+        runs.push_back({first, end - first});
     }
-    return runs;
+    return inOrder(std::move(runs));
 }
 
 bool PhaseList::hasConstraint(const Share &share) const
@@ -148,6 +159,7 @@ void PhaseList::force(const std::shared_ptr<const Force> &force, const Share &sh
         phase.runOn = [force, add = adding.forcePart, h = m_h](State &state, Points part) {
             add(*force, state, part, h);
         };
+    phase.rule = force->rule(share.points, adding.onto == Onto::velocity ? m_h : 1.0, adding.onto);
     phase.explain = [force, way = m_directions](const State &before, const State &after, int point) {
         std::vector<Live> live = force->explain(before, point, way);
         if (!live.empty() && before.speed(point) != after.speed(point))
@@ -178,6 +190,8 @@ void PhaseList::drag(const std::shared_ptr<const Drag> &drag, const Share &share
     Phase phase = phaseOf(drag, share);
     const double h = part * m_h;
     setWork(phase, [drag, h](State &state, Points points) { drag->slow(state, points, h); });
+    if (!spins())
+        phase.rule = drag->rule(share.points, h);
     phase.explain = [drag, h](const State &before, const State &after, int point) {
         return drag->explain(before, after, point, h);
     };

@@ -89,6 +89,8 @@ struct Adding
     AddTorque torque = nullptr;
     Region forceShown;
     Region torqueShown;
+    /// What `force` adds to.
+    Onto onto = Onto::acceleration;
     /// The same as `force` for one of the parts of Phase::runOn; null: by `force` itself.
     AddForce forcePart = nullptr;
 };
@@ -193,6 +195,7 @@ void setWork(Phase &phase, Work work)
 template <class Work>
 void setWorkBefore(Phase &phase, Work before)
 {
+    phase.rule = {};
     phase.run = [before, run = phase.run, points = phase.points](State &state) {
         before(state, points);
         run(state);

@@ -57,6 +57,12 @@ void forEachRun(const std::vector<Points> &runs, Points points, Visit &&visit)
     }
 }
 
+/// Whether `runs` are all of `points`.
+bool areAll(const std::vector<Points> &runs, Points points)
+{
+    return runs.size() == 1 && runs.front().first == points.first && runs.front().count == points.count;
+}
+
 }
 
 void PhaseList::kick(const Share &share, double part)
@@ -74,6 +80,8 @@ void PhaseList::kick(const Share &share, double part)
     setWork(phase, [runs, h = part * m_h](State &state, Points points) {
         forEachRun(runs, points, [&](Points run) { kickAll(state, run, h); });
     });
+    if (areAll(runs, share.points))
+        phase.rule = rules::Kicks{part * m_h};
     phase.explain = [](const State &before, const State &after, int point) {
         return std::vector<Live>{{"v", after.speed(point), before.speed(point)}};
     };
@@ -107,6 +115,8 @@ void PhaseList::move(const Share &share, double part)
     setWork(phase, [runs, h = part * m_h](State &state, Points points) {
         forEachRun(runs, points, [&](Points run) { moveAll(state, run, h); });
     });
+    if (areAll(runs, share.points))
+        phase.rule = rules::Moves{part * m_h};
     if (const auto keep = remembering(share))
         setWorkBefore(phase, keep);
     phase.explain = [](const State &before, const State &after, int point) {
@@ -164,6 +174,7 @@ void PhaseList::contacts(const Share &share)
     forEach<Contact>(share, [&](const std::shared_ptr<const Contact> &contact) {
         Phase phase = phaseOf(contact, share);
         setWork(phase, [contact](State &state, Points points) { contact->resolve(state, points); });
+        phase.rule = contact->rule(share.points);
         phase.explain = [](const State &before, const State &after, int point) {
             return changeOf(before, after, point);
         };

@@ -52,7 +52,8 @@ std::vector<Phase> Published::phases(const Scene &scene, StepSize size) const
     const Adding pull = {pullAtOnce,
                          turnAtOnce,
                          {"sim/methods/published.cpp", "published_forces"},
-                         {"sim/methods/published.cpp", "published_torques"}};
+                         {"sim/methods/published.cpp", "published_torques"},
+                         Onto::velocity};
     //! [published_order]
     step.driversFirst();
     // each group sees what has already moved

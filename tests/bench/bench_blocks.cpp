@@ -1,4 +1,4 @@
-// A crowd, one step: phase by phase over all points, in blocks of islands that stay in the cache, and in blocks that two
+// A crowd, one step: pass by pass over all points, in blocks of islands that stay in the cache, and in blocks that two
 // threads share. The threads are measured by the clock on the wall, the others by the processor's.
 
 #include "crowd.h"
@@ -33,13 +33,13 @@ struct Crowd
     sim::State state;
 };
 
-void byPhase(benchmark::State &run, int creatures)
+void byPass(benchmark::State &run, int creatures)
 {
     Crowd crowd(creatures);
     for (auto _ : run) {
         crowd.nextFrame();
-        for (const sim::Phase &phase : crowd.pipeline.phases)
-            phase.run(crowd.state);
+        for (const sim::Phase &pass : crowd.pipeline.passes)
+            pass.run(crowd.state);
         benchmark::ClobberMemory();
     }
     run.SetItemsProcessed(run.iterations() * creatures);
@@ -63,7 +63,7 @@ void bySize(benchmark::State &run, int creatures)
 {
     Crowd crowd(creatures);
     const int points = static_cast<int>(run.range(0));
-    crowd.pipeline.blocks = sim::blocksOf(crowd.scene, crowd.pipeline.phases, {points, 1});
+    crowd.pipeline.blocks = sim::blocksOf(crowd.scene, crowd.pipeline.passes, {points, 1});
     for (auto _ : run) {
         crowd.nextFrame();
         sim::runStep(crowd.pipeline, crowd.state);
@@ -75,15 +75,17 @@ int registerAll()
 {
     for (const int creatures : {100, 1'000, 10'000, 100'000}) {
         const std::string count = std::to_string(creatures);
-        const std::string phases = "crowd_by_phase_" + count, blocks = "crowd_in_blocks_" + count;
+        const std::string passes = "crowd_by_pass_" + count, blocks = "crowd_in_blocks_" + count;
         const std::string one = "crowd_one_thread_" + count, two = "crowd_two_threads_" + count;
         const auto name = [](const std::string &text) { return text.c_str(); };
-        benchmark::RegisterBenchmark(name(phases), byPhase, creatures);
+        benchmark::RegisterBenchmark(name(passes), byPass, creatures);
         benchmark::RegisterBenchmark(name(blocks), inBlocks, creatures, 1);
         benchmark::RegisterBenchmark(name(one), inBlocks, creatures, 1)->UseRealTime();
         benchmark::RegisterBenchmark(name(two), inBlocks, creatures, 2)->UseRealTime();
     }
-    benchmark::RegisterBenchmark("crowd_block_size", bySize, 10'000)->RangeMultiplier(2)->Range(128, 16'384);
+    auto *const sizes = benchmark::RegisterBenchmark("crowd_block_size", bySize, 10'000);
+    for (const int points : {384, 768, 1536, 2048, 3072, 4096, 6144, 12'288})
+        sizes->Arg(points);
     return 0;
 }
 

@@ -6,6 +6,8 @@
 #include "plain_creature.h"
 #include "support.h"
 
+#include "sim/run_step.h"
+
 #include <benchmark/benchmark.h>
 
 namespace {
@@ -39,7 +41,7 @@ void pipeline(benchmark::State &run, const std::string &method)
 {
     const sim::Script script = creature(method);
     const sim::Scene scene = sim::sceneOf(script, script.values);
-    const sim::Pipeline phases = sim::compose(scene, *script.method, script.step);
+    const sim::Pipeline composed = sim::compose(scene, *script.method, script.step);
     sim::State state = scene.start;
     int done = 0;
     for (auto _ : run) {
@@ -47,8 +49,7 @@ void pipeline(benchmark::State &run, const std::string &method)
             state = scene.start;
             done = 1;
         }
-        for (const sim::Phase &phase : phases.phases)
-            phase.run(state);
+        sim::runStep(composed, state);
         benchmark::DoNotOptimize(state.position.data());
         benchmark::ClobberMemory();
     }

@@ -80,7 +80,7 @@ void addBlocks(std::vector<Row> &rows)
     for (const int count : {1'000, 10'000, 100'000}) {
         const std::string size = std::to_string(count);
         rows.push_back({withCommas(count) + " creatures, in blocks", "crowd_in_blocks_" + size,
-                        "crowd_by_phase_" + size, "phase by phase"});
+                        "crowd_by_pass_" + size, "pass by pass"});
     }
 }
 

@@ -1,7 +1,7 @@
 // Prints a hash of 1000 frames (300 under the sanitizers) of every step of every lesson: one line a step and method.
 // What it prints must not depend on the instructions that it runs with, nor on how it gets from frame to frame:
-//   lesson_hashes      as the app does: what has come to rest sleeps
-//   lesson_hashes 1    each row is computed, by one thread, what hangs together at a time
+//   lesson_hashes      as the app does: what has come to rest sleeps, and neighbouring phases run as one
+//   lesson_hashes 1    each row is computed phase by phase, by one thread, what hangs together at a time
 //   lesson_hashes 2    the same by two threads
 
 #include "tests/lessons/support.h"
@@ -51,8 +51,8 @@ std::uint64_t hashOfRun(const sim::Script &script)
     return hash;
 }
 
-/// The same run computed row by row, each step in as many blocks as there are islands. It stays where numbers stop being
-/// finite, as a Track does.
+/// The same run computed row by row, each step phase by phase, in as many blocks as there are islands. It stays where
+/// numbers stop being finite, as a Track does.
 std::uint64_t hashOfRows(const sim::Script &script, int threads)
 {
     const sim::FlushTiny flush;
@@ -60,7 +60,8 @@ std::uint64_t hashOfRows(const sim::Script &script, int threads)
     sim::Crew crew(threads);
     auto segment = segments.at(script, 0);
     sim::Pipeline pipeline = segment->pipeline;
-    pipeline.blocks = sim::blocksOf(segment->scene, pipeline.phases, {1, 1});
+    pipeline.passes = pipeline.phases;
+    pipeline.blocks = sim::blocksOf(segment->scene, pipeline.passes, {1, 1});
     sim::State state = segment->scene.start;
     std::uint64_t hash = begun;
     bool goesOn = true;

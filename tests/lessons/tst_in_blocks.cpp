@@ -13,16 +13,16 @@ using namespace support;
 
 namespace {
 
-/// `script`, composed, with a block for each island; for a scene of one island, which is computed phase by phase, one
+/// `script`, composed, with a block for each island; for a scene of one island, which is computed pass by pass, one
 /// block that goes through the same pieces.
 sim::Pipeline islandByIsland(const sim::Scene &scene, const sim::Script &script)
 {
     sim::Pipeline pipeline = sim::compose(scene, *script.method, script.step);
-    pipeline.blocks = sim::blocksOf(scene, pipeline.phases, {1, 1});
+    pipeline.blocks = sim::blocksOf(scene, pipeline.passes, {1, 1});
     if (pipeline.blocks.empty()) {
         pipeline.blocks.emplace_back();
-        for (int i = 0; i < pipeline.phasesPerStep(); ++i)
-            pipeline.blocks[0].push_back({i, pipeline.phaseAt(i).points});
+        for (std::size_t i = 0; i < pipeline.passes.size(); ++i)
+            pipeline.blocks[0].push_back({static_cast<int>(i), pipeline.passes[i].points});
     }
     return pipeline;
 }

@@ -115,7 +115,7 @@ sim::Scene sceneCalled(const QString &name)
 sim::Pipeline inBlocks(const sim::Scene &scene, const std::string &method, sim::BlockSize size)
 {
     sim::Pipeline pipeline = sim::compose(scene, *sim::findMethod(method), sim::StepSize::of(0.5));
-    pipeline.blocks = sim::blocksOf(scene, pipeline.phases, size);
+    pipeline.blocks = sim::blocksOf(scene, pipeline.passes, size);
     return pipeline;
 }
 
@@ -172,8 +172,8 @@ private slots:
         }
     }
 
-    void takeEachPointOfEachPhaseOnce_data() { addRows(); }
-    void takeEachPointOfEachPhaseOnce()
+    void takeEachPointOfEachPassOnce_data() { addRows(); }
+    void takeEachPointOfEachPassOnce()
     {
         QFETCH(QString, scene);
         QFETCH(QString, method);
@@ -181,30 +181,30 @@ private slots:
         const sim::Scene what = sceneCalled(scene);
         const sim::Pipeline pipeline = inBlocks(what, method.toStdString(), {points, 1});
         const auto all = static_cast<std::size_t>(what.start.points());
-        std::vector<std::vector<int>> blockOf(pipeline.phases.size(), std::vector<int>(all, -1));
+        std::vector<std::vector<int>> blockOf(pipeline.passes.size(), std::vector<int>(all, -1));
         for (std::size_t block = 0; block < pipeline.blocks.size(); ++block) {
             sim::Piece last{-1, {}};
             for (const sim::Piece &piece : pipeline.blocks[block]) {
-                QVERIFY(piece.phase > last.phase ||
-                        (piece.phase == last.phase && piece.points.first > last.points.end()));
+                QVERIFY(piece.pass > last.pass ||
+                        (piece.pass == last.pass && piece.points.first > last.points.end()));
                 last = piece;
                 for (int i = piece.points.first; i < piece.points.end(); ++i) {
-                    int &owner = blockOf[static_cast<std::size_t>(piece.phase)][static_cast<std::size_t>(i)];
+                    int &owner = blockOf[static_cast<std::size_t>(piece.pass)][static_cast<std::size_t>(i)];
                     QCOMPARE(owner, -1);
                     owner = static_cast<int>(block);
                 }
             }
         }
-        for (std::size_t phase = 0; phase < pipeline.phases.size(); ++phase) {
+        for (std::size_t pass = 0; pass < pipeline.passes.size(); ++pass) {
             for (std::size_t i = 0; i < all; ++i)
-                QCOMPARE(blockOf[phase][i] >= 0, pipeline.phases[phase].points.contains(static_cast<int>(i)));
+                QCOMPARE(blockOf[pass][i] >= 0, pipeline.passes[pass].points.contains(static_cast<int>(i)));
         }
         for (const auto &island : sim::islandsOf(what)) { // and no island is in two
             int block = -1;
-            for (const auto &ofPhase : blockOf) {
+            for (const auto &ofPass : blockOf) {
                 for (const sim::Points &run : island) {
                     for (int i = run.first; i < run.end(); ++i) {
-                        const int here = ofPhase[static_cast<std::size_t>(i)];
+                        const int here = ofPass[static_cast<std::size_t>(i)];
                         block = block < 0 ? here : block;
                         QVERIFY(here < 0 || here == block);
                     }
@@ -246,8 +246,8 @@ private slots:
         sim::Pipeline pipeline = inBlocks(scene, method.toStdString(), {30, 1});
         for (int triangle = 29; triangle >= 0; --triangle) { // in any order
             pipeline.blocks.emplace_back();
-            for (int phase = 0; phase < pipeline.phasesPerStep(); ++phase)
-                pipeline.blocks.back().push_back({phase, {3 * triangle, 3}});
+            for (std::size_t pass = 0; pass < pipeline.passes.size(); ++pass)
+                pipeline.blocks.back().push_back({static_cast<int>(pass), {3 * triangle, 3}});
         }
         sim::State plain = scene.start;
         sim::findMethod(method.toStdString())->prepare(plain);

@@ -1,0 +1,193 @@
+#include "support.h"
+
+#include "tests/bench/crowd.h"
+
+#include "sim/effects/damping.h"
+#include "sim/effects/gravity.h"
+#include "sim/effects/ground.h"
+#include "sim/effects/room_limits.h"
+#include "sim/flush.h"
+#include "sim/methods/methods.h"
+#include "sim/run_step.h"
+
+#include <QTest>
+
+#include <numeric>
+
+namespace {
+
+using std::make_shared;
+
+/// Creatures in their room; the first body is held, some points start at -0, and some so slow that what is left of it
+/// gets too small for full precision.
+sim::Scene inTheRoom(int creatures)
+{
+    sim::Scene scene = bench::crowd::inTheRoom(creatures);
+    scene.start.inverseMass[0] = 0.0;
+    scene.start.push(0, {1.0, -2.0});
+    scene.start.push(1, {-0.0, -0.0});
+    scene.start.push(2, {1e-300, -1e-307});
+    scene.start.place(3, {-0.0, bench::crowd::floor});
+    return scene;
+}
+
+sim::Scene inTheAir(int creatures)
+{
+    return bench::crowd::inTheAir(creatures);
+}
+
+std::vector<int> numbers(int first, int count)
+{
+    std::vector<int> all(static_cast<std::size_t>(count));
+    std::iota(all.begin(), all.end(), first);
+    return all;
+}
+
+/// Creatures on a ground that their first `feet` feet, and bodies, meet.
+sim::Scene onGround(int creatures, int feet)
+{
+    sim::Scene scene = bench::crowd::inTheAir(creatures);
+    scene.effects.push_back(make_shared<sim::Gravity>(0.5));
+    scene.effects.push_back(make_shared<sim::Ground>(numbers(0, (feet + 1) * creatures),
+                                                     sim::Soil{300.0, 0.2, sim::Traction::full}));
+    return scene;
+}
+
+sim::Scene allOnGround(int creatures)
+{
+    return onGround(creatures, bench::crowd::feet);
+}
+
+/// Creatures of which only some are slowed, in a room that acts as a constraint.
+sim::Scene rubbing(int creatures)
+{
+    sim::Scene scene = onGround(creatures, 2);
+    scene.effects[1] = make_shared<sim::Damping>(0.9, sim::Points{0, 2});
+    const Eigen::ArrayXd half = Eigen::ArrayXd::Constant(scene.start.points(), 5.0);
+    scene.effects.push_back(make_shared<sim::RoomLimits>(sim::Room{50.0, 500.0, 290.0, 0.0}, half, 0.4));
+    return scene;
+}
+
+sim::Pipeline composed(const sim::Scene &scene, const char *method, double h = 1.0)
+{
+    return sim::compose(scene, *sim::findMethod(method), sim::StepSize::of(h));
+}
+
+std::string idsOf(const std::vector<sim::Phase> &phases)
+{
+    std::string ids;
+    for (const sim::Phase &phase : phases)
+        ids += (ids.empty() ? "" : " ") + phase.id;
+    return ids;
+}
+
+}
+
+/// Phases that run as one: the same as one after the other.
+class Joined : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void neighboursThatAreRulesForOnePointBecomeOne_data()
+    {
+        QTest::addColumn<QString>("method");
+        QTest::addColumn<QString>("room");
+        QTest::addColumn<QString>("air");
+        QTest::newRow("semi-implicit Euler") << "semi_implicit_euler"
+                                             << "radial_spring joined"
+                                             << "radial_spring joined";
+        QTest::newRow("published, group by group") << "published"
+                                                   << "radial_spring joined radial_spring joined"
+                                                   << "radial_spring joined radial_spring joined";
+        QTest::newRow("explicit Euler, which moves first") << "explicit_euler"
+                                                           << "radial_spring gravity move kick damping walls"
+                                                           << "radial_spring move kick damping";
+        QTest::newRow("position Verlet") << "position_verlet"
+                                         << "move damping radial_spring joined"
+                                         << "move damping radial_spring joined";
+        QTest::newRow("velocity Verlet") << "velocity_verlet"
+                                         << "radial_spring joined radial_spring gravity damping kick walls"
+                                         << "radial_spring joined radial_spring damping kick";
+    }
+    void neighboursThatAreRulesForOnePointBecomeOne()
+    {
+        QFETCH(QString, method);
+        QFETCH(QString, room);
+        QFETCH(QString, air);
+        const QByteArray id = method.toUtf8();
+        QCOMPARE(idsOf(composed(bench::crowd::inTheRoom(3), id).passes), room.toStdString());
+        QCOMPARE(idsOf(composed(inTheAir(3), id).passes), air.toStdString());
+    }
+
+    void theStepItselfStaysAsItIs()
+    {
+        const sim::Pipeline pipeline = composed(bench::crowd::inTheRoom(3), "semi_implicit_euler");
+        QCOMPARE(idsOf(pipeline.phases), std::string("radial_spring gravity kick damping move walls"));
+    }
+
+    void whatIsNoRuleForAllPointsStaysAlone()
+    {
+        const auto passes = [](const sim::Scene &scene) {
+            return idsOf(composed(scene, "semi_implicit_euler").passes);
+        };
+        QCOMPARE(passes(allOnGround(3)), std::string("radial_spring joined"));
+        QCOMPARE(passes(onGround(3, 2)), std::string("radial_spring joined ground"));
+        // A constraint wants to know where points came from.
+        QCOMPARE(passes(rubbing(3)), std::string("radial_spring gravity kick damping move room came ground"));
+        sim::Scene scene = bench::crowd::inTheRoom(3);
+        scene.effects[2] = make_shared<sim::Damping>(0.9, sim::Points{0, 17});
+        QCOMPARE(passes(scene), std::string("radial_spring gravity kick damping joined"));
+        scene = bench::crowd::inTheRoom(3);
+        scene.groups[1].inertia = sim::Inertia::none; // bodies are handles
+        QCOMPARE(passes(scene), std::string("radial_spring gravity kick damping move walls"));
+        scene = bench::crowd::inTheRoom(3);
+        scene.effects.push_back(make_shared<sim::Gravity>(-0.2)); // two that fall
+        QCOMPARE(passes(scene), std::string("radial_spring gravity joined"));
+        scene.effects.erase(scene.effects.begin()); // the first force begins the sums
+        QCOMPARE(passes(scene), std::string("gravity joined"));
+    }
+
+    void bringsTheSameBits_data()
+    {
+        QTest::addColumn<QString>("method");
+        QTest::addColumn<int>("creatures");
+        QTest::addColumn<double>("h");
+        for (const char *method :
+             {"semi_implicit_euler", "published", "explicit_euler", "position_verlet", "velocity_verlet"}) {
+            for (const int creatures : {1, 7, 60}) {
+                for (const double h : {1.0, 0.25})
+                    QTest::addRow("%s, %d creatures, h = %g", method, creatures, h)
+                        << QString(method) << creatures << h;
+            }
+        }
+    }
+    void bringsTheSameBits()
+    {
+        QFETCH(QString, method);
+        QFETCH(int, creatures);
+        QFETCH(double, h);
+        const sim::FlushTiny flush;
+        for (const auto &scene : {inTheRoom, inTheAir, allOnGround, rubbing}) {
+            const sim::Scene what = scene(creatures);
+            const sim::Pipeline pipeline = composed(what, method.toUtf8(), h);
+            sim::State plain = what.start;
+            sim::findMethod(method.toStdString())->prepare(plain);
+            sim::State state = plain;
+            for (int step = 0; step < 300; ++step) {
+                if (step == 100 || step == 150) { // a hand takes a foot, and lets it go
+                    for (sim::State *one : {&plain, &state})
+                        one->inverseMass[creatures] = step == 100 ? 0.0 : 1.0;
+                }
+                for (const sim::Phase &phase : pipeline.phases)
+                    phase.run(plain);
+                for (const sim::Phase &pass : pipeline.passes)
+                    pass.run(state);
+                QVERIFY2(sim::sameBits(state, plain), support::difference(state, plain).c_str());
+            }
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(Joined)
+#include "tst_joined.moc"
