@@ -209,53 +209,64 @@ void Workbench::use(sim::Vec2 at, int hit)
         useOnPoint(at, hit);
         return;
     }
+    if (m_first) {
+        link(*m_first, at, hit);
+        return;
+    }
     int point = hit;
-    if (hit < 0)
-        change(tr("Point"), [&](sim::Blueprint &plan) { point = pointAt(plan, at, hit); });
-    if (point < 0) {
-        sayFull();
+    if (hit < 0 && !change(tr("Point"), [&](sim::Blueprint &plan) { point = pointAt(plan, at, hit); })) {
+        if (point < 0)
+            sayFull();
         return;
     }
-    if (!m_first) {
-        m_first = point;
-        choose({{point}, {}, {}});
-        emit changed();
-        return;
-    }
-    link(*m_first, point);
+    m_first = point;
+    choose({{point}, {}, {}});
+    emit changed();
 }
 
-void Workbench::link(int a, int b)
+void Workbench::link(int a, sim::Vec2 at, int hit)
 {
     std::optional<int> made;
-    Chosen chosen{{b}, {}, {}};
+    int b = hit;
     const auto edit = [&](sim::Blueprint &plan) {
-        if (m_tool == BuildTool::spring)
-            made = addSpring(plan, a, b);
-        else if (m_tool == BuildTool::stick)
-            made = addStick(plan, a, b);
-        else
-            made = addFoot(plan, b, a);
+        const sim::Blueprint before = plan;
+        b = pointAt(plan, at, hit);
+        if (b >= 0)
+            made = m_tool == BuildTool::spring  ? addSpring(plan, a, b)
+                   : m_tool == BuildTool::stick ? addStick(plan, a, b)
+                                                : addFoot(plan, b, a);
+        if (!made)
+            plan = before; // no point without the link that it is for
     };
     const BuildTool tool = m_tool;
     const QString what = tool == BuildTool::spring  ? tr("Spring")
                          : tool == BuildTool::stick ? tr("Stick")
                                                     : tr("Foot");
-    if (a != b && change(what, edit)) {
-        if (tool == BuildTool::spring)
-            chosen = {{}, {*made}, {}};
-        else if (tool == BuildTool::stick)
-            chosen = {{}, {}, {*made}};
-    } else if (a != b && tool == BuildTool::foot && footOf(plan(), b)) {
-        emit m_session.said(tr("This point is a foot already: it can be the foot of one body."));
+    const bool isDone = a != hit && change(what, edit);
+    if (!isDone && a != hit) {
+        sayWhyNoLink(hit, made);
+        if (hit < 0)
+            return; // the next click may have more luck
     }
-    m_first.reset();
-    if (tool == BuildTool::foot)
-        m_first = a; // the next foot of the same body
-    else if (a != b)
-        m_first = b; // the next link goes on from here
-    choose(chosen);
+    m_first = tool == BuildTool::foot ? std::optional(a) // the next foot of the same body
+              : a != b                ? std::optional(b) // the next link goes on from here
+                                      : std::nullopt;
+    if (isDone && tool == BuildTool::spring)
+        choose({{}, {*made}, {}});
+    else if (isDone && tool == BuildTool::stick)
+        choose({{}, {}, {*made}});
+    else
+        choose({{b}, {}, {}});
     emit changed();
+}
+
+void Workbench::sayWhyNoLink(int hit, std::optional<int> made)
+{
+    if (m_tool == BuildTool::foot && hit >= 0 && footOf(plan(), hit))
+        emit m_session.said(tr("This point is a foot already: it can be the foot of one body."));
+    else if (!made)
+        sayFull();
+    // Else the scene was refused, and that was said.
 }
 
 void Workbench::moveChosen(sim::Vec2 by)

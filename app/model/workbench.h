@@ -65,7 +65,10 @@ private:
     void follow();
     void followSelection();
     void shareChoice();
-    void link(int a, int b);
+    /// From point `a` to point `hit`, or to a new one at `at` where that is -1: one deed.
+    void link(int a, sim::Vec2 at, int hit);
+    /// `made`: the link that the scene was refused with; empty where there was no room for one.
+    void sayWhyNoLink(int hit, std::optional<int> made);
     int pointAt(sim::Blueprint &plan, sim::Vec2 at, int hit) const;
     void useOnPoint(sim::Vec2 at, int hit);
     void sayFull();
