@@ -21,6 +21,8 @@ public:
 
     /// Whether a scene is open that is built.
     bool isOpen() const { return m_session.isWorkshop() && m_session.blueprint(); }
+    /// Whether the choice is of what is built now. While a change is being told of, it may still be of what was before.
+    bool isUpToDate() const { return isOpen() && m_seen == m_session.blueprint(); }
     /// Whether it can be changed now: it can at the start of the run, while that stands.
     bool canBuild() const;
     /// What is built. Only while it is open.
