@@ -14,9 +14,11 @@ namespace {
 
 constexpr double atLength = 0.5; ///< px: what is nearer to its length than this has it
 
+/// The length of a link between two points: as far as they are apart, if a file can hold that.
 double apart(const sim::Blueprint &plan, int a, int b)
 {
-    return sim::length(plan.points[std::size_t(a)].x - plan.points[std::size_t(b)].x);
+    const double distance = sim::length(plan.points[std::size_t(a)].x - plan.points[std::size_t(b)].x);
+    return std::min(distance, built::length.max);
 }
 
 double inverseMass(const sim::BuiltPoint &point)

@@ -37,7 +37,7 @@ QString Branches::ownName(const QString &name, int id) const
     };
     QString numbered = name;
     for (int i = 2; isTaken(numbered); ++i)
-        numbered = QCoreApplication::translate("Branches", "%1 (%2)").arg(name).arg(i);
+        numbered = QCoreApplication::translate("Branches", "%1 (%2)").arg(name, QString::number(i));
     return numbered;
 }
 
@@ -48,7 +48,8 @@ void Branches::add(Branch branch, std::int64_t leftAt)
         remove(same->id);
     }
     if (!branch.isNamed && leftAt > 0 && ownName(branch.name, branch.id) != branch.name)
-        branch.name = QCoreApplication::translate("Branches", "%1 at frame %2").arg(branch.name).arg(leftAt);
+        branch.name = QCoreApplication::translate("Branches", "%1 at frame %2")
+                          .arg(branch.name, QString::number(leftAt));
     branch.name = ownName(branch.name, branch.id);
     m_all.push_back(std::move(branch));
 }

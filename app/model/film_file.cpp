@@ -19,11 +19,17 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(FilmFile)
 };
 
+/// Where the name of the file begins: what its folders are called means nothing.
+qsizetype fileIn(const QString &name)
+{
+    return name.lastIndexOf('/') + 1;
+}
+
 /// Where the number of a frame goes.
 QRegularExpressionMatch numberIn(const QString &name)
 {
     static const QRegularExpression place(QStringLiteral("%(?:0([1-9]))?d"));
-    return place.match(name);
+    return place.match(name, fileIn(name));
 }
 
 class Gif : public FilmFile
@@ -72,7 +78,7 @@ FilmKind filmKind(const QString &name)
     if (name.endsWith(".gif", Qt::CaseInsensitive))
         return FilmKind::gif;
     const QRegularExpressionMatch number = numberIn(name);
-    const bool isOne = number.hasMatch() && name.count('%') == 1;
+    const bool isOne = number.hasMatch() && name.mid(fileIn(name)).count('%') == 1;
     if (name.endsWith(".png", Qt::CaseInsensitive) && isOne)
         return FilmKind::pictures;
     throw Refusal(Text::tr("%1 is no film's name: it ends in .gif, or, for a picture of each frame, in .png "

@@ -125,9 +125,7 @@ void Session::bring()
     if (m_sinceSaid.hasExpired(sayAgainMilliseconds)) {
         m_sinceSaid.start();
         emit said(tr("Computing “%1” again: frame %2 of %3. Esc stops.")
-                      .arg(beside()->name)
-                      .arg(m_coming->at().frame)
-                      .arg(goal));
+                      .arg(beside()->name, QString::number(m_coming->at().frame), QString::number(goal)));
     }
     if (std::exchange(m_bringDue, true))
         return;

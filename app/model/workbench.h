@@ -21,6 +21,8 @@ public:
 
     /// Whether a scene is open that is built.
     bool isOpen() const { return m_session.isWorkshop() && m_session.blueprint(); }
+    /// Whether the choice is of what is built now. While a change is being told of, it may still be of what was before.
+    bool isUpToDate() const { return isOpen() && m_seen == m_session.blueprint(); }
     /// Whether it can be changed now: it can at the start of the run, while that stands.
     bool canBuild() const;
     /// What is built. Only while it is open.
@@ -65,7 +67,10 @@ private:
     void follow();
     void followSelection();
     void shareChoice();
-    void link(int a, int b);
+    /// From point `a` to point `hit`, or to a new one at `at` where that is -1: one deed.
+    void link(int a, sim::Vec2 at, int hit);
+    /// `made`: the link that the scene was refused with; empty where there was no room for one.
+    void sayWhyNoLink(int hit, std::optional<int> made);
     int pointAt(sim::Blueprint &plan, sim::Vec2 at, int hit) const;
     void useOnPoint(sim::Vec2 at, int hit);
     void sayFull();

@@ -43,6 +43,15 @@ QString sentenceOf(const lessons::Taken &taken)
         .arg(names.join(QStringLiteral(", ")));
 }
 
+/// Whether a file can hold where all points are, and how fast.
+bool isWithinLimits(const sim::Blueprint &plan)
+{
+    return std::all_of(plan.points.begin(), plan.points.end(), [](const sim::BuiltPoint &one) {
+        return built::place.holds(one.x.x) && built::place.holds(one.x.y) && built::speed.holds(one.v.x) &&
+               built::speed.holds(one.v.y);
+    });
+}
+
 /// Whether the run of `script` can be set up.
 bool fits(const sim::Script &script)
 {
@@ -74,6 +83,11 @@ TakenScene takenScene(const Session &session, const lessons::Step &workshop)
         throw Refusal(
             Text::tr("This scene cannot be built from points: its branches turn in their joints. Take "
                      "another one, or open the sandbox and look at its examples."));
+    if (!isWithinLimits(taken->blueprint))
+        throw Refusal(
+            Text::tr("This scene has flown apart: a point is farther away than %1 px, or that fast. "
+                     "Go back in time, and take it from there.")
+                .arg(exactNumber(built::place.max)));
     const sim::Script &now = session.timeline().script();
     TakenScene scene;
     scene.script = workshop.scriptWith(valuesOf(workshop, *taken), now.method);

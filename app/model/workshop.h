@@ -16,7 +16,7 @@ struct TakenScene
     QString sentence; ///< what was taken, and what of it could not be
 };
 
-/// @throws Refusal: nothing of it can be built, or it is too large
+/// @throws Refusal: nothing of it can be built, it is too large, or has flown apart
 TakenScene takenScene(const Session &session, const lessons::Step &workshop);
 
 /// Opens the workshop with the scene that is open; undo brings back what was in it. What does not carry over, or why

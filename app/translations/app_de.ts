@@ -2754,6 +2754,10 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>Diese Szene lässt sich nicht aus Punkten bauen: Ihre Zweige drehen sich in ihren Gelenken. Nimm eine andere, oder öffne den Sandkasten und sieh dir seine Beispiele an.</translation>
     </message>
     <message>
+        <source>This scene has flown apart: a point is farther away than %1 px, or that fast. Go back in time, and take it from there.</source>
+        <translation>Diese Szene ist auseinandergeflogen: Ein Punkt ist weiter weg als %1 px oder so schnell. Geh in der Zeit zurück und nimm sie von dort.</translation>
+    </message>
+    <message>
         <source>Scene taken over</source>
         <translation>Szene übernommen</translation>
     </message>

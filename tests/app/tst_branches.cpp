@@ -151,6 +151,16 @@ private slots:
         QVERIFY(world.names().contains("slow fall"));
     }
 
+    void aNameMayHaveMarksOfOurOwnTextsInIt()
+    {
+        World world;
+        world.fork(60, 30, "gravity", 0.75);
+        world.session.renameBranch(world.newest(), "50%2");
+        world.fork(60, 30, "gravity", 0.25);
+        world.session.renameBranch(world.newest(), "50%2");
+        QCOMPARE(world.names(), (QStringList{"50%2", "50%2 (2)"}));
+    }
+
     void twoOfOneNameAreTold()
     {
         World world("tied");

@@ -3,6 +3,7 @@
 #include "app/model/same_run.h"
 #include "app/ui/branches/branches_panel.h"
 #include "app/ui/branches/difference_plot.h"
+#include "app/ui/energy/energy_panel.h"
 #include "app/ui/time/name_field.h"
 #include "app/ui/time/runs_menu.h"
 #include "app/ui/time/timeline_strip.h"
@@ -14,7 +15,9 @@
 #include <QAccessible>
 #include <QAction>
 #include <QContextMenuEvent>
+#include <QDockWidget>
 #include <QLineEdit>
+#include <QScreen>
 #include <QToolButton>
 #include <QtTest>
 
@@ -171,6 +174,37 @@ private slots:
         QTest::keyClick(field.findChild<QLineEdit *>(), Qt::Key_Escape);
         QVERIFY(!field.isVisible());
         QCOMPARE(named.count(), 0);
+    }
+
+    void nothingIsLookedAtBehindAnotherTab()
+    {
+        Bench bench;
+        bench.fork(100, 60, 0.75);
+        bench.session().goTo({90, 0});
+        bench.window.showBranches(true);
+        bench.window.showEnergy(true);
+        auto *energy = bench.window.findChild<EnergyPanel *>();
+        bench.window.findChild<QDockWidget *>("energy")->raise();
+        QTRY_VERIFY(energy->course().last() == 90);
+        const std::int64_t looked = bench.panel().course().next();
+        bench.session().goTo({100, 0});
+        QTRY_VERIFY(energy->course().last() == 100);
+        QCOMPARE(bench.panel().course().next(), looked);
+        bench.window.showBranches(true); // to the front
+        QTRY_VERIFY(bench.panel().course().next() > looked);
+        bench.session().frameForward();
+        QCoreApplication::processEvents();
+        QCOMPARE(energy->course().last(), 100);
+    }
+
+    void theFieldForANameStaysOnTheScreen()
+    {
+        Bench bench;
+        NameField field("a run", bench.world.theme, &bench.window);
+        field.setAttribute(Qt::WA_DeleteOnClose, false);
+        const QRect screen = QGuiApplication::primaryScreen()->availableGeometry();
+        field.popupAt(screen.bottomRight());
+        QVERIFY(screen.contains(field.geometry()));
     }
 
     void escapeGivesUpARunThatIsStillComputed()

@@ -162,9 +162,9 @@ private slots:
         });
         clock.start();
         shown.session.play();
-        QTest::qWait(1500);
+        QTRY_VERIFY(changes >= 5);
         shown.session.pause();
-        QVERIFY2(changes >= 3 && changes <= clock.elapsed() / 100 + 1, qPrintable(QString::number(changes)));
+        QVERIFY2(changes <= clock.elapsed() / 100 + 1, qPrintable(QString::number(changes)));
         QVERIFY(frames > changes);
         // Stopped, they are those of the moment at once.
         const sim::Segment &segment = shown.session.timeline().track().shown();

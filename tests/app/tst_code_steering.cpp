@@ -119,6 +119,23 @@ private slots:
         QVERIFY(!shown.panel->card().isVisible());
     }
 
+    void aCardGoesWithWhoAskedForIt()
+    {
+        Steered shown;
+        shown.session.frameForward();
+        shown.goToRow("pull = k * d");
+        shown.key(Qt::Key_Right, Qt::ControlModifier);
+        shown.key(Qt::Key_I, Qt::ControlModifier);
+        QVERIFY(shown.panel->card().isVisible());
+        shown.panel->stops().field()->setFocus(Qt::TabFocusReason);
+        QVERIFY(!shown.panel->card().isVisible());
+        shown.hover(shown.middleOf("pull = k * d", "pull"));
+        QVERIFY(shown.panel->card().isVisible());
+        QEvent away(QEvent::WindowDeactivate);
+        QApplication::sendEvent(&shown.window, &away);
+        QVERIFY(!shown.panel->card().isVisible());
+    }
+
     void aParametersCardIsOfTheParameter()
     {
         Steered shown;

@@ -7,6 +7,8 @@
 
 #include <QClipboard>
 #include <QDropEvent>
+#include <QFileDialog>
+#include <QLineEdit>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QTemporaryDir>
@@ -64,6 +66,7 @@ private slots:
     void initTestCase();
     void theTitleHasAMarkWhileTheRunIsNotSaved();
     void goingOnToAnotherStepKeepsEachStepsFile();
+    void aNameWithoutAnEndingIsOneOfAnExperiment();
     void newIsTheStepAsPublishedAndUndoBringsItBack();
     void openingAsksBeforeItTakesTheSceneAway();
     void theQuestionGoesAwayUnanswered();
@@ -96,6 +99,26 @@ QString FilesTest::saved(const char *name, const char *step)
     bench.session.goTo({20, 0});
     const QString path = m_folder.filePath(name);
     return bench.window.saveFile(path) ? path : QString();
+}
+
+void FilesTest::aNameWithoutAnEndingIsOneOfAnExperiment()
+{
+    QTemporaryDir folder;
+    QSettings().setValue("files/folder", folder.path()); // the one used last
+    Bench bench;
+    bench.drag("foot", {30, 20});
+    QTimer::singleShot(0, qApp, [&] {
+        auto *dialog = qobject_cast<QFileDialog *>(QApplication::activeModalWidget());
+        QVERIFY(dialog);
+        QCOMPARE(dialog->directory().path(), folder.path());
+        auto *name = dialog->findChild<QLineEdit *>("fileNameEdit");
+        QCOMPARE(name->text(), QString("fixed_centre.json"));
+        name->setText("my walk");
+        QTest::keyClick(name, Qt::Key_Return);
+    });
+    bench.press(Qt::Key_S, ctrl);
+    QVERIFY(QFile::exists(folder.filePath("my walk.json")));
+    QVERIFY(!bench.isMarked());
 }
 
 void FilesTest::theTitleHasAMarkWhileTheRunIsNotSaved()

@@ -236,6 +236,9 @@ void FilmTest::aNameThatIsNoFilmsIsRefused()
     QFETCH(QString, name);
     QVERIFY_EXCEPTION_THROWN(filmKind(name), Refusal);
     QCOMPARE(filmKind("a b%.gif"), FilmKind::gif);
+    QCOMPARE(filmKind("/100 %/%d/walk_%04d.png"),
+             FilmKind::pictures); // folders are called what they are called
+    QCOMPARE(pictureName("/100 %/%d/walk_%04d.png", 7), QString("/100 %/%d/walk_0007.png"));
     QCOMPARE(pictureName("walk_%04d.PNG", 41), QString("walk_0041.PNG"));
     QCOMPARE(pictureName("walk_%d.png", 12345), QString("walk_12345.png"));
     QCOMPARE(pictureName("walk_%03d.png", 12345), QString("walk_12345.png"));

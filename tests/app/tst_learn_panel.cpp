@@ -167,6 +167,9 @@ void LearnPanelTest::aLongTextKeepsTheOpenStepInSight()
     QVERIFY(list.height() <= 4 * 27);
     QTRY_VERIFY(list.viewport()->rect().contains(list.visualRect(stepIndex(list, 1, 0))));
     QVERIFY(list.viewport()->rect().contains(list.visualRect(list.model()->index(1, 0))));
+    world.session.openStep("one", "first"); // of a lesson with more steps than there is room for
+    QTRY_VERIFY(list.viewport()->rect().contains(list.visualRect(stepIndex(list, 0, 0))));
+    QVERIFY(list.viewport()->rect().contains(list.visualRect(list.model()->index(0, 0))));
 }
 
 void LearnPanelTest::theTextIsShownWholeBeforeTheListIs()

@@ -245,6 +245,8 @@ void LearningAidsTest::theGlossaryFindsWordsAsTheyAreTyped()
     QVERIFY(list->toPlainText().contains("Spring") && !list->toPlainText().contains("Damping"));
     QTest::keyClicks(field, "xyz");
     QCOMPARE(list->toPlainText(), QString("No word is found for “sprixyz”. Try a part of it."));
+    page.search("*_x_* <b>[a](b)\\");
+    QCOMPARE(list->toPlainText(), QString("No word is found for “*_x_* <b>[a](b)\\”. Try a part of it."));
     QString asked;
     connect(&page, &GlossaryPage::stepAsked, &page,
             [&](const QString &lesson, const QString &step) { asked = lesson + '/' + step; });

@@ -1,87 +1,18 @@
 // Plots of quantities in the window, driven as a learner drives them.
 
-#include "app/ui/energy/energy_panel.h"
-#include "app/ui/plots/plot_card.h"
-#include "app/ui/plots/plots_panel.h"
-#include "app/ui/scene/flat_button.h"
 #include "app/ui/time/timeline_strip.h"
 #include "app/ui/window/main_window.h"
-#include "panels_bench.h"
-#include "plots_bench.h"
+#include "plots_panel_bench.h"
 
 #include <QAccessible>
-#include <QClipboard>
-#include <QDir>
 #include <QDockWidget>
 #include <QMenu>
-#include <QPainter>
-#include <QSvgRenderer>
 #include <QtTest>
 
 using namespace app;
+using plots_panel_bench::Bench;
 
 namespace {
-
-struct Bench
-{
-    explicit Bench(const char *step = "pair", QSize size = {420, 420})
-    {
-        QSettings().clear();
-        panel.emplace(world.session, world.theme);
-        session().openStep("plots", step);
-        show(*panel, size);
-    }
-    Session &session() { return world.session; }
-    QuantityPlot &plot(std::size_t index = 0) { return panel->cards()[index]->plot(); }
-    void goTo(std::int64_t frame)
-    {
-        session().goTo({frame, 0});
-        settle();
-    }
-    void settle()
-    {
-        QVERIFY(QTest::qWaitFor([&] { return !session().goingTo() && panel->isSettled(); }));
-    }
-    std::int64_t frame() { return session().timeline().at().frame; }
-    void hover(QPoint place, std::size_t index = 0, Qt::MouseButtons buttons = {})
-    {
-        QMouseEvent move(QEvent::MouseMove, place, plot(index).mapToGlobal(place), Qt::NoButton, buttons, {});
-        QApplication::sendEvent(&plot(index), &move);
-    }
-    /// Opens the menu of a card's name and takes an entry of it, or of a menu in it.
-    void choose(const char *entry, const char *inMenu = nullptr, int button = 0)
-    {
-        QMenu *menu = panel->cards()[0]->findChildren<FlatButton *>()[button]->menu();
-        menu->popup({});
-        if (inMenu)
-            menu = entryOf(*menu, inMenu)->menu();
-        entryOf(*menu, entry)->trigger();
-        for (QWidget *open = QApplication::activePopupWidget(); open;
-             open = QApplication::activePopupWidget())
-            open->close();
-        settle();
-    }
-    static QAction *entryOf(const QMenu &menu, const QString &text)
-    {
-        for (QAction *one : menu.actions()) {
-            if (one->text().remove('&').startsWith(text))
-                return one;
-        }
-        qFatal("there is no entry %s", qPrintable(text));
-    }
-    int pixels(const QColor &color, const QImage &image)
-    {
-        int count = 0;
-        for (int y = 0; y < image.height(); ++y) {
-            for (int x = 0; x < image.width(); ++x)
-                count += image.pixelColor(x, y) == color ? 1 : 0;
-        }
-        return count;
-    }
-
-    World world{plots_bench::library()};
-    std::optional<PlotsPanel> panel;
-};
 
 MainWindow::Mode modeOf(bool measures)
 {
@@ -216,6 +147,17 @@ private slots:
         QVERIFY(bench.plot().emptyText().isEmpty());
     }
 
+    void aMenuThatOpensAgainHasNotGrown()
+    {
+        Bench bench;
+        QMenu *menu = bench.panel->cards()[0]->findChildren<FlatButton *>()[0]->menu();
+        emit menu->aboutToShow();
+        const qsizetype within = menu->findChildren<QObject *>().size();
+        for (int i = 0; i < 3; ++i)
+            emit menu->aboutToShow();
+        QCOMPARE(menu->findChildren<QObject *>().size(), within);
+    }
+
     void itFollowsTheSelectedBodyUnlessItIsKept()
     {
         Bench bench;
@@ -320,83 +262,6 @@ private slots:
             QVERIFY(!button->accessibleName().isEmpty());
             QVERIFY(!button->toolTip().isEmpty());
         }
-    }
-
-    void picturesAreSavedInEachForm_data()
-    {
-        QTest::addColumn<QString>("name");
-        QTest::addColumn<QByteArray>("begins");
-        QTest::newRow("PNG") << "a.png" << QByteArray("\x89PNG");
-        QTest::newRow("SVG") << "a.svg" << QByteArray("<?xml");
-        QTest::newRow("PDF") << "a.PDF" << QByteArray("%PDF");
-        QTest::newRow("none") << "a" << QByteArray("\x89PNG");
-    }
-
-    void picturesAreSavedInEachForm()
-    {
-        QFETCH(QString, name);
-        QFETCH(QByteArray, begins);
-        Bench bench;
-        bench.goTo(60);
-        const QTemporaryDir folder;
-        PlotExport &exports = bench.panel->cards()[0]->exports();
-        QSignalSpy said(bench.panel.operator->(), &PlotsPanel::said);
-        QVERIFY(exports.savePicture(folder.filePath(name)));
-        QCOMPARE(said.size(), 1);
-        const QStringList files = QDir(folder.path()).entryList(QDir::Files);
-        QCOMPARE(files.size(), 1);
-        QFile file(folder.filePath(files.front()));
-        QVERIFY(file.open(QIODevice::ReadOnly));
-        const QByteArray bytes = file.readAll();
-        QVERIFY(bytes.startsWith(begins));
-        QVERIFY(bytes.size() > 2000);
-        if (name != "a.svg")
-            return;
-        QSvgRenderer renderer(bytes);
-        QVERIFY(renderer.isValid());
-        QImage image(renderer.defaultSize(), QImage::Format_RGB32);
-        QPainter painter(&image);
-        renderer.render(&painter);
-        painter.end();
-        QVERIFY(bench.pixels(bench.world.theme.tokens().now, image) > 20);
-    }
-
-    void aPictureThatCannotBeWrittenIsSaidInASentence()
-    {
-        Bench bench;
-        bench.goTo(10);
-        QSignalSpy failed(bench.panel.operator->(), &PlotsPanel::failed);
-        QVERIFY(!bench.panel->cards()[0]->exports().savePicture("/no/such/folder/a.png"));
-        QCOMPARE(failed.size(), 1);
-        QVERIFY(failed[0][0].toString().startsWith("The picture was not saved as \"a.png\""));
-    }
-
-    void aPictureIsCopied()
-    {
-        Bench bench;
-        bench.goTo(60);
-        QGuiApplication::clipboard()->clear();
-        bench.panel->cards()[0]->exports().copyPicture();
-        QVERIFY(QGuiApplication::clipboard()->image().width() >= 2 * bench.plot().width());
-    }
-
-    void numbersAreSavedWithTheirUnits()
-    {
-        Bench bench;
-        bench.panel->add({{Measured::velocityY}, {Measured::placeY}});
-        bench.goTo(50);
-        const QTemporaryDir folder;
-        QSignalSpy said(bench.panel.operator->(), &PlotsPanel::said);
-        bench.panel->cards()[1]->exports().saveNumbers(folder.filePath("a.csv"));
-        QTRY_COMPARE(said.size(), 1);
-        QFile file(folder.filePath("a.csv"));
-        QVERIFY(file.open(QIODevice::ReadOnly));
-        const QStringList lines = QString::fromUtf8(file.readAll()).trimmed().split('\n');
-        QCOMPARE(lines.size(), 52);
-        QCOMPARE(lines[0], QString("\"frame\",\"y(foot) [px]\",\"velocity_y(foot) [px/frame]\""));
-        const sim::State state = bench.session().timeline().track().stateAt(50);
-        QCOMPARE(lines[51].split(',')[1].toDouble(), state.at(0).y);
-        QCOMPARE(lines[51].split(',')[2].toDouble(), state.speed(0).y);
     }
 
     void theTimelineAndThePlotsMoveTogether()

@@ -106,6 +106,22 @@ private slots:
         QVERIFY(!bench.panel().isVisible());
     }
 
+    void startingAfreshWithALinkChosenAndEnergyOnShow()
+    {
+        Bench bench;
+        bench.build();
+        bench.window.showEnergy(true);
+        bench.bench().setTool(BuildTool::spring);
+        for (const double x : {100.0, 150.0, 200.0, 250.0})
+            bench.bench().use({x, 100}, -1);
+        QVERIFY(!bench.bench().chosen().springs.empty());
+        QCoreApplication::processEvents();
+        // The plot of energy is drawn anew before the bench hears of the other scene.
+        QTest::keyClick(&bench.window, Qt::Key_R, Qt::ControlModifier);
+        QVERIFY(bench.bench().chosen().isEmpty());
+        QVERIFY(bench.plan().springs.size() < 3);
+    }
+
     void aSceneIsTakenThereByItsKey()
     {
         Bench bench;
@@ -325,40 +341,6 @@ private slots:
                      one->metaObject()->className());
             QVERIFY2(!one->toolTip().isEmpty() || !one->parentWidget()->toolTip().isEmpty(),
                      qPrintable(one->accessibleName()));
-        }
-    }
-
-    void pictures()
-    {
-        const QString folder = qEnvironmentVariable("SANDBOX_PICTURES");
-        if (folder.isEmpty())
-            QSKIP("only where somebody looks at them");
-        for (const QSize size : {QSize(1280, 800), QSize(1920, 1080)}) {
-            for (const Scheme scheme : {Scheme::light, Scheme::dark}) {
-                Bench bench(size);
-                bench.world.theme.setScheme(scheme);
-                bench.world.theme.apply(*qApp);
-                bench.build();
-                const QString name =
-                    QStringLiteral("%1/%2_%3").arg(folder).arg(size.width()).arg(int(scheme));
-                for (std::size_t i : {std::size_t(1), std::size_t(3), std::size_t(7)}) {
-                    const lessons::Example example = bench.session().step().examples[i];
-                    QTest::mouseClick(bench.button("Examples"), Qt::LeftButton);
-                    QTest::qWait(i == 1 ? 6000 : 100);
-                    if (i == 1)
-                        bench.panel().gallery().grab().save(name + "_gallery.png");
-                    QTest::mouseClick(bench.panel().gallery().cards()[i], Qt::LeftButton);
-                    bench.click(bench.plan().points.back().x);
-                    if (i == 3)
-                        bench.click(bench.plan().points.front().x);
-                    QTest::qWait(50);
-                    bench.window.grab().save(name + QStringLiteral("_%1.png").arg(i));
-                    bench.session().goTo({60, 0});
-                    QTest::qWait(50);
-                    bench.window.grab().save(name + QStringLiteral("_%1_run.png").arg(i));
-                    bench.session().rewind();
-                }
-            }
         }
     }
 };

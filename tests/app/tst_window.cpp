@@ -6,7 +6,7 @@
 #include "app/ui/time/timeline_strip.h"
 #include "app/ui/window/main_window.h"
 #include "app/ui/window/notice.h"
-#include "app/ui/window/status_figures.h"
+#include "quick_bench.h"
 
 #include <QAbstractButton>
 #include <QAbstractSlider>
@@ -20,57 +20,9 @@
 #include <QtTest>
 
 using namespace app;
+using quick_bench::Bench;
 
 namespace {
-
-/// In place of a study that takes seconds: one row, and a reference 5 px from where the scene starts.
-sim::Accuracy quickStudy(const sim::Script &script, const sim::StudyPlan &plan, const sim::StudyProgress &)
-{
-    sim::Accuracy found;
-    found.span = found.horizon = plan.frames;
-    found.reference.disagreement = 2e-11;
-    const sim::State start = sim::sceneOf(script, script.values).start;
-    std::vector<sim::Vec2> places;
-    for (int i = 0; i < start.points(); ++i)
-        places.push_back(start.at(i) + sim::Vec2{3.0, 4.0});
-    found.reference.places.assign(static_cast<std::size_t>(plan.frames + 1), places);
-    sim::AccuracyRow row;
-    row.way = *plan.inUse;
-    row.outcome = sim::Outcome::measured;
-    row.error = 3.7;
-    row.nsPerFrame = 250.0;
-    found.rows = {row};
-    return found;
-}
-
-struct Bench
-{
-    LessonLibrary library = LessonLibrary::load({LESSON_DIR});
-    Theme theme{Scheme::light};
-    Session session{library};
-    MainWindow window{session, theme, quickStudy};
-    SceneView &view = *window.findChild<SceneView *>();
-
-    explicit Bench(const char *lesson = "single_spring", const char *step = "fixed_centre")
-    {
-        theme.apply(*qApp);
-        session.openStep(lesson, step);
-        window.resize(1280, 800);
-        window.show();
-        QApplication::setActiveWindow(&window);
-        view.setFocus();
-        QCoreApplication::processEvents();
-    }
-
-    QPoint onScreen(const char *body) const
-    {
-        const Picture picture = session.picture();
-        const sim::Vec2 at = picture.state.at(picture.segment->scene.find(body));
-        return view.mapFromScene(at.x, at.y);
-    }
-    std::int64_t frame() const { return session.timeline().at().frame; }
-    int phase() const { return session.timeline().at().phase; }
-};
 
 /// The tooltip that shows over `widget`: its own, or that of what holds it.
 QString toolTipOver(const QWidget *widget)
@@ -112,13 +64,12 @@ private slots:
     void everyControlHasANameAndATooltip();
     void nothingRunsWhilePaused();
     void nothingRunsWhileEverythingRests();
+    void theOldRunIsForgottenWhereThereIsOne();
+    void fullScreenIsLeftHoweverItCame();
     void theModesArrangeTheWindowAndBack_data();
     void theModesArrangeTheWindowAndBack();
     void theReferenceRunsAlongUntilTheSceneChanges();
     void guidesOfTheExactMotionGiveWayToTheReference();
-    void theStatusBarTellsTheWorkOfAFrame_data();
-    void theStatusBarTellsTheWorkOfAFrame();
-    void theStatusBarTellsWhatWasMeasuredAndNothingElse();
 
 private:
     QTemporaryDir m_folder;
@@ -358,6 +309,33 @@ void WindowTest::nothingRunsWhileEverythingRests()
                         [](const QLabel *label) { return label->text().contains("Everything rests"); }));
 }
 
+void WindowTest::theOldRunIsForgottenWhereThereIsOne()
+{
+    Bench bench;
+    const auto actions = bench.window.actions();
+    const auto found = std::find_if(actions.begin(), actions.end(),
+                                    [](const QAction *one) { return one->text() == "Forget the &old run"; });
+    QVERIFY(found != actions.end());
+    QVERIFY(!(*found)->isEnabled());
+    bench.session.goTo({60, 0});
+    bench.session.goTo({30, 0});
+    bench.session.setParameter("k", 0.31);
+    QVERIFY((*found)->isEnabled());
+    QTest::keyClick(&bench.view, Qt::Key_D, Qt::ControlModifier);
+    QVERIFY(bench.session.branches().isEmpty());
+    QVERIFY(!(*found)->isEnabled());
+}
+
+void WindowTest::fullScreenIsLeftHoweverItCame()
+{
+    Bench bench;
+    bench.window.showFullScreen(); // as the last start left it, or the desktop made it
+    QTest::keyClick(&bench.view, Qt::Key_F11, Qt::ShiftModifier);
+    QVERIFY(!bench.window.isFullScreen());
+    QTest::keyClick(&bench.view, Qt::Key_F11, Qt::ShiftModifier);
+    QVERIFY(bench.window.isFullScreen());
+}
+
 void WindowTest::theModesArrangeTheWindowAndBack_data()
 {
     QTest::addColumn<int>("width");
@@ -444,46 +422,6 @@ void WindowTest::guidesOfTheExactMotionGiveWayToTheReference()
     bench.view.setExtras(extras);
     bench.window.setMode(MainWindow::Mode::learn);
     QCOMPARE(marks(), all);
-}
-
-void WindowTest::theStatusBarTellsTheWorkOfAFrame_data()
-{
-    QTest::addColumn<QString>("method");
-    QTest::addColumn<double>("h");
-    QTest::addColumn<QString>("work");
-    QTest::newRow("once a step") << "semi_implicit_euler" << 1.0 << "forces once a frame";
-    QTest::newRow("four times a step, two steps") << "rk4" << 0.5 << "forces 8 times a frame";
-    QTest::newRow("four times a step, a step of two frames") << "rk4" << 2.0 << "forces 2 times a frame";
-}
-
-void WindowTest::theStatusBarTellsTheWorkOfAFrame()
-{
-    QFETCH(QString, method);
-    QFETCH(double, h);
-    QFETCH(QString, work);
-    Bench bench("accuracy", "halve");
-    bench.session.setMethod(method);
-    bench.session.setStepSize(h);
-    const auto &figures = *bench.window.findChild<StatusFigures *>();
-    QCOMPARE(figures.figures(), QStringList({"6 points", work}));
-}
-
-void WindowTest::theStatusBarTellsWhatWasMeasuredAndNothingElse()
-{
-    Bench bench;
-    const auto &figures = *bench.window.findChild<StatusFigures *>();
-    QCOMPARE(figures.figures().size(), 2);
-    bench.window.setMode(MainWindow::Mode::measure);
-    QTRY_COMPARE(bench.window.study().stage(), AccuracyStudy::Stage::done);
-    QCOMPARE(figures.figures().mid(2),
-             QStringList({"0.25\u2009µs a frame", "3.7\u2009px off over 200 frames"}));
-    bench.session.setParameter("k", 0.31); // another scene
-    QCOMPARE(figures.figures().size(), 2);
-    // What chooses its own work is counted as it goes.
-    bench.session.setMethod("dormand_prince");
-    QCOMPARE(figures.figures().size(), 1);
-    bench.session.goTo({10, 0});
-    QVERIFY(figures.figures().at(1).endsWith("times a frame until now"));
 }
 
 QTEST_MAIN(WindowTest)

@@ -175,13 +175,13 @@ private slots:
         world.bench.use({160, 100}, -1); // a point and the spring
         QCOMPARE(world.plan().points.size(), start.points.size() + 2);
         QCOMPARE(world.plan().springs.back().length, 60.0);
-        QCOMPARE(world.session.deeds().count(), 3);
+        QCOMPARE(world.session.deeds().count(), 2); // one a click
         world.bench.setTool(BuildTool::select);
         world.bench.choose({{2}, {}, {}});
         for (int i = 0; i < 10; ++i)
             world.bench.moveChosen({1, 0}); // one drag
         world.session.endGesture();
-        QCOMPARE(world.session.deeds().count(), 4);
+        QCOMPARE(world.session.deeds().count(), 3);
         world.session.goTo({20, 0});
         const sim::State after = world.session.timeline().now();
         const sim::Blueprint end = world.plan();
@@ -234,6 +234,39 @@ private slots:
         while (world.session.deeds().canUndo())
             world.session.undo();
         QVERIFY(world.plan() == start);
+    }
+
+    void whereThereIsNoRoomForALinkThatIsSaidAndNothingChanges()
+    {
+        World world;
+        sim::Blueprint full = world.plan();
+        addPoint(full, {300, 300});
+        while (addSpring(full, 0, 1))
+            ;
+        QVERIFY(world.session.build({"full", {}, {}}, full));
+        world.said.clear();
+        world.bench.setTool(BuildTool::spring);
+        world.bench.use({}, 0);
+        world.bench.use({}, 1);
+        QVERIFY2(world.lastSaid().startsWith("There is no room"), qPrintable(world.lastSaid()));
+        world.said.clear();
+        world.bench.use({50, 50}, -1); // no point without its spring, either
+        QVERIFY2(world.lastSaid().startsWith("There is no room"), qPrintable(world.lastSaid()));
+        QVERIFY(world.plan() == full);
+    }
+
+    void aLinkIsNoLongerThanAFileCanHold()
+    {
+        World world;
+        world.bench.setTool(BuildTool::stick);
+        world.bench.use({-1e6, -1e6}, -1);
+        world.bench.use({1e6, 1e6}, -1);
+        world.bench.setTool(BuildTool::spring);
+        world.bench.use({}, int(world.plan().points.size()) - 1);
+        world.bench.use({}, int(world.plan().points.size()) - 2);
+        QCOMPARE(world.plan().springs.back().length, 1e6);
+        const QByteArray text = experimentText(world.session.experiment(), library());
+        QVERIFY(*parseExperiment(text, "x.json", library()).script.values.blueprint == world.plan());
     }
 
     void buildingHappensAtTheStart()
@@ -353,6 +386,23 @@ private slots:
             }
         }
         QVERIFY(takenScenes > 30);
+    }
+
+    void whatHasFlownApartIsNotTaken()
+    {
+        Session session(library());
+        session.openStep("two_body", "mutual");
+        session.setMethod("explicit_euler");
+        session.setParameter("k", session.step().parameter("k")->max);
+        session.goTo({100'000, 0});
+        QTRY_VERIFY(!session.goingTo());
+        QVERIFY(session.timeline().stop());
+        try {
+            takenScene(session, library().workshops.front().steps.front());
+            QFAIL("a scene was taken that no file can hold");
+        } catch (const Refusal &refusal) {
+            QVERIFY2(refusal.sentence().contains("flown apart"), qPrintable(refusal.sentence()));
+        }
     }
 
     void takingASceneCanBeUndone()

@@ -133,7 +133,7 @@ void BranchesPanel::goToLargest()
 
 void BranchesPanel::refresh()
 {
-    if (!isVisible())
+    if (!isSeen())
         return;
     const bool isLooking = m_course.isComparing() && m_course.next() <= m_course.end();
     if (!(m_session.isPlaying() || isLooking) || !m_sinceRefresh.isValid() ||
@@ -145,7 +145,7 @@ void BranchesPanel::refresh()
 
 void BranchesPanel::refreshNow()
 {
-    if (!isVisible())
+    if (!isSeen())
         return;
     m_later.stop();
     m_sinceRefresh.start();
@@ -158,18 +158,31 @@ void BranchesPanel::refreshNow()
     m_plot->refresh();
 }
 
+void BranchesPanel::setCovered(bool covered)
+{
+    m_isCovered = covered;
+    watch();
+}
+
+void BranchesPanel::watch()
+{
+    m_course.setWatched(isSeen());
+    if (isSeen())
+        refreshNow();
+    else
+        m_later.stop();
+}
+
 void BranchesPanel::showEvent(QShowEvent *event)
 {
     QWidget::showEvent(event);
-    m_course.setWatched(true);
-    refreshNow();
+    watch();
 }
 
 void BranchesPanel::hideEvent(QHideEvent *event)
 {
     QWidget::hideEvent(event);
-    m_course.setWatched(false);
-    m_later.stop();
+    watch();
 }
 
 }

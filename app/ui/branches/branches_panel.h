@@ -24,6 +24,8 @@ class BranchesPanel : public QWidget
 public:
     BranchesPanel(Session &session, const Theme &theme, QWidget *parent = nullptr);
 
+    /// While another tab covers it, it looks at and draws nothing.
+    void setCovered(bool covered);
     const DifferenceCourse &course() const { return m_course; }
     DifferencePlot &plot() const { return *m_plot; }
     /// The largest difference and where it is, or why there is none.
@@ -47,6 +49,8 @@ private:
     void dress();
     void refresh();
     void refreshNow();
+    bool isSeen() const { return isVisible() && !m_isCovered; }
+    void watch();
 
     Session &m_session;
     const Theme &m_theme;
@@ -61,6 +65,7 @@ private:
     RunsMenu *m_runs;
     QElapsedTimer m_sinceRefresh;
     QTimer m_later;
+    bool m_isCovered = false;
 };
 
 }

@@ -21,6 +21,7 @@ DifferencePlot::DifferencePlot(Session &session, const DifferenceCourse &course,
       m_peak(addGraph()), m_name(new QCPItemText(this)), m_cursor(new QCPItemStraightLine(this))
 {
     setObjectName("differencePlot");
+    setPlottingHint(QCP::phImmediateRefresh, false); // in the middle of a change others cannot be painted yet
     setAccessibleName(tr("Distance between the two runs over time"));
     setToolTip(tr("Press or drag to go to a frame"));
     setCursor(Qt::PointingHandCursor);

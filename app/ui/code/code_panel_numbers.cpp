@@ -175,6 +175,15 @@ void CodePanel::hideEvent(QHideEvent *event)
     m_card->hide();
 }
 
+bool CodePanel::event(QEvent *event)
+{
+    if (event->type() == QEvent::WindowDeactivate) { // it would stand over another program
+        m_asked.reset();
+        m_card->hide();
+    }
+    return QWidget::event(event);
+}
+
 void CodePanel::askSymbol(std::size_t row, qsizetype column)
 {
     const CodeRow &its = m_view->rows()[row];

@@ -32,6 +32,8 @@ void CodePanel::showBreakpoints()
 
 void CodePanel::toggleStop(std::size_t row)
 {
+    if (row >= m_view->rows().size())
+        return; // the code has changed since the menu opened
     const CodeSection &section = m_listing.sections[m_view->rows()[row].section];
     const CodePlace place = m_view->placeOf(row);
     if (section.role == CodeSection::Role::scene && !m_session.breakpoints().at(place)) {
@@ -50,6 +52,8 @@ void CodePanel::toggleStop(std::size_t row)
 
 void CodePanel::runTo(std::size_t row)
 {
+    if (row >= m_view->rows().size())
+        return;
     const CodeSection &section = m_listing.sections[m_view->rows()[row].section];
     const std::optional<sim::Cursor> target = runTarget(section, m_session.timeline());
     if (!target) {
@@ -76,7 +80,9 @@ QMenu *CodePanel::menuFor(std::size_t row)
         connect(menu->addAction(tr("Stop here when…")), &QAction::triggered, this, [this, row] {
             const CodePlace place = m_view->placeOf(row);
             if (!m_session.breakpoints().at(place))
-                m_session.breakpoints().toggle(place);
+                toggleStop(row);
+            if (!m_session.breakpoints().at(place))
+                return;
             m_stops->edit(m_session.breakpoints().at(place)->id);
         });
         menu->addSeparator();

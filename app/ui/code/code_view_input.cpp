@@ -231,6 +231,7 @@ void CodeView::focusInEvent(QFocusEvent *event)
 void CodeView::focusOutEvent(QFocusEvent *event)
 {
     QsciScintilla::focusOutEvent(event);
+    emit symbolDropped(); // what the keyboard asked for; the mouse asks again
     viewport()->update();
 }
 

@@ -126,7 +126,7 @@ QString EnergyPanel::unit() const
 
 void EnergyPanel::refresh()
 {
-    if (!isVisible())
+    if (!isSeen())
         return;
     const bool isCounting = !m_course.whyNot() && m_course.last() < m_session.timeline().computed();
     if (!(m_session.isPlaying() || isCounting) || !m_sinceRefresh.isValid() ||
@@ -138,7 +138,7 @@ void EnergyPanel::refresh()
 
 void EnergyPanel::refreshNow()
 {
-    if (!isVisible())
+    if (!isSeen())
         return;
     m_later.stop();
     m_sinceRefresh.start();
@@ -162,18 +162,31 @@ void EnergyPanel::refreshNow()
     m_plot->refresh(lines);
 }
 
+void EnergyPanel::setCovered(bool covered)
+{
+    m_isCovered = covered;
+    watch();
+}
+
+void EnergyPanel::watch()
+{
+    m_course.setWatched(isSeen());
+    if (isSeen())
+        refreshNow();
+    else
+        m_later.stop();
+}
+
 void EnergyPanel::showEvent(QShowEvent *event)
 {
     QWidget::showEvent(event);
-    m_course.setWatched(true);
-    refreshNow();
+    watch();
 }
 
 void EnergyPanel::hideEvent(QHideEvent *event)
 {
     QWidget::hideEvent(event);
-    m_course.setWatched(false);
-    m_later.stop();
+    watch();
 }
 
 }

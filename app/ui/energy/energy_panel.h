@@ -29,6 +29,8 @@ public:
     enum View { energy, momentum };
     void setView(View view);
     View view() const { return m_view; }
+    /// While another tab covers it, it counts and draws nothing.
+    void setCovered(bool covered);
     /// What is said in place of a ledger; empty where there is one.
     QString reason() const;
     const std::vector<EnergyLine> &lines() const;
@@ -48,6 +50,8 @@ private:
     QWidget *ledger();
     void refresh();
     void refreshNow();
+    bool isSeen() const { return isVisible() && !m_isCovered; }
+    void watch();
     QString unit() const;
 
     Session &m_session;
@@ -64,6 +68,7 @@ private:
     std::vector<QToolButton *> m_tabs;
     QElapsedTimer m_sinceRefresh;
     QTimer m_later;
+    bool m_isCovered = false;
 };
 
 }

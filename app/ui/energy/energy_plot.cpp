@@ -28,6 +28,7 @@ EnergyPlot::EnergyPlot(Session &session, const EnergyCourse &course, const Theme
       m_cursor(new QCPItemStraightLine(this))
 {
     setObjectName("energyPlot");
+    setPlottingHint(QCP::phImmediateRefresh, false); // in the middle of a change others cannot be painted yet
     setAccessibleName(tr("Energy over the last frames"));
     setToolTip(tr("Press or drag to go to a frame"));
     setCursor(Qt::PointingHandCursor);

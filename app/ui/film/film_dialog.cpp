@@ -3,10 +3,11 @@
 #include "app/model/refusal.h"
 #include "app/model/sentences.h"
 #include "app/model/words.h"
+#include "app/ui/panels/ask_file.h"
 
 #include <QComboBox>
 #include <QDir>
-#include <QFileDialog>
+#include <QFileInfo>
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -34,6 +35,15 @@ QString folder()
 {
     const QString pictures = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
     return QDir(pictures).exists() ? pictures : QDir::homePath();
+}
+
+/// The name, or with a number what no file has yet: a film that was made before stays.
+QString freeName(const QString &name, const QString &ending)
+{
+    QString free = name + ending;
+    for (int i = 2; QFileInfo::exists(free); ++i)
+        free = QStringLiteral("%1_%2%3").arg(name, QString::number(i), ending);
+    return free;
 }
 
 }
@@ -168,7 +178,7 @@ void FilmDialog::offer()
     if (!isMaking()) {
         m_from->setValue(0);
         m_to->setValue(static_cast<int>(m_session.experiment().frames));
-        const QString suggestion = folder() + '/' + m_session.step().id + ".gif";
+        const QString suggestion = freeName(folder() + '/' + m_session.step().id, ".gif");
         if (m_file->text() == m_suggested)
             m_file->setText(suggestion);
         m_suggested = suggestion;
@@ -182,9 +192,8 @@ void FilmDialog::offer()
 
 void FilmDialog::choose()
 {
-    const QString path = QFileDialog::getSaveFileName(this, tr("Film of the run"), m_file->text(),
-                                                      tr("Films (*.gif);;Pictures of each frame (*.png)"),
-                                                      nullptr, QFileDialog::DontConfirmOverwrite);
+    const QString path = askWhereToSave(this, tr("Film of the run"), m_file->text(),
+                                        tr("Films (*.gif);;Pictures of each frame (*.png)"));
     if (path.endsWith(".png", Qt::CaseInsensitive) && !path.contains('%'))
         m_file->setText(path.chopped(4) + "_%04d.png");
     else if (!path.isEmpty())

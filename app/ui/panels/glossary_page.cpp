@@ -4,6 +4,7 @@
 
 #include <QLabel>
 #include <QLineEdit>
+#include <QRegularExpression>
 #include <QScrollBar>
 #include <QTextBrowser>
 #include <QVBoxLayout>
@@ -13,6 +14,13 @@ namespace app {
 namespace {
 
 constexpr int margin = 24;
+
+/// Whatever was typed, as Markdown that shows it as it is.
+QString asText(QString typed)
+{
+    static const QRegularExpression mark(QStringLiteral("([\\\\`*_{}\\[\\]()<>#+\\-.!|~&])"));
+    return typed.replace(mark, QStringLiteral("\\\\1"));
+}
 
 }
 
@@ -74,7 +82,7 @@ void GlossaryPage::refresh()
                    .arg(one->term.name, one->term.text, one->where,
                         stepLink(one->lesson, one->step).toString());
     if (all.isEmpty())
-        all << tr("No word is found for “%1”. Try a part of it.").arg(m_search->text().toHtmlEscaped());
+        all << tr("No word is found for “%1”. Try a part of it.").arg(asText(m_search->text()));
     const Tokens &tokens = m_theme.tokens();
     setProse(*m_list->document(), all.join(QStringLiteral("\n\n")), {13, 20, 8, tokens.ink2, tokens.ink},
              m_theme);

@@ -47,7 +47,8 @@ void LessonList::showOpen()
     if (openLessonHeight() <= viewport()->height()) {
         scrollTo(m_model->index(m_model->rowCount(lesson) - 1, 0, lesson));
         scrollTo(lesson);
-    } else {
+    } else { // with the lesson's own name, if the open step is near enough to it
+        scrollTo(lesson, QAbstractItemView::PositionAtTop);
         scrollTo(m_model->openRow());
     }
 }

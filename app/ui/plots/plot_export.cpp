@@ -1,12 +1,12 @@
 #include "app/ui/plots/plot_export.h"
 
 #include "app/model/words.h"
+#include "app/ui/panels/ask_file.h"
 
 #include "app/ui/theme/custom_plot.h"
 
 #include <QAction>
 #include <QClipboard>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QMenu>
@@ -176,16 +176,16 @@ void PlotExport::copyPicture()
 
 void PlotExport::askPicture()
 {
-    const QString path = QFileDialog::getSaveFileName(
-        window(), tr("Save the picture"), m_picture().fileName + ".png", tr("Pictures (*.png *.svg *.pdf)"));
+    const QString path = askWhereToSave(window(), tr("Save the picture"), m_picture().fileName + ".png",
+                                        tr("Pictures (*.png *.svg *.pdf)"));
     if (!path.isEmpty())
         savePicture(path);
 }
 
 void PlotExport::askNumbers()
 {
-    const QString path = QFileDialog::getSaveFileName(window(), tr("Save the numbers"),
-                                                      m_picture().fileName + ".csv", tr("Tables (*.csv)"));
+    const QString path =
+        askWhereToSave(window(), tr("Save the numbers"), m_picture().fileName + ".csv", tr("Tables (*.csv)"));
     if (!path.isEmpty())
         saveNumbers(path);
 }

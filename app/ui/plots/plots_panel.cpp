@@ -207,9 +207,7 @@ void PlotsPanel::removeCard(PlotCard &card)
     // Its own card goes, so that the others keep what they show and the focus.
     const bool hadFocus = card.isAncestorOf(focusWidget()) || card.plot().hasFocus();
     m_cards.erase(m_cards.begin() + static_cast<std::ptrdiff_t>(index));
-    m_column->removeWidget(&card);
-    card.hide();
-    card.deleteLater();
+    letGo(card);
     m_list.remove(index);
     if (!hadFocus)
         return;
@@ -217,6 +215,15 @@ void PlotsPanel::removeCard(PlotCard &card)
         m_add->setFocus(Qt::OtherFocusReason);
     else
         m_cards[std::min(index, m_cards.size() - 1)]->plot().setFocus(Qt::OtherFocusReason);
+}
+
+void PlotsPanel::letGo(PlotCard &card)
+{
+    if (NumberTable *writing = card.exports().table())
+        writing->cancel(); // it would go with the card, and nobody would hear of it
+    m_column->removeWidget(&card);
+    card.hide();
+    card.deleteLater();
 }
 
 QSize PlotsPanel::sizeHint() const
@@ -230,9 +237,9 @@ void PlotsPanel::rebuild()
     while (m_cards.size() < m_list.plots().size())
         m_cards.push_back(makeCard());
     while (m_cards.size() > m_list.plots().size()) {
-        m_cards.back()->hide();
-        m_cards.back()->deleteLater();
+        PlotCard *last = m_cards.back();
         m_cards.pop_back();
+        letGo(*last);
     }
     for (std::size_t i = 0; i < m_cards.size(); ++i)
         m_cards[i]->setSpec(m_list.plots()[i]);

@@ -67,6 +67,8 @@ private:
     void rebuild();
     PlotCard *makeCard();
     void removeCard(PlotCard &card);
+    /// Takes it away, and leaves off what it is writing.
+    void letGo(PlotCard &card);
     std::size_t indexOf(const PlotCard &card) const;
     void refreshSoon();
     void watch();

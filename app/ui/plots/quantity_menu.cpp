@@ -26,6 +26,7 @@ QAction *QuantityMenu::addChoice(QMenu &menu, const QString &text, const Quantit
 
 void QuantityMenu::fill()
 {
+    qDeleteAll(findChildren<QMenu *>(QString(), Qt::FindDirectChildrenOnly)); // clear() leaves them
     clear();
     const Quantity current = m_current();
     if (m_axis == Axis::across) {

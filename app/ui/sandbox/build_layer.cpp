@@ -55,8 +55,8 @@ void drawBox(const Canvas &canvas, const QRectF &box)
 void BuildLayer::draw(const Canvas &canvas) const
 {
     const Workbench &bench = *m_marks.bench;
-    if (!bench.isOpen() || std::size_t(canvas.shown.points()) != bench.plan().points.size())
-        return;
+    if (!bench.isUpToDate() || std::size_t(canvas.shown.points()) != bench.plan().points.size())
+        return; // it may be painted before all have heard of a change
     QPainter &p = canvas.painter;
     p.setBrush(Qt::NoBrush);
     drawBands(canvas, bench.plan().springs, bench.chosen().springs);

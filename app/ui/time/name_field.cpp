@@ -1,8 +1,12 @@
 #include "app/ui/time/name_field.h"
 
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QScreen>
+
+#include <algorithm>
 
 namespace app {
 
@@ -39,7 +43,10 @@ NameField::NameField(const QString &name, const Theme &theme, QWidget *parent)
 void NameField::popupAt(const QPoint &place)
 {
     adjustSize();
-    move(place);
+    const QScreen *screen = QGuiApplication::screenAt(place);
+    const QRect room = (screen ? screen : QGuiApplication::primaryScreen())->availableGeometry();
+    move(std::clamp(place.x(), room.left(), std::max(room.left(), room.right() - width())),
+         std::clamp(place.y(), room.top(), std::max(room.top(), room.bottom() - height())));
     show();
     m_edit->selectAll();
     m_edit->setFocus(Qt::PopupFocusReason);

@@ -16,7 +16,7 @@ class NameField : public QFrame
 public:
     NameField(const QString &name, const Theme &theme, QWidget *parent);
 
-    /// Shows it there, on the screen, with the whole name chosen.
+    /// Shows it there on the screen, or as near as it fits, with the whole name chosen.
     void popupAt(const QPoint &place);
 
 signals:

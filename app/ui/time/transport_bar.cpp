@@ -57,6 +57,7 @@ TransportBar::TransportBar(Session &session, const Theme &theme, QWidget *parent
     addAction(m_goToFrame);
     connect(m_goToFrame, &QAction::triggered, this, &TransportBar::editFrame);
     connect(m_cancel, &QShortcut::activated, &session, &Session::stopGoing);
+    connect(m_cancel, &QShortcut::activatedAmbiguously, &session, &Session::stopGoing);
     connect(m_frame, &FrameCounter::asked, this, [this](std::int64_t frame) { m_session.runTo({frame, 0}); });
     connect(m_frame, &FrameCounter::refused, &session, &Session::said);
     connect(m_frame, &FrameCounter::resized, this, &TransportBar::fit);

@@ -18,8 +18,6 @@
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QMenu>
-#include <QSettings>
-#include <QTextEdit>
 
 namespace app {
 
@@ -123,7 +121,12 @@ void MainWindow::makeTimeActions()
     add(tr("Faste&r"), {QKeySequence("+"), QKeySequence("=")}, group, [this] { m_transport->faster(); });
     m_run->addSeparator();
     add(tr("Start the step &afresh"), {QKeySequence("Ctrl+R")}, group, [this] { m_session.startAfresh(); });
-    add(tr("Forget the &old run"), {QKeySequence("Ctrl+D")}, group, [this] { m_session.forgetGhost(); });
+    QAction *forget =
+        add(tr("Forget the &old run"), {QKeySequence("Ctrl+D")}, group, [this] { m_session.forgetGhost(); });
+    const auto follow = [this, forget] { forget->setEnabled(m_session.beside()); };
+    connect(&m_session, &Session::stepOpened, forget, follow);
+    connect(&m_session, &Session::runChanged, forget, follow);
+    follow();
     makeBranchActions();
     m_run->addSeparator();
     const QString steps = tr("Steps");

@@ -150,8 +150,12 @@ void MainWindow::makeFocusActions()
     QAction *full = action(tr("F&ull screen"), {QKeySequence("Shift+F11")}, tr("Window"));
     full->setCheckable(true);
     m_view->addAction(full);
-    connect(full, &QAction::triggered, this, [this](bool on) {
-        setWindowState(on ? windowState() | Qt::WindowFullScreen : windowState() & ~Qt::WindowFullScreen);
+    // The window may have been left so at the last start, and others than this action can change it.
+    const auto follow = [this, full] { full->setChecked(isFullScreen()); };
+    connect(m_view, &QMenu::aboutToShow, full, follow);
+    connect(full, &QAction::triggered, this, [this, follow] {
+        setWindowState(windowState() ^ Qt::WindowFullScreen);
+        follow();
     });
 }
 

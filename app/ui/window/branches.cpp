@@ -18,6 +18,8 @@ void MainWindow::makeBranchesDock()
     m_branchesDock = dock("branches", new QWidget(this), m_branches, Qt::BottomDockWidgetArea);
     m_branchesDock->setWindowTitle(tr("Two runs")); // its tab, where docks are tabs
     m_branchesDock->hide();
+    connect(m_branchesDock, &QDockWidget::visibilityChanged, m_branches,
+            [branches = m_branches](bool seen) { branches->setCovered(!seen); });
     tabifyDockWidget(m_energyDock, m_branchesDock);
     const auto compare = [this] { showBranches(true); };
     connect(&m_transport->runs(), &RunsMenu::compareWanted, this, compare);

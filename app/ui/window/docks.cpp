@@ -42,6 +42,8 @@ void MainWindow::makeDocks(CostFunction cost)
     m_energyDock = dock("energy", new QWidget(this), m_energy, Qt::BottomDockWidgetArea);
     m_energyDock->setWindowTitle(tr("Energy"));
     m_energyDock->hide();
+    connect(m_energyDock, &QDockWidget::visibilityChanged, m_energy,
+            [energy = m_energy](bool seen) { energy->setCovered(!seen); });
     m_effects = new EffectsPanel(m_session, m_theme, std::move(cost), this);
     m_effectsDock = dock("effects", new QWidget(this), m_effects, Qt::BottomDockWidgetArea);
     m_effectsDock->setWindowTitle(tr("Effects"));

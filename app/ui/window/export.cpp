@@ -2,11 +2,11 @@
 
 #include "app/ui/film/film_dialog.h"
 #include "app/ui/film/picture_file.h"
+#include "app/ui/panels/ask_file.h"
 #include "app/ui/window/main_window.h"
 
 #include <QAction>
 #include <QClipboard>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QMenu>
@@ -38,8 +38,8 @@ void MainWindow::copyPicture()
 void MainWindow::askPicture()
 {
     const QString suggestion = m_session.step().id + ".png";
-    const QString path = QFileDialog::getSaveFileName(this, tr("Picture of the scene"), suggestion,
-                                                      tr("Pictures (*.png *.svg)"));
+    const QString path =
+        askWhereToSave(this, tr("Picture of the scene"), suggestion, tr("Pictures (*.png *.svg)"));
     if (!path.isEmpty())
         savePictureAs(path);
 }

@@ -4,13 +4,13 @@
 #include "app/model/experiment_line.h"
 #include "app/model/recent_files.h"
 #include "app/model/sentences.h"
+#include "app/ui/panels/ask_file.h"
 #include "app/ui/window/main_window.h"
 #include "app/ui/window/notice.h"
 
 #include <QClipboard>
 #include <QCloseEvent>
 #include <QDropEvent>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QMessageBox>
@@ -105,8 +105,8 @@ void MainWindow::unlessLost(const std::function<void()> &deed)
 
 void MainWindow::askOpen()
 {
-    const QString path = QFileDialog::getOpenFileName(this, tr("Open an experiment"), m_document->path(),
-                                                      tr("Experiments (*.json)"));
+    const QString path =
+        askWhatToOpen(this, tr("Open an experiment"), m_document->path(), tr("Experiments (*.json)"));
     if (!path.isEmpty())
         unlessLost([this, path] { openFile(path); });
 }
@@ -116,7 +116,7 @@ bool MainWindow::askSave()
     const QString path = m_document->path();
     const QString suggestion = path.isEmpty() ? m_session.step().id + ".json" : path;
     const QString chosen =
-        QFileDialog::getSaveFileName(this, tr("Save the experiment"), suggestion, tr("Experiments (*.json)"));
+        askWhereToSave(this, tr("Save the experiment"), suggestion, tr("Experiments (*.json)"));
     return !chosen.isEmpty() && saveFile(chosen);
 }
 

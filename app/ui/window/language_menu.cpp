@@ -33,8 +33,7 @@ void MainWindow::makeLanguageMenu()
 void MainWindow::chooseLanguage(const QString &code)
 {
     QSettings().setValue("window/language", code);
-    m_said = tr("Springstep speaks %1 from its next start on.").arg(Language::nameOf(Language::chosen(code)));
-    showStatus();
+    say(tr("Springstep speaks %1 from its next start on.").arg(Language::nameOf(Language::chosen(code))));
 }
 
 }

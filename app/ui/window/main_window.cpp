@@ -30,7 +30,8 @@ namespace app {
 
 namespace {
 
-constexpr int wide = 1600; ///< px, from here on the docks are broader
+constexpr int wide = 1600;             ///< px, from here on the docks are broader
+constexpr int readMilliseconds = 4000; ///< that a sentence takes to be read
 
 }
 
@@ -105,13 +106,34 @@ void MainWindow::makeStatus()
     statusBar()->setSizeGripEnabled(false);
     statusBar()->setFixedHeight(28);
     statusBar()->addPermanentWidget(m_gauge);
-    connect(&m_session, &Session::moved, this, &MainWindow::showStatus);
-    connect(&m_session, &Session::playingChanged, this, &MainWindow::showStatus);
-    connect(&m_session, &Session::said, this, [this](const QString &sentence) {
-        m_said = sentence;
-        showStatus();
+    m_saidLong.setSingleShot(true);
+    m_saidLong.setInterval(readMilliseconds);
+    connect(&m_saidLong, &QTimer::timeout, this, &MainWindow::followRun);
+    connect(&m_session, &Session::moved, this, &MainWindow::followRun);
+    connect(&m_session, &Session::playingChanged, this, &MainWindow::followRun);
+    connect(&m_session, &Session::runChanged, this, [this] {
+        if (!m_session.isPlaying())
+            m_said.clear(); // it was about what was done before
     });
+    connect(&m_session, &Session::said, this, &MainWindow::say);
     connect(&m_session, &Session::stepOpened, this, [this] { m_said.clear(); });
+    showStatus();
+}
+
+void MainWindow::say(const QString &sentence)
+{
+    m_said = sentence;
+    m_saidAt = m_session.timeline().at();
+    m_saidLong.start();
+    showStatus();
+}
+
+/// A sentence stays until the learner goes on, and while the run plays until there was time to read it.
+void MainWindow::followRun()
+{
+    const bool isElsewhere = m_session.timeline().at() != m_saidAt;
+    if (m_session.isPlaying() ? !m_saidLong.isActive() : isElsewhere)
+        m_said.clear();
     showStatus();
 }
 
@@ -122,7 +144,6 @@ void MainWindow::showStatus()
     QString text;
     if (!m_said.isEmpty()) {
         text = m_said.toHtmlEscaped();
-        m_said.clear();
     } else if (m_session.stoppedBy() && !m_session.isPlaying()) {
         text = m_session.stoppedBy()->sentence.toHtmlEscaped();
     } else if (m_session.isResting()) {

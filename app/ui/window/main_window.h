@@ -8,6 +8,7 @@
 #include "app/ui/theme/theme.h"
 
 #include <QMainWindow>
+#include <QTimer>
 
 #include <functional>
 #include <memory>
@@ -144,6 +145,8 @@ private:
     void makePlotsAction();
     void arrangePlots();
     bool hasRoomForPlots() const;
+    void say(const QString &sentence);
+    void followRun();
     void showStatus();
     void showHelp();
     void makeDocument();
@@ -248,7 +251,9 @@ private:
     QDockWidget *m_stabilityDock = nullptr;
     QDockWidget *m_replaced = nullptr; ///< what stands aside while stability is shown
     QLabel *m_status = nullptr;
-    QString m_said;
+    QString m_said; ///< a sentence that is still to be read; empty: the status bar tells how the run stands
+    sim::Cursor m_saidAt;      ///< where the run stood then
+    QTimer m_saidLong;         ///< until it was there long enough to be read while the run plays
     bool m_docksKnown = false; ///< docks have the sizes that the learner left or that fit the window
     bool m_gaveWay = false;    ///< panels went away because the screen is too small for them
 };

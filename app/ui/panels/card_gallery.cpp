@@ -1,0 +1,126 @@
+#include "app/ui/panels/card_gallery.h"
+
+#include <QGridLayout>
+#include <QKeyEvent>
+#include <QScreen>
+#include <QToolButton>
+
+#include <algorithm>
+
+namespace app {
+
+namespace {
+
+constexpr int margin = 12;
+constexpr int gap = 4; ///< px between the gallery and what it hangs from
+
+}
+
+CardGallery::CardGallery(QSize picture, int columns, const Theme &theme, QWidget *parent)
+    : QFrame(parent, Qt::Popup), m_picture(picture), m_columns(columns), m_theme(theme),
+      m_grid(new QGridLayout(this))
+{
+    setObjectName("gallery");
+    setAttribute(Qt::WA_StyledBackground);
+    m_grid->setContentsMargins(margin, margin, margin, margin);
+    m_grid->setSpacing(8);
+    connect(&m_later, &QTimer::timeout, this, &CardGallery::paintNext);
+}
+
+void CardGallery::popUp(const QWidget &anchor)
+{
+    fill();
+    adjustSize();
+    const QRect room = anchor.screen()->availableGeometry();
+    const QRect from(anchor.mapToGlobal(QPoint()), anchor.size());
+    const int below = from.bottom() + 1 + gap;
+    const bool fits = below + height() <= room.bottom();
+    const bool isRight = from.center().x() > anchor.window()->geometry().center().x();
+    const int x = isRight ? from.right() + 1 - width() : from.left();
+    move(std::clamp(x, room.left(), std::max(room.left(), room.right() - width())),
+         fits ? below : std::max(room.top(), from.top() - gap - height()));
+    show();
+    if (!m_buttons.empty())
+        m_buttons.front()->setFocus(Qt::PopupFocusReason);
+}
+
+void CardGallery::fill()
+{
+    qDeleteAll(m_buttons);
+    m_buttons.clear();
+    m_cards = entries();
+    for (std::size_t i = 0; i < m_cards.size(); ++i) {
+        m_buttons.push_back(buttonOf(i));
+        const int place = static_cast<int>(i);
+        m_grid->addWidget(m_buttons.back(), place / m_columns, place % m_columns);
+    }
+    m_painted = 0;
+    m_later.start(0);
+}
+
+void CardGallery::paintNext()
+{
+    // One at a time: the gallery is there at once, and can be used before all of it is painted.
+    if (!isVisible() || m_painted >= m_cards.size()) {
+        m_later.stop();
+        return;
+    }
+    const GalleryCard &card = m_cards[m_painted];
+    const QString key = card.key + '/' + QString::number(int(m_theme.scheme()));
+    auto found = m_pictures.find(key);
+    if (found == m_pictures.end())
+        found = m_pictures.emplace(key, card.picture(m_picture)).first;
+    m_buttons[m_painted++]->setIcon(found->second);
+}
+
+QToolButton *CardGallery::buttonOf(std::size_t number)
+{
+    const GalleryCard &card = m_cards[number];
+    auto *button = new QToolButton(this);
+    button->setObjectName("card");
+    button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
+    button->setIconSize(m_picture);
+    QPixmap blank(m_picture);
+    blank.fill(m_theme.tokens().sunk);
+    button->setIcon(blank);
+    button->setText(card.title);
+    button->setFont(m_theme.ui());
+    button->setToolTip(card.tip);
+    button->setAccessibleName(card.title);
+    button->setAccessibleDescription(card.help);
+    button->setFocusPolicy(Qt::StrongFocus);
+    button->setFixedSize(m_picture + QSize(12, 34));
+    button->installEventFilter(this);
+    connect(button, &QToolButton::clicked, this, [this, take = card.take] {
+        close();
+        take();
+    });
+    return button;
+}
+
+bool CardGallery::eventFilter(QObject *watched, QEvent *event)
+{
+    // A button takes arrow keys for the next and the previous one, whatever stands above and below.
+    if (event->type() == QEvent::KeyPress)
+        return goFrom(watched, static_cast<QKeyEvent *>(event)->key());
+    return QFrame::eventFilter(watched, event);
+}
+
+bool CardGallery::goFrom(const QObject *button, int key)
+{
+    int step = 0;
+    if (key == Qt::Key_Right)
+        step = 1;
+    else if (key == Qt::Key_Left)
+        step = -1;
+    else if (key == Qt::Key_Down)
+        step = m_columns;
+    else if (key == Qt::Key_Up)
+        step = -m_columns;
+    const auto to = std::find(m_buttons.begin(), m_buttons.end(), button) - m_buttons.begin() + step;
+    if (to >= 0 && to < static_cast<std::ptrdiff_t>(m_buttons.size()))
+        m_buttons[static_cast<std::size_t>(to)]->setFocus(Qt::TabFocusReason);
+    return step != 0;
+}
+
+}

@@ -1,0 +1,116 @@
+// What is saved and copied of plots.
+
+#include "plots_panel_bench.h"
+
+#include <QClipboard>
+#include <QDir>
+#include <QPainter>
+#include <QPushButton>
+#include <QSvgRenderer>
+
+using namespace app;
+using plots_panel_bench::Bench;
+
+class PlotExportTest : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { prepareProgram(); }
+
+    void picturesAreSavedInEachForm_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QByteArray>("begins");
+        QTest::newRow("PNG") << "a.png" << QByteArray("\x89PNG");
+        QTest::newRow("SVG") << "a.svg" << QByteArray("<?xml");
+        QTest::newRow("PDF") << "a.PDF" << QByteArray("%PDF");
+        QTest::newRow("none") << "a" << QByteArray("\x89PNG");
+    }
+
+    void picturesAreSavedInEachForm()
+    {
+        QFETCH(QString, name);
+        QFETCH(QByteArray, begins);
+        Bench bench;
+        bench.goTo(60);
+        const QTemporaryDir folder;
+        PlotExport &exports = bench.panel->cards()[0]->exports();
+        QSignalSpy said(bench.panel.operator->(), &PlotsPanel::said);
+        QVERIFY(exports.savePicture(folder.filePath(name)));
+        QCOMPARE(said.size(), 1);
+        const QStringList files = QDir(folder.path()).entryList(QDir::Files);
+        QCOMPARE(files.size(), 1);
+        QFile file(folder.filePath(files.front()));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray bytes = file.readAll();
+        QVERIFY(bytes.startsWith(begins));
+        QVERIFY(bytes.size() > 2000);
+        if (name != "a.svg")
+            return;
+        QSvgRenderer renderer(bytes);
+        QVERIFY(renderer.isValid());
+        QImage image(renderer.defaultSize(), QImage::Format_RGB32);
+        QPainter painter(&image);
+        renderer.render(&painter);
+        painter.end();
+        QVERIFY(bench.pixels(bench.world.theme.tokens().now, image) > 20);
+    }
+
+    void aPictureThatCannotBeWrittenIsSaidInASentence()
+    {
+        Bench bench;
+        bench.goTo(10);
+        QSignalSpy failed(bench.panel.operator->(), &PlotsPanel::failed);
+        QVERIFY(!bench.panel->cards()[0]->exports().savePicture("/no/such/folder/a.png"));
+        QCOMPARE(failed.size(), 1);
+        QVERIFY(failed[0][0].toString().startsWith("The picture was not saved as \"a.png\""));
+    }
+
+    void aPictureIsCopied()
+    {
+        Bench bench;
+        bench.goTo(60);
+        QGuiApplication::clipboard()->clear();
+        bench.panel->cards()[0]->exports().copyPicture();
+        QVERIFY(QGuiApplication::clipboard()->image().width() >= 2 * bench.plot().width());
+    }
+
+    void numbersAreSavedWithTheirUnits()
+    {
+        Bench bench;
+        bench.panel->add({{Measured::velocityY}, {Measured::placeY}});
+        bench.goTo(50);
+        const QTemporaryDir folder;
+        QSignalSpy said(bench.panel.operator->(), &PlotsPanel::said);
+        bench.panel->cards()[1]->exports().saveNumbers(folder.filePath("a.csv"));
+        QTRY_COMPARE(said.size(), 1);
+        QFile file(folder.filePath("a.csv"));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QStringList lines = QString::fromUtf8(file.readAll()).trimmed().split('\n');
+        QCOMPARE(lines.size(), 52);
+        QCOMPARE(lines[0], QString("\"frame\",\"y(foot) [px]\",\"velocity_y(foot) [px/frame]\""));
+        const sim::State state = bench.session().timeline().track().stateAt(50);
+        QCOMPARE(lines[51].split(',')[1].toDouble(), state.at(0).y);
+        QCOMPARE(lines[51].split(',')[2].toDouble(), state.speed(0).y);
+    }
+
+    void aPlotThatGoesLeavesOffWhatItWrites()
+    {
+        Bench bench;
+        bench.goTo(400'000); // so that they are not written at once
+        const QTemporaryDir folder;
+        QSignalSpy said(bench.panel.operator->(), &PlotsPanel::said);
+        bench.panel->cards()[0]->exports().saveNumbers(folder.filePath("a.csv"));
+        QPushButton *cancel = bench.panel->findChild<QPushButton *>("measure");
+        QTRY_VERIFY(cancel->isVisible());
+        emit bench.panel->cards()[0]->removalWanted();
+        QTRY_VERIFY(bench.panel->cards().empty());
+        QVERIFY(!cancel->isVisible());
+        QCOMPARE(said.size(), 1);
+        QVERIFY(QDir(folder.path()).isEmpty());
+    }
+};
+
+QTEST_MAIN(PlotExportTest)
+#include "tst_plot_export.moc"
