@@ -163,6 +163,13 @@ void paintTimeline(QPainter &painter, const TimelineAxis &axis, const RunView &v
     paintHead(painter, x, theme.tokens());
 }
 
+void paintPointed(QPainter &painter, const TimelineAxis &axis, std::int64_t frame, const Theme &theme)
+{
+    const double x = std::min(std::floor(axis.xOf(frame)), axis.right() - 1) + 0.5;
+    painter.setPen(QPen(theme.tokens().ink3, 1.0));
+    painter.drawLine(QPointF(x, Places::track - 9.0), QPointF(x, Places::track + 9.0));
+}
+
 QRectF oldRunArea(const TimelineAxis &axis, const OldRun &old, const Theme &theme)
 {
     const OldRunPlace place = placeOf(axis, old, theme);

@@ -62,6 +62,9 @@ struct TimelinePlaces
 /// Tick labels, track, old run, fan and head; not the phase strip.
 void paintTimeline(QPainter &painter, const TimelineAxis &axis, const RunView &view, const Theme &theme);
 
+/// A thin line through the track, at a frame that the mouse is at.
+void paintPointed(QPainter &painter, const TimelineAxis &axis, std::int64_t frame, const Theme &theme);
+
 /// Where the old run's dots and name are.
 QRectF oldRunArea(const TimelineAxis &axis, const OldRun &old, const Theme &theme);
 /// Where the mark of a fork can be pressed: under the track, so that it keeps nobody from scrubbing.

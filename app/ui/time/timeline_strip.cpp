@@ -128,6 +128,8 @@ void TimelineStrip::paintEvent(QPaintEvent *event)
     QPainter painter(this);
     painter.fillRect(event->rect(), m_theme.tokens().panel);
     paintTimeline(painter, m_axis, m_view, m_theme);
+    if (m_pointed)
+        paintPointed(painter, m_axis, *m_pointed, m_theme);
     if (event->region().intersects(stripArea(m_axis).toAlignedRect()))
         m_phases.paint(painter, m_theme, m_view.playing, m_hovered);
     if (hasFocus() && m_byKeyboard) {

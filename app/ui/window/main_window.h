@@ -142,6 +142,8 @@ private:
     void makeBranchActions();
     void makePlots();
     void makePlotsAction();
+    /// Where the mouse is in a plot, or on the timeline, is marked in all of them.
+    void joinCursors();
     void arrangePlots();
     bool hasRoomForPlots() const;
     void showStatus();
