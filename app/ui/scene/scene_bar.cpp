@@ -241,6 +241,7 @@ void SceneBar::fillShow()
                            Item{"onion", tr("Onion skins"), &Extras::onion},
                            Item{"reference", tr("Reference"), &Extras::reference},
                            Item{"pulls", tr("Pulls of all forces"), &Extras::pulls},
+                           Item{"rests", tr("Rest lengths"), &Extras::rests},
                            Item{"ruler", tr("Ruler"), &Extras::ruler},
                            Item{"clock", tr("Clock"), &Extras::clock}};
     auto *menu = new QMenu(m_show);
