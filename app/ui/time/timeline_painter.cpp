@@ -149,7 +149,8 @@ void paintHead(QPainter &painter, double x, const Tokens &t)
 
 }
 
-void paintTimeline(QPainter &painter, const TimelineAxis &axis, const RunView &view, const Theme &theme)
+void paintTimeline(QPainter &painter, const TimelineAxis &axis, const RunView &view, const Theme &theme,
+                   Below below)
 {
     painter.setRenderHint(QPainter::Antialiasing);
     paintTicks(painter, axis, theme);
@@ -159,7 +160,8 @@ void paintTimeline(QPainter &painter, const TimelineAxis &axis, const RunView &v
     if (view.old)
         paintOldRun(painter, axis, *view.old, theme);
     const double x = axis.xOf(view.at);
-    paintFan(painter, axis, x, view.playing, theme.tokens());
+    if (below == Below::fan)
+        paintFan(painter, axis, x, view.playing, theme.tokens());
     paintHead(painter, x, theme.tokens());
 }
 

@@ -20,6 +20,11 @@ public:
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
+    /// What of it is shown: all, or the run in time alone, as high as a row of buttons.
+    enum class Form { whole, trackOnly };
+    void setForm(Form form);
+    Form form() const { return m_form; }
+
     const TimelineAxis &axis() const { return m_axis; }
     const PhaseStrip &phases() const { return m_phases; }
     /// "Frame 41, after gravity, 2 of 5 phases done".
@@ -85,6 +90,7 @@ private:
     std::shared_ptr<const sim::Segment> m_segment; ///< whose phases are shown
     int m_hovered = -1;                            ///< the phase that the mouse is on
     std::optional<std::int64_t> m_pointed;         ///< the frame that it is on
+    Form m_form = Form::whole;
     int m_wheel = 0; ///< what is left of a notch
     bool m_scrubbing = false;
     bool m_byKeyboard = false; ///< whether focus came with the keyboard, and shows
