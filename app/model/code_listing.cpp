@@ -1,5 +1,6 @@
 #include "app/model/code_listing.h"
 
+#include "app/model/code_lines.h"
 #include "app/model/sentences.h"
 #include "sim/error.h"
 #include "sim/methods/methods.h"
@@ -10,7 +11,6 @@
 #include <QSet>
 
 #include <algorithm>
-#include <utility>
 
 namespace app {
 
@@ -20,13 +20,6 @@ struct Text
 {
     Q_DECLARE_TR_FUNCTIONS(CodeListing)
 };
-
-using Place = std::pair<QString, int>; ///< file and line number
-
-Place placeOf(const CodeLine &line)
-{
-    return {line.file, line.source.number};
-}
 
 void append(std::vector<CodeLine> &lines, SourceBook &book, const sim::Region &region)
 {
@@ -77,14 +70,13 @@ void appendPhases(CodeListing &listing, SourceBook &book, const sim::Pipeline &p
     }
 }
 
-/// What is compared of a line: its text without regard to spaces; empty for one that says nothing.
+}
+
 QString comparable(const CodeLine &line)
 {
     static const QRegularExpression nothing(QStringLiteral("^[{};\\s)]*$"));
     const QString text = line.source.text.simplified();
     return nothing.match(text).hasMatch() ? QString() : text;
-}
-
 }
 
 QString CodeLine::code() const
@@ -110,7 +102,7 @@ bool CodeSection::has(int phase) const
 
 int CodeListing::newLines() const
 {
-    QSet<Place> places;
+    QSet<CodeLinePlace> places;
     for (const CodeSection &section : sections) {
         for (const CodeLine &line : section.lines) {
             if (line.isNew)
@@ -118,6 +110,14 @@ int CodeListing::newLines() const
         }
     }
     return static_cast<int>(places.size());
+}
+
+int CodeListing::goneLines() const
+{
+    std::size_t count = 0;
+    for (const CodeSection &section : sections)
+        count += section.gone.size();
+    return static_cast<int>(count);
 }
 
 CodeListing listingOf(const lessons::Step &step, const sim::Segment &segment, const sim::Method &method)
@@ -158,7 +158,7 @@ void markNew(CodeListing &listing, const CodeListing &before)
 {
     // A line that runs in several places is one line: it is compared once.
     QHash<QString, int> had;
-    QSet<Place> counted;
+    QSet<CodeLinePlace> counted;
     for (const CodeSection &section : before.sections) {
         for (const CodeLine &line : section.lines) {
             if (counted.contains(placeOf(line)))
@@ -167,7 +167,7 @@ void markNew(CodeListing &listing, const CodeListing &before)
             ++had[comparable(line)];
         }
     }
-    QHash<Place, bool> known;
+    QHash<CodeLinePlace, bool> known;
     for (CodeSection &section : listing.sections) {
         for (CodeLine &line : section.lines) {
             const QString text = comparable(line);

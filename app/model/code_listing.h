@@ -24,6 +24,15 @@ struct CodeLine
     QString code() const;
 };
 
+/// A line that only the step before has, at the place where it was.
+struct GoneLine
+{
+    std::size_t before = 0; ///< it stood before this line of the section; one more than the last: at its end
+    QString text;
+    QString file;
+    friend bool operator==(const GoneLine &, const GoneLine &) = default;
+};
+
 /// The code of one thing that runs.
 struct CodeSection
 {
@@ -37,6 +46,7 @@ struct CodeSection
     sim::Kind kind = sim::Kind::motion;
     std::vector<int> phases; ///< indices into the pipeline's phases; empty for scene and order
     std::vector<CodeLine> lines;
+    std::vector<GoneLine> gone = {}; ///< in order
     friend bool operator==(const CodeSection &, const CodeSection &) = default;
 
     /// The files that the lines are from, each once, in order.
@@ -52,6 +62,8 @@ struct CodeListing
 
     /// Lines that are new; one that runs in several places counts once.
     int newLines() const;
+    /// Lines that are gone.
+    int goneLines() const;
 };
 
 /// The set-up of `step`, then the method's order, then the phases of `segment`. Phases of different groups with the
@@ -64,6 +76,10 @@ std::optional<CodeListing> listingAtStart(const lessons::Step &step, const sim::
 
 /// Marks the lines of `listing` that `before` does not have. Blank lines and lone braces are never new.
 void markNew(CodeListing &listing, const CodeListing &before);
+
+/// Puts the lines that only `before` has to where they were: what one section of it became is the section that has most
+/// of its lines. Blank lines and lone braces are never gone, and one that ran in several places goes once.
+void markGone(CodeListing &listing, const CodeListing &before);
 
 /// The file's name without its folder.
 QString fileName(const QString &file);

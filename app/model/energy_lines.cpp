@@ -86,18 +86,6 @@ QString size(double value)
     return fixedNumber(far, 1);
 }
 
-QString withSign(double value)
-{
-    if (value == 0.0)
-        return QStringLiteral("0");
-    return (value < 0.0 ? QChar(0x2212) : QChar('+')) + size(value);
-}
-
-QString plain(double value)
-{
-    return (value < 0.0 ? QString(QChar(0x2212)) : QString()) + size(value);
-}
-
 /// 0 for what is only rounding.
 double cleaned(double value, double scale)
 {
@@ -112,7 +100,7 @@ EnergyLine held(const char *id, const QString &title, const QString &help, sim::
     line.help = help;
     line.kind = kind;
     line.amount = amount;
-    line.number = plain(amount);
+    line.number = energyNumber(amount);
     return line;
 }
 
@@ -175,7 +163,7 @@ std::vector<EnergyLine> EnergyLines::energyAt(std::int64_t frame) const
             continue;
         EnergyLine line = brought(account);
         line.amount = cleaned(balance->energy[account], m_scale);
-        line.number = withSign(line.amount);
+        line.number = signedEnergyNumber(line.amount);
         if (line.role == EnergyRole::drift) {
             line.doubt = balance->doubt;
             if (line.doubt > 0.05 * std::abs(line.amount) && line.doubt > 1e-9 * m_scale)
@@ -212,13 +200,25 @@ std::vector<EnergyLine> EnergyLines::momentumAt(std::int64_t frame) const
         if (!m_hasMomentum[account])
             continue;
         lines.push_back(brought(account));
-        put(lines.back(), balance->momentum[account], withSign);
+        put(lines.back(), balance->momentum[account], signedEnergyNumber);
     }
     lines.push_back(held("momentum", Text::tr("In what moves"),
                          Text::tr("Mass × velocity, added up over all points: to the right, and down"),
                          sim::Kind::motion, 0.0));
-    put(lines.back(), balance->after.momentum, plain);
+    put(lines.back(), balance->after.momentum, energyNumber);
     return lines;
+}
+
+QString energyNumber(double value)
+{
+    return (value < 0.0 ? QString(QChar(0x2212)) : QString()) + size(value);
+}
+
+QString signedEnergyNumber(double value)
+{
+    if (value == 0.0)
+        return QStringLiteral("0");
+    return (value < 0.0 ? QChar(0x2212) : QChar('+')) + size(value);
 }
 
 QString noEnergyWords(sim::NoEnergy why)

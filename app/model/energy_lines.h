@@ -59,6 +59,10 @@ private:
     sim::Accounts<bool> m_hasMomentum;
 };
 
+/// A number as the lines write it: "22.5", "−0.4".
+QString energyNumber(double value);
+/// The same of what was brought or taken: "+125.7", "−0.4".
+QString signedEnergyNumber(double value);
 /// Why there is no ledger, and what would have one.
 QString noEnergyWords(sim::NoEnergy why);
 /// The unit of energies, "px²/frame²"; where things turn "degrees²/frame²".

@@ -1,12 +1,12 @@
 #include "app/model/number_table.h"
 
+#include "app/model/csv_text.h"
 #include "app/model/words.h"
 #include "sim/error.h"
 
 #include <QElapsedTimer>
 #include <QFileInfo>
 
-#include <charconv>
 #include <cmath>
 
 namespace app {
@@ -16,22 +16,6 @@ namespace {
 constexpr qint64 sliceMilliseconds = 8;
 constexpr std::size_t memory = std::size_t{1} << 20; ///< of kept states: nobody goes back
 constexpr qsizetype mostText = qsizetype{1} << 18;   ///< bytes that wait to be written
-
-/// In the fewest digits, 17 at most, that are read back as the same number.
-void appendNumber(QByteArray &text, double value)
-{
-    if (!std::isfinite(value))
-        return; // an empty field
-    char digits[32];
-    const auto [end, error] = std::to_chars(digits, digits + sizeof digits, value);
-    text.append(digits, end - digits);
-}
-
-/// A field that holds any text.
-QByteArray quotedField(QString text)
-{
-    return '"' + text.replace('"', "\"\"").toUtf8() + '"';
-}
 
 }
 

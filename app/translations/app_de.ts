@@ -1449,6 +1449,10 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <source>mass × px/frame</source>
         <translation>Masse × px/Bild</translation>
     </message>
+    <message>
+        <source>frame</source>
+        <translation>Bild</translation>
+    </message>
 </context>
 <context>
     <name>Experiment</name>
@@ -2388,6 +2392,10 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <source>sum of all pulls</source>
         <translation>Summe aller Züge</translation>
     </message>
+    <message>
+        <source>length at rest</source>
+        <translation>Länge in Ruhe</translation>
+    </message>
 </context>
 <context>
     <name>Sentences</name>
@@ -3128,6 +3136,26 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <source>Copy all that is shown</source>
         <translation>Alles Gezeigte kopieren</translation>
     </message>
+    <message>
+        <source>Lines that only the step before has. Click to see them struck through where they were, or no longer (F8 in the code).</source>
+        <translation>Zeilen, die nur der Schritt davor hat. Ein Klick zeigt sie durchgestrichen, wo sie standen, oder nicht mehr (F8 im Code).</translation>
+    </message>
+    <message>
+        <source>%1 gone</source>
+        <translation>%1 weg</translation>
+    </message>
+    <message>
+        <source>1 line gone</source>
+        <translation>1 Zeile weg</translation>
+    </message>
+    <message>
+        <source>%1 lines gone</source>
+        <translation>%1 Zeilen weg</translation>
+    </message>
+    <message>
+        <source>Every line of the step before is still here.</source>
+        <translation>Jede Zeile des Schritts davor ist noch da.</translation>
+    </message>
 </context>
 <context>
     <name>app::CodeView</name>
@@ -3157,16 +3185,16 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <source>New in this step. %1</source>
         <translation>Neu in diesem Schritt. %1</translation>
     </message>
+    <message>
+        <source>The step before has this line; here it is gone.</source>
+        <translation>Der Schritt davor hat diese Zeile; hier ist sie weg.</translation>
+    </message>
 </context>
 <context>
     <name>app::DifferencePlot</name>
     <message>
         <source>Distance between the two runs over time</source>
         <translation>Abstand der zwei Läufe über der Zeit</translation>
-    </message>
-    <message>
-        <source>Press or drag to go to a frame</source>
-        <translation>Drücken oder Ziehen führt zu einem Bild</translation>
     </message>
     <message>
         <source>px apart</source>
@@ -3179,6 +3207,14 @@ Klick klappt ein oder aus (Eingabe)</translation>
     <message>
         <source>%1&#x2009;px</source>
         <translation>%1&#x2009;px</translation>
+    </message>
+    <message>
+        <source>frame %1: %2&#x2009;px apart</source>
+        <translation>Bild %1: %2 px auseinander</translation>
+    </message>
+    <message>
+        <source>%1: %2&#x2009;px at frame %3</source>
+        <translation>%1: %2 px in Bild %3</translation>
     </message>
 </context>
 <context>
@@ -3318,10 +3354,6 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <translation>Energie über die letzten Bilder</translation>
     </message>
     <message>
-        <source>Press or drag to go to a frame</source>
-        <translation>Drücken oder Ziehen führt zu einem Bild</translation>
-    </message>
-    <message>
         <source>Momentum over the last frames</source>
         <translation>Impuls über die letzten Bilder</translation>
     </message>
@@ -3344,6 +3376,30 @@ Klick klappt ein oder aus (Eingabe)</translation>
     <message>
         <source>momentum</source>
         <translation>Impuls</translation>
+    </message>
+    <message>
+        <source>A press or a drag goes to a frame, and the arrow keys go on by one</source>
+        <translation>Drücken oder Ziehen führt zu einem Bild, die Pfeiltasten gehen um eines weiter</translation>
+    </message>
+    <message>
+        <source>frame %1: %2</source>
+        <translation>Bild %1: %2</translation>
+    </message>
+    <message>
+        <source>%1 to the right, %2 down</source>
+        <translation>%1 nach rechts, %2 nach unten</translation>
+    </message>
+    <message>
+        <source>%1, of it drift %2</source>
+        <translation>%1, davon Drift %2</translation>
+    </message>
+    <message>
+        <source>%1: frame %2 is not counted</source>
+        <translation>%1: Bild %2 ist nicht gezählt</translation>
+    </message>
+    <message>
+        <source>%1: %2 (%3) at frame %4</source>
+        <translation>%1: %2 (%3) in Bild %4</translation>
     </message>
 </context>
 <context>
@@ -4798,6 +4854,58 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <source>Stability</source>
         <translation>Stabilität</translation>
     </message>
+    <message>
+        <source>F8</source>
+        <translation>F8</translation>
+    </message>
+    <message>
+        <source>show the lines of the step before that are gone</source>
+        <translation>die Zeilen des Schritts davor zeigen, die weg sind</translation>
+    </message>
+    <message>
+        <source>Lessons</source>
+        <translation>Lektionen</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>The panels stand as they did at first.</source>
+        <translation>Die Leisten stehen wieder wie am Anfang.</translation>
+    </message>
+    <message>
+        <source>A&amp;rrange panels</source>
+        <translation>Leisten &amp;verschieben</translation>
+    </message>
+    <message>
+        <source>&amp;Unlock: panels can be moved</source>
+        <translation>&amp;Entsperren: Leisten lassen sich verschieben</translation>
+    </message>
+    <message>
+        <source>Drag a panel by its title to where it is to stand</source>
+        <translation>Ziehe eine Leiste an ihrem Titel dorthin, wo sie stehen soll</translation>
+    </message>
+    <message>
+        <source>As &amp;at first</source>
+        <translation>Wie am &amp;Anfang</translation>
+    </message>
+    <message>
+        <source>Puts the panels back to where they stood at first, in this preset alone</source>
+        <translation>Stellt die Leisten zurück, wie sie am Anfang standen, nur in dieser Anordnung</translation>
+    </message>
+    <message>
+        <source>to the &amp;left</source>
+        <translation>nach &amp;links</translation>
+    </message>
+    <message>
+        <source>to the &amp;right</source>
+        <translation>nach &amp;rechts</translation>
+    </message>
+    <message>
+        <source>&amp;below the picture</source>
+        <translation>&amp;unter das Bild</translation>
+    </message>
 </context>
 <context>
     <name>app::MeasurePanel</name>
@@ -5095,6 +5203,14 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>Left off: nothing was saved.</source>
         <translation>Abgebrochen: Nichts wurde gespeichert.</translation>
+    </message>
+    <message>
+        <source>All that is counted or measured here, with all digits</source>
+        <translation>Alles, was hier gezählt oder gemessen ist, mit allen Stellen</translation>
+    </message>
+    <message>
+        <source>The numbers were not saved as %1: %2. Choose another folder, or make room.</source>
+        <translation>Die Zahlen wurden nicht als %1 gespeichert: %2. Wähle einen anderen Ordner, oder schaffe Platz.</translation>
     </message>
 </context>
 <context>
@@ -5496,6 +5612,25 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>Clock</source>
         <translation>Uhr</translation>
+    </message>
+    <message>
+        <source>Rest lengths</source>
+        <translation>Ruhelängen</translation>
+    </message>
+</context>
+<context>
+    <name>app::SceneCard</name>
+    <message>
+        <source>Done: all there is to try here. Page Down opens the next step.</source>
+        <translation>Fertig: alles, was es hier zu probieren gibt. Bild ab öffnet den nächsten Schritt.</translation>
+    </message>
+    <message>
+        <source>Done: all there is to try here.</source>
+        <translation>Fertig: alles, was es hier zu probieren gibt.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>

@@ -192,4 +192,10 @@ std::vector<Live> LegSpring::explain(const State &state, int mover, Directions) 
     return {{"pull", sum}};
 }
 
+void LegSpring::rests(const State &state, std::vector<RestEnd> &into) const
+{
+    for (const Leg &leg : m_legs)
+        into.push_back({leg.foot, leg.body, targetOf(state, leg), false});
+}
+
 }

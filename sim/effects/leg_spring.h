@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/effects/reaction.h"
+#include "sim/resting.h"
 
 #include <cmath>
 #include <vector>
@@ -80,7 +81,7 @@ inline double gaitAngle(double angle, double gait)
 //! [gait_angle]
 
 /// Springs that pull each foot to its own place, wherever it is.
-class LegSpring : public Force
+class LegSpring : public Force, public Resting
 {
 public:
     LegSpring(std::vector<Leg> legs, LegRule rule);
@@ -103,6 +104,7 @@ public:
     std::optional<double> energy(const State &state) const override;
     bool balances(const State &state) const override;
     std::vector<Live> explain(const State &state, int mover, Directions directions) const override;
+    void rests(const State &state, std::vector<RestEnd> &into) const override;
 
     /// Where the foot of the leg numbered `number` belongs, px.
     Vec2 target(const State &state, int number) const;

@@ -44,4 +44,10 @@ std::vector<Live> OffsetSpring::explain(const State &state, int mover, Direction
     });
 }
 
+void OffsetSpring::rests(const State &state, std::vector<RestEnd> &into) const
+{
+    for (const Link &link : m_links.list())
+        into.push_back({link.mover, link.anchor, offsetTarget(state.at(link.anchor), m_offset), false});
+}
+
 }

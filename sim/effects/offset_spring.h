@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/effects/links.h"
+#include "sim/resting.h"
 
 namespace sim {
 
@@ -19,7 +20,7 @@ Vec2 offsetTarget(Vec2 anchor, double offset)
 // clang-format on
 
 /// Springs from points to places that lie `offset` pixels to the right of other points.
-class OffsetSpring : public Force
+class OffsetSpring : public Force, public Resting
 {
 public:
     /// k in 1/frame^2, offset in px.
@@ -42,6 +43,7 @@ public:
                    Slopes &into) const override;
     std::optional<double> energy(const State &state) const override;
     std::vector<Live> explain(const State &state, int mover, Directions directions) const override;
+    void rests(const State &state, std::vector<RestEnd> &into) const override;
 
 private:
     Links m_links;

@@ -98,4 +98,10 @@ std::vector<Live> RadialSpring::explain(const State &state, int mover, Direction
     });
 }
 
+void RadialSpring::rests(const State &state, std::vector<RestEnd> &into) const
+{
+    for (const Link &link : m_links.list())
+        into.push_back(restAt(state, link.mover, link.anchor, m_radius));
+}
+
 }

@@ -2,6 +2,7 @@
 
 #include "sim/effects/links.h"
 #include "sim/effects/spring.h"
+#include "sim/resting.h"
 
 namespace sim {
 
@@ -35,7 +36,7 @@ RadialPull radialSpring(
 // clang-format on
 
 /// Springs that keep points at a distance from other points, in whatever direction they are.
-class RadialSpring : public Force
+class RadialSpring : public Force, public Resting
 {
 public:
     /// k in 1/frame^2, radius (the rest length) in px.
@@ -61,6 +62,7 @@ public:
     std::optional<double> energy(const State &state) const override;
     bool balances(const State &state) const override;
     std::vector<Live> explain(const State &state, int mover, Directions directions) const override;
+    void rests(const State &state, std::vector<RestEnd> &into) const override;
 
     const std::vector<Link> &links() const { return m_links.list(); }
     double k() const { return m_k; }

@@ -70,4 +70,10 @@ std::vector<Live> SoftSticks::explain(const State &before, const State &after, i
     return {{"length", end.length}, {"error", end.error}, {"x", after.at(point), before.at(point)}};
 }
 
+void SoftSticks::rests(const State &state, std::vector<RestEnd> &into) const
+{
+    for (const SoftStick &one : m_sticks)
+        into.push_back(restAt(state, one.mover, one.anchor, one.rest));
+}
+
 }

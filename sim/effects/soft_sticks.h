@@ -2,6 +2,7 @@
 
 #include "sim/direction.h"
 #include "sim/effect.h"
+#include "sim/resting.h"
 
 #include <cmath>
 
@@ -62,7 +63,7 @@ SoftEnd softStick(
 // clang-format on
 
 /// Soft sticks with one movable end, one after the other.
-class SoftSticks : public Constraint
+class SoftSticks : public Constraint, public Resting
 {
 public:
     /// `perFrame`: what part of an error goes in a frame, 0 to 1 each.
@@ -82,6 +83,7 @@ public:
     void enforce(State &state, Points points, Directions directions, double h) const override;
     /// The last stick that moved `point`.
     std::vector<Live> explain(const State &before, const State &after, int point) const override;
+    void rests(const State &state, std::vector<RestEnd> &into) const override;
 
 private:
     std::vector<SoftStick> m_sticks;

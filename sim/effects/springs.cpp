@@ -139,4 +139,12 @@ std::vector<Live> Springs::explain(const State &state, int mover, Directions dir
     return last;
 }
 
+void Springs::rests(const State &state, std::vector<RestEnd> &into) const
+{
+    for (const Spring &one : m_springs) {
+        into.push_back(restAt(state, one.a, one.b, one.length));
+        into.push_back(restAt(state, one.b, one.a, one.length));
+    }
+}
+
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/effects/radial_spring.h"
+#include "sim/resting.h"
 
 #include <vector>
 
@@ -17,7 +18,7 @@ struct Spring
 };
 
 /// Springs of which each has its own stiffness and its own length: radial springs that pull both ends.
-class Springs : public Force
+class Springs : public Force, public Resting
 {
 public:
     /// @throws Error "spring-without-end" (spring, end, points) when a spring ends at a point that is not there
@@ -38,6 +39,7 @@ public:
     std::optional<double> energy(const State &state) const override;
     bool balances(const State &state) const override;
     std::vector<Live> explain(const State &state, int mover, Directions directions) const override;
+    void rests(const State &state, std::vector<RestEnd> &into) const override;
 
     const std::vector<Spring> &list() const { return m_springs; }
 

@@ -113,4 +113,12 @@ std::vector<Live> Sticks::explain(const State &before, const State &after, int p
     return {}; // it ran on a share of the points only
 }
 
+void Sticks::rests(const State &state, std::vector<RestEnd> &into) const
+{
+    for (const Stick &one : m_sticks) {
+        into.push_back(restAt(state, one.a, one.b, one.length));
+        into.push_back(restAt(state, one.b, one.a, one.length));
+    }
+}
+
 }

@@ -2,12 +2,13 @@
 
 #include "sim/effect.h"
 #include "sim/effects/stick.h"
+#include "sim/resting.h"
 
 namespace sim {
 
 /// Rigid sticks, enforced one after the other, each seeing what those before it have moved. One pass over the list
 /// makes each stick right for a moment; the next ones may make it wrong again, and more passes leave less error.
-class Sticks : public Constraint
+class Sticks : public Constraint, public Resting
 {
 public:
     /// `points`: how many points the scene has. `iterations`: passes over the list in a step.
@@ -26,6 +27,7 @@ public:
     void enforce(State &state, Points points, Directions directions, double h) const override;
     /// The last stick that moved `point`.
     std::vector<Live> explain(const State &before, const State &after, int point) const override;
+    void rests(const State &state, std::vector<RestEnd> &into) const override;
 
     const std::vector<Stick> &list() const { return m_sticks; }
     int iterations() const { return m_iterations; }

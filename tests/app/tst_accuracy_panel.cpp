@@ -5,11 +5,13 @@
 #include "app/ui/measure/order_plot.h"
 #include "app/ui/measure/plot_marks.h"
 #include "app/ui/measure/run_plot.h"
+#include "app/ui/plots/plot_export.h"
 #include "measure_bench.h"
 #include "sim/methods/methods.h"
 
 #include <QAccessible>
 #include <QPushButton>
+#include <QTemporaryDir>
 #include <QToolButton>
 #include <QtTest>
 
@@ -40,6 +42,8 @@ private slots:
     void theRunViewDrawsOneRowAMethodWithTheOneInUse();
     void everyMethodHasAnInkOfItsOwn();
     void aScreenReaderHearsWhatIsChosen();
+    void numbersOfTheViewThatIsSeenAreSaved();
+    void thePlotIsSavedAsPdf();
     void cancelStopsAndMeasureAgainGoesOn();
     void whereNothingMovesTheVerdictSaysSo();
     void remarksSayWhatTheNumbersDependOn_data();
@@ -280,6 +284,52 @@ void AccuracyPanelTest::everyMethodHasAnInkOfItsOwn()
         QCOMPARE(inks.size(), sim::allMethods().size());
         QCOMPARE(shapes.size(), std::min<std::size_t>(markerShapes, sim::allMethods().size()));
     }
+}
+
+void AccuracyPanelTest::numbersOfTheViewThatIsSeenAreSaved()
+{
+    Bench bench;
+    QVERIFY(bench.measured());
+    const sim::Accuracy &found = *bench.study.accuracy();
+    const QTemporaryDir folder;
+    const auto saved = [&](AccuracyPanel::View view) {
+        bench.panel.setView(view);
+        bench.panel.exports().saveNumbers(folder.filePath("a.csv"));
+        QFile file(folder.filePath("a.csv"));
+        return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()).trimmed().split('\n')
+                                              : QStringList();
+    };
+    for (const AccuracyPanel::View view : {AccuracyPanel::errorAgainstTime, AccuracyPanel::order}) {
+        const QStringList lines = saved(view);
+        QVERIFY(lines[0].startsWith("method,order,"));
+        int line = 1;
+        for (const sim::AccuracyRow &row : found.rows) {
+            if (row.outcome != sim::Outcome::measured)
+                continue;
+            const QStringList fields = lines[line++].split(',');
+            QCOMPARE(fields[0], QString("\"%1\"").arg(QString::fromStdString(row.way.method->id())));
+            QCOMPARE(fields[row.way.step.adaptive() ? 3 : 2].toDouble(),
+                     row.way.step.adaptive() ? row.way.step.tolerance : row.way.step.h);
+            QCOMPARE(fields[4].toDouble(), row.error);
+            QCOMPARE(fields[6].toDouble(), row.nsPerFrame);
+            QCOMPARE(fields[8], QString(row.front ? "1" : "0"));
+        }
+        QCOMPARE(line, lines.size());
+    }
+    const QStringList run = saved(AccuracyPanel::overTheRun);
+    QVERIFY2(run[0].startsWith("frame,\""), qPrintable(run[0]));
+    QVERIFY(run.size() > 2);
+}
+
+void AccuracyPanelTest::thePlotIsSavedAsPdf()
+{
+    Bench bench;
+    QVERIFY(bench.measured());
+    const QTemporaryDir folder;
+    QVERIFY(bench.panel.exports().savePicture(folder.filePath("a.pdf")));
+    QFile file(folder.filePath("a.pdf"));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QVERIFY(file.readAll().startsWith("%PDF"));
 }
 
 void AccuracyPanelTest::aScreenReaderHearsWhatIsChosen()

@@ -166,6 +166,101 @@ private slots:
             QVERIFY2(had.count(one) < texts(listing).count(one), qPrintable(one));
         }
     }
+
+    void nothingIsGoneAgainstItself_data() { everyStepAndMethod(); }
+    void nothingIsGoneAgainstItself()
+    {
+        QFETCH(QString, lesson);
+        QFETCH(QString, step);
+        QFETCH(QString, method);
+        CodeListing listing = listingOf(stepOf(lesson, step), runOf(stepOf(lesson, step), method));
+        markGone(listing, CodeListing(listing));
+        QCOMPARE(listing.goneLines(), 0);
+        CodeListing empty = listing;
+        markGone(empty, CodeListing());
+        QCOMPARE(empty.goneLines(), 0);
+    }
+
+    /// With what is new taken out and what is gone put in, the lines of the step before are there again.
+    void whatIsGoneAndNotNewIsTheStepBefore_data()
+    {
+        QTest::addColumn<QString>("lesson");
+        QTest::addColumn<QString>("before");
+        QTest::addColumn<QString>("step");
+        for (const LessonEntry &lesson : library().lessons) {
+            for (std::size_t i = 1; i < lesson.steps.size(); ++i)
+                QTest::addRow("%s/%s", qPrintable(lesson.id), qPrintable(lesson.steps[i].id))
+                    << lesson.id << lesson.steps[i - 1].id << lesson.steps[i].id;
+        }
+    }
+    void whatIsGoneAndNotNewIsTheStepBefore()
+    {
+        QFETCH(QString, lesson);
+        QFETCH(QString, before);
+        QFETCH(QString, step);
+        const sim::MethodPtr method = sim::findMethod(stepOf(lesson, step).method.toStdString());
+        auto listing = listingAtStart(stepOf(lesson, step), method);
+        const auto old = listingAtStart(stepOf(lesson, before), method);
+        if (!listing || !old)
+            QSKIP("nothing computes both steps");
+        markNew(*listing, *old);
+        markGone(*listing, *old);
+        QCOMPARE(kept(*listing), kept(*old));
+    }
+
+    void aLineThatIsGoneStandsWhereItWas()
+    {
+        const auto section = [](const QStringList &lines, const QString &file) {
+            CodeSection made{CodeSection::Role::phase, "1 Springs", sim::Kind::spring, {0}, {}};
+            for (int i = 0; i < lines.size(); ++i) {
+                CodeLine line;
+                line.source.text = lines[i];
+                line.source.number = i + 1;
+                line.file = file;
+                made.lines.push_back(line);
+            }
+            return made;
+        };
+        const CodeListing old{{section({"first", "gone one", "second", "gone two", "}"}, "old.h"),
+                               section({"gone three"}, "other.h")}};
+        CodeListing listing{{section({"new", "first", "second", "}"}, "new.h")}};
+        markGone(listing, old);
+        const std::vector<GoneLine> &gone = listing.sections[0].gone;
+        QCOMPARE(gone.size(), std::size_t{3});
+        QCOMPARE(gone[0].text, QString("gone one"));
+        QCOMPARE(gone[0].before, std::size_t{2}); // before "second"
+        QCOMPARE(gone[1].text, QString("gone two"));
+        QCOMPARE(gone[1].before, std::size_t{3});
+        QCOMPARE(gone[2].text,
+                 QString("gone three")); // its section is gone as a whole: at the end of the one before
+        QCOMPARE(gone[2].before, std::size_t{4});
+    }
+
+private:
+    /// The lines that say something, each once however often it runs, without those that are new and with those that
+    /// are gone; sorted.
+    static QStringList kept(const CodeListing &listing)
+    {
+        static const QRegularExpression nothing("^[{};\\s)]*$");
+        QStringList lines;
+        QSet<std::pair<QString, int>> counted;
+        const auto add = [&lines](const QString &text) {
+            if (!nothing.match(text).hasMatch())
+                lines << text.simplified();
+        };
+        for (const CodeSection &section : listing.sections) {
+            for (const CodeLine &line : section.lines) {
+                const std::pair<QString, int> place(line.file, line.source.number);
+                if (!line.isNew && !counted.contains(place))
+                    add(line.source.text);
+                counted.insert(place);
+            }
+            for (const GoneLine &line : section.gone)
+                add(line.text);
+        }
+        lines.sort();
+        return lines;
+    }
 };
 
 QTEST_GUILESS_MAIN(TestCodeListing)

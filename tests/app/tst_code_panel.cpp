@@ -117,6 +117,68 @@ private slots:
         QVERIFY(shown.button("new")->isHidden());
     }
 
+    void linesThatAreGoneAreStruckThroughOnDemand()
+    {
+        Shown shown("single_spring", "radial");
+        const int gone = shown.panel->listing().goneLines();
+        QVERIFY(gone > 0);
+        QToolButton *button = shown.button("gone");
+        QVERIFY(button && !button->isHidden() && button->isCheckable());
+        QVERIFY(!button->toolTip().isEmpty());
+        QCOMPARE(button->text(), QString("%1 gone").arg(gone));
+        const auto rows = shown.view().rows();
+        const auto count = [&] {
+            const auto &all = shown.view().rows();
+            return static_cast<int>(std::count_if(
+                all.begin(), all.end(), [](const CodeRow &row) { return row.kind == CodeRow::Kind::gone; }));
+        };
+        QCOMPARE(count(), 0);
+        QTest::mouseClick(button, Qt::LeftButton);
+        QCOMPARE(count(), gone);
+        const CodeRow &row = shown.view().rows()[shown.view().row()];
+        QVERIFY(row.kind == CodeRow::Kind::gone); // it goes to the first one
+        QVERIFY(!shown.view().rowRect(shown.view().row()).isEmpty());
+        // What stands in the text is that line, and it is no line of the run: nothing runs to it.
+        QCOMPARE(shown.view().text(static_cast<int>(shown.view().row())).trimmed(), row.text.trimmed());
+        QVERIFY(!shown.view().lineAt(shown.view().row()));
+        QVERIFY(shown.view().chipText(shown.view().row()).isEmpty());
+        QVERIFY(!shown.view().shownText().contains(row.text)); // nor is it copied
+        QTest::mouseClick(button, Qt::LeftButton);
+        QCOMPARE(count(), 0);
+        QCOMPARE(shown.view().rows().size(), rows.size());
+    }
+
+    void linesThatAreGoneComeAndGoByKey()
+    {
+        Shown shown("single_spring", "radial");
+        shown.view().showPlace(shown.view().placeOf(shown.row("radius * out")));
+        const CodePlace place = shown.view().placeOf(shown.view().row());
+        QTest::keyClick(&shown.view(), Qt::Key_F8);
+        QCOMPARE(shown.view().gone(), Gone::shown);
+        const std::size_t first = shown.view().row();
+        QVERIFY(shown.view().rows()[first].kind == CodeRow::Kind::gone);
+        QTest::keyClick(&shown.view(), Qt::Key_Return); // asks for nothing
+        QTest::keyClick(&shown.view(), Qt::Key_F9);
+        QVERIFY(shown.session.breakpoints().all().empty());
+        QTest::keyClick(&shown.view(), Qt::Key_Down);
+        QVERIFY(shown.view().row() > first);
+        shown.view().showPlace(place);
+        QTest::keyClick(&shown.view(), Qt::Key_F8);
+        QCOMPARE(shown.view().gone(), Gone::hidden);
+        QVERIFY(shown.view().placeOf(shown.view().row()) == place); // where the keyboard was
+    }
+
+    void whereNothingIsGoneThatIsSaid()
+    {
+        const LessonEntry &first = library().lessons.front();
+        Shown shown(first.id, first.steps.front().id);
+        QVERIFY(shown.button("gone")->isHidden());
+        QSignalSpy said(shown.panel, &CodePanel::said);
+        QTest::keyClick(&shown.view(), Qt::Key_F8);
+        QCOMPARE(said.size(), 1);
+        QCOMPARE(shown.view().gone(), Gone::hidden);
+    }
+
     void ctrlCTakesTheRegionThatTheKeyboardIsOn()
     {
         Shown shown;

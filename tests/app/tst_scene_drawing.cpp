@@ -1,11 +1,14 @@
 // What the scene view draws and says.
 
+#include "app/model/rest_marks.h"
 #include "app/model/sentences.h"
 #include "app/ui/scene/body_text.h"
 #include "app/ui/scene/free_area.h"
 #include "app/ui/scene/guide_labels.h"
 #include "app/ui/scene/label_places.h"
+#include "look_scenes.h"
 #include "scene_bench.h"
+#include "sim/effects/springs.h"
 
 #include "app/model/numbers.h"
 
@@ -29,6 +32,8 @@ private slots:
     void pullsAreDrawnInsideAFrameOnly();
     void eachExtraChangesThePicture_data();
     void eachExtraChangesThePicture();
+    void aBarMarksTheLengthAtRest();
+    void nothingOfRestLengthsIsDrawnWhileTheyAreOff();
     void aGhostIsDrawnWhereItDiffers();
     void theTrailFollowsForwardOnly();
     void arrowsHaveAReadableScale_data();
@@ -136,6 +141,63 @@ void SceneDrawingTest::eachExtraChangesThePicture()
     QVERIFY(bench.image() != before);
     bench.view.setExtras(Extras());
     QVERIFY(bench.image() == before);
+}
+
+namespace {
+
+/// A spring, 100 px long at rest, from a body that stands at (100, 200) to a foot 60 px to its right.
+lessons::Step pressedSpring()
+{
+    lessons::Step step = look_scenes::step("pressed", {}, {});
+    step.scene = [](const sim::Values &) {
+        sim::Scene scene = look_scenes::pointsAt({{160, 200}, {100, 200}});
+        scene.start.inverseMass[1] = 0.0;
+        scene.effects.push_back(
+            std::make_shared<sim::Springs>(std::vector<sim::Spring>{{0, 1, 0.2, 100.0}}, 2));
+        return scene;
+    };
+    step.look = [](const sim::Scene &scene, const sim::Values &) { return look_scenes::feetOnly(scene); };
+    return step;
+}
+
+}
+
+void SceneDrawingTest::aBarMarksTheLengthAtRest()
+{
+    SceneBench bench({pressedSpring()});
+    const std::vector<RestMark> marks = restMarks(bench.session.picture().segment->scene,
+                                                  bench.session.picture().state, bench.view.shown().look());
+    QCOMPARE(marks.size(), std::size_t{1});
+    QCOMPARE(marks[0].rest.mover, 0); // the end that can go
+    QVERIFY(sim::length(marks[0].rest.place - sim::Vec2{200, 200}) < 1e-9);
+    Extras extras = bench.view.extras();
+    extras.grid = extras.guides = false;
+    bench.view.setExtras(extras);
+    const QColor spring = bench.theme.tokens().spring;
+    QCOMPARE(bench.pixels(spring), 0);
+    extras.rests = true;
+    bench.view.setExtras(extras);
+    const QPoint bar = bench.view.mapFromScene(200.0, 200.0);
+    const QImage image = bench.image();
+    int onBar = 0;
+    for (int y = bar.y() - 5; y <= bar.y() + 5; ++y) {
+        for (int x = bar.x() - 1; x <= bar.x() + 1; ++x)
+            onBar += image.pixelColor(x, y) == spring ? 1 : 0;
+    }
+    QVERIFY2(onBar >= 8, qPrintable(QString::number(onBar)));
+}
+
+void SceneDrawingTest::nothingOfRestLengthsIsDrawnWhileTheyAreOff()
+{
+    SceneBench bench({pressedSpring()});
+    const QImage off = bench.image();
+    Extras extras = bench.view.extras();
+    extras.rests = true;
+    bench.view.setExtras(extras);
+    QVERIFY(bench.image() != off);
+    extras.rests = false;
+    bench.view.setExtras(extras);
+    QVERIFY(bench.image() == off);
 }
 
 void SceneDrawingTest::aGhostIsDrawnWhereItDiffers()

@@ -35,6 +35,8 @@ BranchesPanel::BranchesPanel(Session &session, const Theme &theme, QWidget *pare
     column->addWidget(foot());
     m_later.setSingleShot(true);
     connect(&m_later, &QTimer::timeout, this, &BranchesPanel::refreshNow);
+    connect(m_plot, &DifferencePlot::pointedAt, this, &BranchesPanel::pointedAt);
+    connect(m_plot, &DifferencePlot::pointedAt, m_plot, &DifferencePlot::setHovered);
     connect(&m_course, &DifferenceCourse::changed, this, &BranchesPanel::refresh);
     connect(&session, &Session::moved, this, &BranchesPanel::refresh);
     connect(&session, &Session::runChanged, this, &BranchesPanel::refresh);
@@ -171,6 +173,11 @@ void BranchesPanel::watch()
         refreshNow();
     else
         m_later.stop();
+}
+
+void BranchesPanel::setHovered(std::optional<std::int64_t> frame)
+{
+    m_plot->setHovered(frame);
 }
 
 void BranchesPanel::showEvent(QShowEvent *event)

@@ -33,8 +33,15 @@ public:
     /// Of which body.
     void setOf(DifferenceCourse::Of of);
 
+    /// Where the mouse points in another plot, as the plot's second cursor.
+    void setHovered(std::optional<std::int64_t> frame);
+
     QSize sizeHint() const override { return {660, 290}; }
     QSize minimumSizeHint() const override { return {420, 190}; }
+
+signals:
+    /// The mouse is at a frame of the plot, or has left.
+    void pointedAt(std::optional<std::int64_t> frame);
 
 protected:
     void showEvent(QShowEvent *event) override;

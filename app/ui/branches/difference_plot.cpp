@@ -17,22 +17,18 @@ constexpr double peakSize = 9.0; ///< px
 
 DifferencePlot::DifferencePlot(Session &session, const DifferenceCourse &course, const Theme &theme,
                                QWidget *parent)
-    : QCustomPlot(parent), m_session(session), m_course(course), m_theme(theme), m_line(addGraph()),
-      m_peak(addGraph()), m_name(new QCPItemText(this)), m_cursor(new QCPItemStraightLine(this))
+    : CursorPlot(session, theme, parent), m_course(course), m_line(addGraph()), m_peak(addGraph()),
+      m_name(new QCPItemText(this))
 {
     setObjectName("differencePlot");
     setPlottingHint(QCP::phImmediateRefresh, false); // in the middle of a change others cannot be painted yet
     setAccessibleName(tr("Distance between the two runs over time"));
-    setToolTip(tr("Press or drag to go to a frame"));
-    setCursor(Qt::PointingHandCursor);
-    setAntialiasedElements(QCP::aeAll);
-    setNoAntialiasingOnDrag(false);
     for (QCPAxis *axis : {xAxis, yAxis})
         axis->setTicker(QSharedPointer<QCPAxisTicker>(new NumberTicker(5)));
     yAxis->ticker()->setTickCount(4);
     yAxis->setLabel(tr("px apart"));
     xAxis->setLabel(tr("frame"));
-    axisRect()->setMinimumMargins({44, 10, 16, 24});
+    axisRect()->setMinimumMargins({44, 12, 16, 24}); // above: the cursor's head
     m_peak->setLineStyle(QCPGraph::lsNone);
     m_name->setPadding({6, 0, 6, 2});
     connect(&theme, &Theme::changed, this, &DifferencePlot::dress);
@@ -53,7 +49,6 @@ void DifferencePlot::dress()
     m_peak->setScatterStyle({QCPScatterStyle::ssCircle, QPen(t.ink, 1.5), t.panel, peakSize});
     m_name->setFont(m_theme.ui(12));
     m_name->setColor(t.ink2);
-    m_cursor->setPen(QPen(t.now, 2.0));
     refresh();
 }
 
@@ -70,11 +65,8 @@ void DifferencePlot::refresh()
         std::max(samples.empty() ? 0.0 : static_cast<double>(samples.back().frame), start + 10.0);
     xAxis->setRange(start, end + 0.02 * (end - start)); // room for a cursor at the end
     markLargest();
-    const auto now = static_cast<double>(m_session.timeline().at().frame);
-    m_cursor->setVisible(xAxis->range().contains(now));
-    m_cursor->point1->setCoords(now, 0.0);
-    m_cursor->point2->setCoords(now, 1.0);
     replot();
+    announce();
 }
 
 void DifferencePlot::markLargest()
@@ -94,31 +86,63 @@ void DifferencePlot::markLargest()
     m_name->setPositionAlignment((isLeft ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignBottom);
 }
 
-std::int64_t DifferencePlot::frameAt(double x) const
+std::optional<std::int64_t> DifferencePlot::frameAt(QPointF place) const
 {
-    const double frame = std::clamp(xAxis->pixelToCoord(x), xAxis->range().lower, xAxis->range().upper);
+    if (m_course.samples().empty())
+        return std::nullopt;
+    const double frame =
+        std::clamp(xAxis->pixelToCoord(place.x()), xAxis->range().lower, xAxis->range().upper);
     return std::min(static_cast<std::int64_t>(std::lround(frame)),
                     std::max(m_course.shared(), m_course.end()));
 }
 
-void DifferencePlot::goTo(double x)
+const Difference *DifferencePlot::nearest(std::int64_t frame) const
 {
-    if (m_course.samples().empty())
+    const std::vector<Difference> &samples = m_course.samples();
+    if (samples.empty())
+        return nullptr;
+    const auto after =
+        std::lower_bound(samples.begin(), samples.end(), frame,
+                         [](const Difference &one, std::int64_t at) { return one.frame < at; });
+    if (after == samples.begin())
+        return &*after;
+    const auto before = after - 1;
+    return after == samples.end() || frame - before->frame <= after->frame - frame ? &*before : &*after;
+}
+
+QPointF DifferencePlot::placeOf(const Difference &one) const
+{
+    return {xAxis->coordToPixel(static_cast<double>(one.frame)), yAxis->coordToPixel(one.distance)};
+}
+
+void DifferencePlot::paintMarks(QPainter &painter) const
+{
+    const std::int64_t frame = m_session.timeline().at().frame;
+    paintCursor(painter, xAxis->coordToPixel(static_cast<double>(frame)));
+    const Difference *here = nearest(frame);
+    if (here && here->frame == frame)
+        paintDot(painter, placeOf(*here));
+}
+
+void DifferencePlot::paintHovered(QPainter &painter, std::int64_t frame) const
+{
+    const Difference *there = nearest(frame);
+    if (!there || !xAxis->range().contains(static_cast<double>(frame)))
         return;
-    m_session.pause();
-    m_session.goTo({frameAt(x), 0});
+    const QPointF dot = placeOf(*there);
+    paintHoveredLine(painter, dot.x());
+    paintHoveredDot(painter, dot);
+    paintTag(painter, dot,
+             tr("frame %1: %2\u2009px apart").arg(there->frame).arg(roughNumber(there->distance)));
 }
 
-void DifferencePlot::mousePressEvent(QMouseEvent *event)
+QString DifferencePlot::sentence() const
 {
-    if (event->button() == Qt::LeftButton)
-        goTo(event->position().x());
-}
-
-void DifferencePlot::mouseMoveEvent(QMouseEvent *event)
-{
-    if (event->buttons() & Qt::LeftButton)
-        goTo(event->position().x());
+    const std::int64_t frame = m_session.timeline().at().frame;
+    const Difference *here = nearest(frame);
+    if (!here || here->frame != frame)
+        return accessibleDescription();
+    return tr("%1: %2\u2009px at frame %3").arg(title(), roughNumber(here->distance)).arg(frame);
 }
 
 }

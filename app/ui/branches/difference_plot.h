@@ -1,15 +1,12 @@
 #pragma once
 
 #include "app/model/difference_course.h"
-#include "app/ui/theme/theme.h"
-
-#include "app/ui/theme/custom_plot.h"
+#include "app/ui/plots/cursor_plot.h"
 
 namespace app {
 
-/// How far two runs are apart over time, with the largest difference marked and the cursor in it. A press or a drag goes to
-/// a frame.
-class DifferencePlot : public QCustomPlot
+/// How far two runs are apart over time, with the largest difference marked and the cursor in it.
+class DifferencePlot : public CursorPlot
 {
     Q_OBJECT
 
@@ -19,28 +16,27 @@ public:
 
     /// Draws what was looked at until now.
     void refresh();
-    /// The frame at a place of the widget.
-    std::int64_t frameAt(double x) const;
+    std::optional<std::int64_t> frameAt(QPointF place) const override;
+    QString sentence() const override;
 
     QSize minimumSizeHint() const override { return {140, 110}; }
     QSize sizeHint() const override { return {480, 220}; }
 
 protected:
-    void mousePressEvent(QMouseEvent *event) override;
-    void mouseMoveEvent(QMouseEvent *event) override;
+    void paintMarks(QPainter &painter) const override;
+    void paintHovered(QPainter &painter, std::int64_t frame) const override;
 
 private:
     void dress();
     void markLargest();
-    void goTo(double x);
+    /// The one that was looked at nearest to a frame; null if none was.
+    const Difference *nearest(std::int64_t frame) const;
+    QPointF placeOf(const Difference &one) const;
 
-    Session &m_session;
     const DifferenceCourse &m_course;
-    const Theme &m_theme;
     QCPGraph *m_line;
     QCPGraph *m_peak;
     QCPItemText *m_name;
-    QCPItemStraightLine *m_cursor;
 };
 
 }

@@ -58,16 +58,23 @@ void CodePanel::makeActions()
     m_newLines = new QToolButton;
     m_newLines->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_newLines->setToolTip(tr("Lines that the step before does not have. Click to go through them."));
+    m_goneLines = new QToolButton;
+    m_goneLines->setToolTip(
+        tr("Lines that only the step before has. Click to see them struck through where they "
+           "were, or no longer (F8 in the code)."));
+    m_goneLines->setCheckable(true);
     m_copy = new QToolButton;
     m_copy->setToolTip(tr("Copy the shown code, with its files' names"));
     m_copy->setAccessibleName(tr("Copy the code"));
-    for (QToolButton *button : {m_newLines, m_copy}) {
+    for (QToolButton *button : {m_newLines, m_goneLines, m_copy}) {
         button->setIconSize({16, 16});
         button->setFixedHeight(28);
         button->setFocusPolicy(Qt::TabFocus);
         row->addWidget(button);
     }
     connect(m_newLines, &QToolButton::clicked, m_view, &CodeView::showNextNew);
+    connect(m_goneLines, &QToolButton::toggled, this, &CodePanel::showGoneLines);
+    connect(m_goneLines, &QToolButton::clicked, m_view, &CodeView::showFirstGone);
     connect(m_copy, &QToolButton::clicked, this, &CodePanel::copyAll);
 }
 
@@ -109,8 +116,10 @@ void CodePanel::rebuild()
     m_method = m_session.timeline().script().method;
     m_step = &m_session.step();
     CodeListing listing = listingOf(*m_step, *m_segment, *m_method);
-    if (const auto before = listingBefore())
+    if (const auto before = listingBefore()) {
         markNew(listing, *before);
+        markGone(listing, *before);
+    }
     if (listing == m_listing)
         return;
     m_listing = std::move(listing);
@@ -176,6 +185,17 @@ void CodePanel::showNewLines()
     m_newLines->setText(text);
     m_newLines->setAccessibleName(text);
     m_newLines->setVisible(count > 0);
+    const int gone = m_listing.goneLines();
+    m_goneLines->setText(tr("%1 gone").arg(gone));
+    m_goneLines->setAccessibleName(gone == 1 ? tr("1 line gone") : tr("%1 lines gone").arg(gone));
+    m_goneLines->setVisible(gone > 0);
+}
+
+void CodePanel::showGoneLines(bool shown)
+{
+    m_view->setGone(shown ? Gone::shown : Gone::hidden);
+    closeEditor();
+    m_card->hide();
 }
 
 }

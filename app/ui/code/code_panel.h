@@ -86,6 +86,7 @@ private:
     void refresh();
     void showCaption();
     void showNewLines();
+    void showGoneLines(bool shown);
     void copyAll();
     std::optional<CodeListing> listingBefore() const;
     int point() const;
@@ -101,6 +102,7 @@ private:
     QString m_edited;             ///< its parameter
     QPointer<QWidget> m_actions;
     QToolButton *m_newLines = nullptr;
+    QToolButton *m_goneLines = nullptr;
     QToolButton *m_copy = nullptr;
     CodeListing m_listing;
     std::shared_ptr<const sim::Segment> m_segment; ///< what m_listing was made of

@@ -15,6 +15,12 @@ void CodePanel::connectView()
 {
     connect(m_view, &CodeView::stopAsked, this, &CodePanel::toggleStop);
     connect(m_view, &CodeView::runAsked, this, &CodePanel::runTo);
+    connect(m_view, &CodeView::goneAsked, this, [this] {
+        if (m_listing.goneLines() == 0)
+            emit said(tr("Every line of the step before is still here."));
+        else
+            m_goneLines->click();
+    });
     connect(m_view, &CodeView::menuAsked, this, [this](const QPoint &place, std::size_t row) {
         QMenu *menu = menuFor(row);
         menu->setAttribute(Qt::WA_DeleteOnClose);

@@ -21,20 +21,27 @@ CodeRow headingOf(const CodeSection &section, std::size_t index)
 
 }
 
-std::vector<CodeRow> rowsOf(const CodeListing &listing)
+std::vector<CodeRow> rowsOf(const CodeListing &listing, Gone gone)
 {
     std::vector<CodeRow> rows;
     for (std::size_t s = 0; s < listing.sections.size(); ++s) {
         const CodeSection &section = listing.sections[s];
         rows.push_back(headingOf(section, s));
+        auto next = gone == Gone::shown ? section.gone.begin() : section.gone.end();
+        const auto addGone = [&](std::size_t before) {
+            for (; next != section.gone.end() && next->before <= before; ++next)
+                rows.push_back({CodeRow::Kind::gone, s, before, next->text, inked(next->text, Ink::comment)});
+        };
         for (std::size_t i = 0; i < section.lines.size(); ++i) {
             const CodeLine &line = section.lines[i];
+            addGone(i);
             if (i > 0 && section.lines[i - 1].file != line.file) {
                 const QString name = fileName(line.file);
                 rows.push_back({CodeRow::Kind::file, s, i, name, inked(name, Ink::caption)});
             }
             rows.push_back({CodeRow::Kind::code, s, i, line.source.text, inksOf(line.source.text)});
         }
+        addGone(section.lines.size());
         rows.push_back({CodeRow::Kind::gap, s, 0, {}, {}});
     }
     return rows;

@@ -16,7 +16,8 @@ struct CodeRow
         heading, ///< of a section
         file,    ///< where the lines below are from, when that changes within a section
         code,
-        gap, ///< below a section
+        gone, ///< a line of the step before, where it was
+        gap,  ///< below a section
     };
     Kind kind = Kind::gap;
     std::size_t section = 0;
@@ -25,8 +26,11 @@ struct CodeRow
     QByteArray inks; ///< the style of each byte of the text
 };
 
+/// What is shown of lines that are gone.
+enum class Gone { hidden, shown };
+
 /// The lines that show `listing`, from top to bottom.
-std::vector<CodeRow> rowsOf(const CodeListing &listing);
+std::vector<CodeRow> rowsOf(const CodeListing &listing, Gone gone);
 
 /// What is remembered of a section across steps, for example that it is folded.
 QString keyOf(const CodeSection &section);

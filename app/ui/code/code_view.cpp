@@ -27,6 +27,7 @@ long foldLevel(CodeRow::Kind kind)
         return foldBase;
     case CodeRow::Kind::file:
     case CodeRow::Kind::code:
+    case CodeRow::Kind::gone:
         break;
     }
     return foldBase + 1;
@@ -139,6 +140,7 @@ void CodeView::applyTheme()
         setMarkerBackgroundColor(t.wash, marker), setMarkerForegroundColor(t.wash, marker);
     SendScintilla(SCI_INDICSETFORE, toComeIndicator, t.ink3);
     SendScintilla(SCI_INDICSETFORE, spotIndicator, t.ink2);
+    dressGone(t.ink2);
     setSelectionBackgroundColor(t.sunk);
     resetSelectionForegroundColor();
     makeRowsAsHigh(rowPixels);
@@ -157,13 +159,19 @@ void CodeView::makeRowsAsHigh(int pixels)
 void CodeView::setListing(const CodeListing &listing)
 {
     m_listing = listing;
-    m_rows = rowsOf(listing);
     m_chips.clear();
     m_marks.clear();
     m_spots.clear();
+    layRows();
     m_row = 0;
-    m_word.reset();
     m_keepsRow = false;
+    send(*this, SCI_SETFIRSTVISIBLELINE, 0);
+}
+
+void CodeView::layRows()
+{
+    m_rows = rowsOf(m_listing, m_gone);
+    m_word.reset();
     m_newRow = 0;
     QStringList lines;
     for (const CodeRow &row : m_rows)
@@ -171,13 +179,13 @@ void CodeView::setListing(const CodeListing &listing)
     send(*this, SCI_SETSCROLLWIDTH, 1);
     setText(lines.join('\n'));
     styleText();
-    for (std::size_t section = 0; section < listing.sections.size(); ++section) {
-        if (m_folded.contains(keyOf(listing.sections[section])))
+    strikeGone();
+    for (std::size_t section = 0; section < m_listing.sections.size(); ++section) {
+        if (m_folded.contains(keyOf(m_listing.sections[section])))
             send(*this, SCI_FOLDLINE, headingRow(section), SC_FOLDACTION_CONTRACT);
     }
     applyMarks();
     send(*this, SCI_SETEMPTYSELECTION, 0);
-    send(*this, SCI_SETFIRSTVISIBLELINE, 0);
 }
 
 void CodeView::styleText()
@@ -293,7 +301,7 @@ bool CodeView::isResult(const CodeRow &row) const
 QColor CodeView::wash(std::size_t row) const
 {
     const CodeRow &its = m_rows[row];
-    const bool inRegion = its.kind == CodeRow::Kind::code || its.kind == CodeRow::Kind::file;
+    const bool inRegion = its.kind != CodeRow::Kind::heading && its.kind != CodeRow::Kind::gap;
     if (!inRegion || !mark(its) || mark(its)->when != When::now)
         return {};
     return isResult(its) ? m_theme.tokens().wash : m_theme.tokens().wash2;

@@ -35,6 +35,11 @@ public:
     /// Where a parameter's number stands.
     void setSpots(std::vector<ParameterSpot> spots);
     const std::vector<ParameterSpot> &spots() const { return m_spots; }
+    /// Whether lines of the step before that are gone are shown, where they were.
+    void setGone(Gone gone);
+    Gone gone() const { return m_gone; }
+    /// Goes to the first of them, if any is shown.
+    void showFirstGone();
     /// Scrolls, if need be, to a line, and takes the keyboard's place there.
     void showPlace(const CodePlace &place);
     const CodeLine *lineAt(std::size_t row) const { return line(m_rows[row]); }
@@ -87,6 +92,8 @@ signals:
     void numberLeft(bool keep);
     /// A number is to be typed over.
     void numberAsked(const app::ParameterSpot &spot);
+    /// Lines that are gone are to be shown, or no longer.
+    void goneAsked();
     /// What stands at this column of a row is asked for.
     void symbolAsked(std::size_t row, qsizetype column);
     /// Nobody asks any more.
@@ -120,7 +127,13 @@ private:
     void applyTheme();
     void defineStyle(int style, const QFont &font, const QColor &ink, const QColor &paper);
     void makeRowsAsHigh(int pixels);
+    /// Writes the rows of the listing.
+    void layRows();
     void styleText();
+    void dressGone(const QColor &ink);
+    void strikeGone();
+    /// The row of the same kind, section and line; else the section's heading.
+    std::size_t rowOf(const CodeRow &sought) const;
     void applyMarks();
     void markRow(std::size_t row);
     void toggle(std::size_t section);
@@ -158,6 +171,7 @@ private:
     void paintRow(QPainter &painter, std::size_t row) const;
     void paintHeading(QPainter &painter, std::size_t row) const;
     void paintSymbol(QPainter &painter, std::size_t row) const;
+    void paintSign(QPainter &painter, std::size_t row, const QString &sign, const QColor &ink) const;
     void paintStop(QPainter &painter, std::size_t row, const Breakpoint &breakpoint) const;
     const Breakpoint *breakpoint(std::size_t row) const;
     void paintChip(QPainter &painter, std::size_t row) const;
@@ -165,6 +179,7 @@ private:
 
     const Theme &m_theme;
     CodeListing m_listing;
+    Gone m_gone = Gone::hidden;
     std::vector<CodeRow> m_rows;
     std::vector<CodeChip> m_chips;
     std::vector<SectionMark> m_marks;

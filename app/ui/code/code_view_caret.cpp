@@ -115,7 +115,8 @@ void CodeView::moveByRows(int by, bool onlyHeadings)
     for (auto row = static_cast<std::ptrdiff_t>(m_row) + by; row >= 0 && row < count; row += by) {
         const auto at = static_cast<std::size_t>(row);
         const bool isHeading = m_rows[at].kind == CodeRow::Kind::heading;
-        const bool counts = isHeading || (!onlyHeadings && line(m_rows[at]));
+        const bool isLine = line(m_rows[at]) || m_rows[at].kind == CodeRow::Kind::gone;
+        const bool counts = isHeading || (!onlyHeadings && isLine);
         if (!counts || rowRect(at).isEmpty())
             continue;
         goToRow(at);

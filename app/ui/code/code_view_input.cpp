@@ -29,6 +29,7 @@ bool isOurs(const QKeyEvent &key, bool isDragging)
     case Qt::Key_Return:
     case Qt::Key_Enter:
     case Qt::Key_F2:
+    case Qt::Key_F8:
     case Qt::Key_F9:
         return plain;
     case Qt::Key_Escape:
@@ -84,6 +85,9 @@ void CodeView::steer(const QKeyEvent &event)
         return askSymbol();
     case Qt::Key_F2:
         return askNumber();
+    case Qt::Key_F8:
+        emit goneAsked();
+        return;
     case Qt::Key_F9:
         if (line(m_rows[m_row]))
             emit stopAsked(m_row);
@@ -245,6 +249,8 @@ QString CodeView::tipAt(const QPoint &position) const
         const QString files = m_listing.sections[its.section].files().join('\n');
         return tr("%1\nClick to fold or unfold (Enter)").arg(files);
     }
+    if (its.kind == CodeRow::Kind::gone)
+        return tr("The step before has this line; here it is gone.");
     const CodeLine *shown = line(its);
     if (!shown)
         return {};

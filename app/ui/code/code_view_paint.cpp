@@ -119,6 +119,8 @@ void CodeView::paintRow(QPainter &painter, std::size_t row) const
         paintSymbol(painter, row);
         paintChip(painter, row);
     }
+    if (its.kind == CodeRow::Kind::gone)
+        paintSign(painter, row, QStringLiteral("−"), m_theme.tokens().ink2);
     const QColor frame = m_theme.tokens().washLine;
     if (isResult(its) && frame.alpha() > 0) {
         painter.setPen(QPen(frame, 2));
@@ -162,14 +164,19 @@ void CodeView::paintSymbol(QPainter &painter, std::size_t row) const
         painter.fillPath(arrow, m_theme.tokens().now);
         return;
     }
-    if (!line(m_rows[row])->isNew)
-        return;
+    if (line(m_rows[row])->isNew)
+        paintSign(painter, row, QStringLiteral("+"), m_theme.tokens().ok);
+}
+
+void CodeView::paintSign(QPainter &painter, std::size_t row, const QString &sign, const QColor &ink) const
+{
+    const QRect rect = rowRect(row);
     QFont font = m_theme.mono(11);
     font.setWeight(QFont::DemiBold);
     painter.setFont(font);
-    painter.setPen(m_theme.tokens().ok);
+    painter.setPen(ink);
     painter.drawText(QRect(symbolLeft, rect.top(), barLeft - symbolLeft, rect.height()), Qt::AlignCenter,
-                     QStringLiteral("+"));
+                     sign);
 }
 
 void CodeView::paintChip(QPainter &painter, std::size_t row) const

@@ -1,5 +1,6 @@
 #include "app/ui/energy/energy_panel.h"
 
+#include "app/model/energy_table.h"
 #include "app/ui/energy/energy_list.h"
 #include "app/ui/energy/energy_plot.h"
 #include "app/ui/panels/panel_title.h"
@@ -37,6 +38,8 @@ EnergyPanel::EnergyPanel(Session &session, const Theme &theme, QWidget *parent)
     m_pages->addWidget(m_ledger);
     m_pages->addWidget(m_reason);
     m_export = new PlotExport([this] { return m_plot->picture(); }, theme, this);
+    m_export->setNumbersAsText(
+        [this] { return m_view == energy ? energyTable(m_course) : momentumTable(m_course); });
     m_export->addContextMenu(*m_plot);
     m_title->addAction(tabs());
     m_title->addAction(m_export->makeButton(this));
@@ -47,6 +50,8 @@ EnergyPanel::EnergyPanel(Session &session, const Theme &theme, QWidget *parent)
     column->addWidget(m_pages, 1);
     m_later.setSingleShot(true);
     connect(&m_later, &QTimer::timeout, this, &EnergyPanel::refreshNow);
+    connect(m_plot, &EnergyPlot::pointedAt, this, &EnergyPanel::pointedAt);
+    connect(m_plot, &EnergyPlot::pointedAt, m_plot, &EnergyPlot::setHovered);
     connect(&m_course, &EnergyCourse::changed, this, &EnergyPanel::refresh);
     connect(&session, &Session::moved, this, &EnergyPanel::refresh);
     connect(&session, &Session::playingChanged, this, &EnergyPanel::refresh);
@@ -175,6 +180,11 @@ void EnergyPanel::watch()
         refreshNow();
     else
         m_later.stop();
+}
+
+void EnergyPanel::setHovered(std::optional<std::int64_t> frame)
+{
+    m_plot->setHovered(frame);
 }
 
 void EnergyPanel::showEvent(QShowEvent *event)

@@ -38,8 +38,15 @@ public:
     EnergyPlot &plot() const { return *m_plot; }
     PlotExport &exports() const { return *m_export; }
 
+    /// Where the mouse points in another plot, as its second cursor.
+    void setHovered(std::optional<std::int64_t> frame);
+
     QSize sizeHint() const override { return {660, 290}; }
     QSize minimumSizeHint() const override { return {420, 190}; }
+
+signals:
+    /// The mouse is at a frame of the plot, or has left.
+    void pointedAt(std::optional<std::int64_t> frame);
 
 protected:
     void showEvent(QShowEvent *event) override;

@@ -24,19 +24,15 @@ QColor faded(QColor color, int alpha)
 }
 
 EnergyPlot::EnergyPlot(Session &session, const EnergyCourse &course, const Theme &theme, QWidget *parent)
-    : QCustomPlot(parent), m_session(session), m_course(course), m_theme(theme),
-      m_cursor(new QCPItemStraightLine(this))
+    : CursorPlot(session, theme, parent), m_course(course)
 {
     setObjectName("energyPlot");
     setPlottingHint(QCP::phImmediateRefresh, false); // in the middle of a change others cannot be painted yet
     setAccessibleName(tr("Energy over the last frames"));
-    setToolTip(tr("Press or drag to go to a frame"));
-    setCursor(Qt::PointingHandCursor);
-    setAntialiasedElements(QCP::aeAll);
-    setNoAntialiasingOnDrag(false);
+    setAccessibleDescription(tr("A press or a drag goes to a frame, and the arrow keys go on by one"));
     xAxis->setTicker(QSharedPointer<QCPAxisTicker>(new NumberTicker(5)));
     yAxis->setTicker(QSharedPointer<QCPAxisTicker>(new NumberTicker(4)));
-    axisRect()->setMinimumMargins({40, 8, 12, 24});
+    axisRect()->setMinimumMargins({40, 12, 12, 24}); // above: the cursor's head
     connect(&theme, &Theme::changed, this, &EnergyPlot::dress);
     dress();
 }
@@ -58,7 +54,6 @@ void EnergyPlot::dress()
         if (m_shows == Shows::momentum)
             axis->grid()->setZeroLinePen(QPen(t.line2, 1.0));
     }
-    m_cursor->setPen(QPen(t.now, 2.0));
     clearGraphs();
     m_lines.clear();
     for (QCPItemText *name : m_names)
@@ -197,36 +192,89 @@ void EnergyPlot::refresh(const EnergyLines &lines)
         else
             drawMomentum(left, right);
     }
-    const auto now = static_cast<double>(at);
-    m_cursor->point1->setCoords(now, 0.0);
-    m_cursor->point2->setCoords(now, 1.0);
+    m_lowest = lines.lowest();
     replot();
+    announce();
+}
+
+std::vector<double> EnergyPlot::marked(std::int64_t frame) const
+{
+    const sim::Balance *balance = m_course.at(frame);
+    if (!balance || !xAxis->range().contains(static_cast<double>(frame)))
+        return {};
+    if (m_shows == Shows::energy)
+        return {pileOf(*balance, m_lowest).tops[2]};
+    return {balance->after.momentum.x, balance->after.momentum.y};
+}
+
+void EnergyPlot::paintMarks(QPainter &painter) const
+{
+    const std::int64_t frame = m_session.timeline().at().frame;
+    const double x = xAxis->coordToPixel(static_cast<double>(frame));
+    paintCursor(painter, x);
+    for (const double height : marked(frame))
+        paintDot(painter, {x, yAxis->coordToPixel(height)});
+}
+
+void EnergyPlot::paintHovered(QPainter &painter, std::int64_t frame) const
+{
+    const std::vector<double> heights = marked(frame);
+    if (heights.empty())
+        return;
+    const double x = xAxis->coordToPixel(static_cast<double>(frame));
+    paintHoveredLine(painter, x);
+    QPointF highest(x, axisRect()->bottom());
+    for (const double height : heights) {
+        const QPointF dot(x, yAxis->coordToPixel(height));
+        paintHoveredDot(painter, dot);
+        highest.setY(std::min(highest.y(), dot.y()));
+    }
+    paintTag(painter, highest, tr("frame %1: %2").arg(frame).arg(readout(frame)));
+}
+
+QString EnergyPlot::readout(std::int64_t frame) const
+{
+    const sim::Balance *balance = m_course.at(frame);
+    if (!balance)
+        return {};
+    if (m_shows == Shows::momentum)
+        return tr("%1 to the right, %2 down")
+            .arg(energyNumber(balance->after.momentum.x), energyNumber(balance->after.momentum.y));
+    return tr("%1, of it drift %2")
+        .arg(energyNumber(balance->after.total() - m_lowest),
+             signedEnergyNumber(balance->energy[Account::drift]));
+}
+
+QString EnergyPlot::sentence() const
+{
+    const std::int64_t frame = m_session.timeline().at().frame;
+    const QString numbers = readout(frame);
+    if (numbers.isEmpty())
+        return tr("%1: frame %2 is not counted").arg(title()).arg(frame);
+    return tr("%1: %2 (%3) at frame %4").arg(title(), numbers, unit()).arg(frame);
+}
+
+QString EnergyPlot::unit() const
+{
+    return m_shows == Shows::energy ? energyUnit(m_session.timeline().now().spin.rows() > 0) : momentumUnit();
 }
 
 PlotPicture EnergyPlot::picture()
 {
-    const bool isEnergy = m_shows == Shows::energy;
-    const QString unit = isEnergy ? energyUnit(m_session.timeline().now().spin.rows() > 0) : momentumUnit();
-    return {tr("%1, %2").arg(accessibleName(), unit), isEnergy ? tr("energy") : tr("momentum"), size(),
-            [this](QCPPainter &painter) { toPainter(&painter, width(), height()); }};
+    return {tr("%1, %2").arg(accessibleName(), unit()),
+            m_shows == Shows::energy ? tr("energy") : tr("momentum"), size(),
+            [this](QCPPainter &painter) { paintPicture(painter); }};
 }
 
-std::int64_t EnergyPlot::frameAt(double x) const
+std::optional<std::int64_t> EnergyPlot::frameAt(QPointF place) const
 {
-    const double frame = std::clamp(xAxis->pixelToCoord(x), xAxis->range().lower, xAxis->range().upper);
-    return static_cast<std::int64_t>(std::lround(frame));
-}
-
-void EnergyPlot::mousePressEvent(QMouseEvent *event)
-{
-    if (event->button() == Qt::LeftButton && m_course.last() >= m_course.first())
-        m_session.goTo({std::min(frameAt(event->position().x()), m_course.last()), 0});
-}
-
-void EnergyPlot::mouseMoveEvent(QMouseEvent *event)
-{
-    if ((event->buttons() & Qt::LeftButton) && m_course.last() >= m_course.first())
-        m_session.goTo({std::min(frameAt(event->position().x()), m_course.last()), 0});
+    const std::int64_t first = m_course.first(), rows = m_course.rowFrames();
+    if (m_course.last() < first)
+        return std::nullopt;
+    const double frame =
+        std::clamp(xAxis->pixelToCoord(place.x()), xAxis->range().lower, xAxis->range().upper);
+    const double row = std::round((frame - static_cast<double>(first)) / static_cast<double>(rows));
+    return std::clamp(first + static_cast<std::int64_t>(row) * rows, first, m_course.last());
 }
 
 }

@@ -1,17 +1,15 @@
 #pragma once
 
 #include "app/model/energy_lines.h"
+#include "app/ui/plots/cursor_plot.h"
 #include "app/ui/plots/plot_export.h"
-#include "app/ui/theme/theme.h"
-
-#include "app/ui/theme/custom_plot.h"
 
 namespace app {
 
 /// Energy, or momentum, over the last frames, with the cursor in it. Of energy: what there is and what was lost, piled
 /// up, up to what was there and came in; the gap between the two is the drift. Of momentum: its parts to the right and
-/// down, and of each what is drift. A press goes to a frame.
-class EnergyPlot : public QCustomPlot
+/// down, and of each what is drift.
+class EnergyPlot : public CursorPlot
 {
     Q_OBJECT
 
@@ -24,8 +22,10 @@ public:
     void setShows(Shows what);
     /// Draws what is counted now.
     void refresh(const EnergyLines &lines);
-    /// The frame at a place of the widget.
-    std::int64_t frameAt(double x) const;
+    std::optional<std::int64_t> frameAt(QPointF place) const override;
+    QString sentence() const override;
+    /// What there is at a frame, and what of it the method made; empty where that is not counted.
+    QString readout(std::int64_t frame) const;
 
     /// The plot as it is saved.
     PlotPicture picture();
@@ -43,8 +43,8 @@ public:
     QSize sizeHint() const override { return {360, 240}; }
 
 protected:
-    void mousePressEvent(QMouseEvent *event) override;
-    void mouseMoveEvent(QMouseEvent *event) override;
+    void paintMarks(QPainter &painter) const override;
+    void paintHovered(QPainter &painter, std::int64_t frame) const override;
 
 private:
     void dress();
@@ -53,14 +53,15 @@ private:
     void drawEnergy(std::int64_t first, std::int64_t last, double lowest);
     void drawMomentum(std::int64_t first, std::int64_t last);
     QCPGraph *line(const QPen &pen);
+    QString unit() const;
+    /// The heights at a frame that have a dot.
+    std::vector<double> marked(std::int64_t frame) const;
 
-    Session &m_session;
     const EnergyCourse &m_course;
-    const Theme &m_theme;
     Shows m_shows = Shows::energy;
     std::vector<QCPGraph *> m_lines;
     std::vector<QCPItemText *> m_names;
-    QCPItemStraightLine *m_cursor;
+    double m_lowest = 0.0; ///< from where height counts
 };
 
 }

@@ -52,8 +52,9 @@ AccuracyPanel::AccuracyPanel(AccuracyStudy &study, const Theme &theme, QWidget *
     m_views->addWidget(m_workPrecision);
     m_views->addWidget(new RunPlot(study, theme, m_views));
     m_views->addWidget(new OrderPlot(study, theme, m_views));
-    m_export = new PlotExport([this] { return static_cast<SpotPlot *>(m_views->currentWidget())->picture(); },
-                              theme, this);
+    const auto seen = [this] { return static_cast<SpotPlot *>(m_views->currentWidget()); };
+    m_export = new PlotExport([seen] { return seen()->picture(); }, theme, this);
+    m_export->setNumbersAsText([seen] { return seen()->numbers(); });
     for (int i = 0; i < m_views->count(); ++i)
         m_export->addContextMenu(*m_views->widget(i));
     m_title->addAction(tabs());

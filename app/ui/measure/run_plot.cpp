@@ -1,5 +1,6 @@
 #include "app/ui/measure/run_plot.h"
 
+#include "app/model/accuracy_rows.h"
 #include "app/model/accuracy_words.h"
 #include "app/ui/measure/plot_marks.h"
 
@@ -129,6 +130,11 @@ void RunPlot::draw(QPainter &painter)
     drawEndLabels(painter, m_names, m_theme.ui(12, QFont::Medium), m_theme.tokens().panel);
     if (chosen())
         drawRing(painter, onScreen(*chosen()), QPen(m_theme.tokens().ink, 2.0), markerSize);
+}
+
+QByteArray RunPlot::numbersOf(const sim::Accuracy &accuracy) const
+{
+    return errorsOverRun(accuracy, m_rows);
 }
 
 QString RunPlot::tipOf(const Spot &spot) const

@@ -20,6 +20,7 @@ protected:
     std::vector<Spot> layOut() override;
     void placeWords() override;
     void draw(QPainter &painter) override;
+    QByteArray numbersOf(const sim::Accuracy &accuracy) const override;
     QString tipOf(const Spot &spot) const override;
 
 private:

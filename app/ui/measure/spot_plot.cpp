@@ -1,5 +1,6 @@
 #include "app/ui/measure/spot_plot.h"
 
+#include "app/model/accuracy_rows.h"
 #include "app/model/accuracy_words.h"
 #include "app/ui/measure/plot_access.h"
 #include "app/ui/measure/plot_marks.h"
@@ -188,6 +189,16 @@ PlotPicture SpotPlot::picture()
                 toPainter(&painter, width(), height());
                 drawAll(painter);
             }};
+}
+
+QByteArray SpotPlot::numbers() const
+{
+    return m_study.accuracy() ? numbersOf(*m_study.accuracy()) : QByteArray();
+}
+
+QByteArray SpotPlot::numbersOf(const sim::Accuracy &accuracy) const
+{
+    return accuracyRows(accuracy);
 }
 
 void SpotPlot::paintEvent(QPaintEvent *event)

@@ -31,6 +31,8 @@ public:
 
     /// The plot as it is saved.
     PlotPicture picture();
+    /// Its numbers, as comma-separated text; empty where there are none.
+    QByteArray numbers() const;
 
     QSize minimumSizeHint() const override { return {320, 200}; }
     QSize sizeHint() const override { return {520, 380}; }
@@ -46,6 +48,8 @@ protected:
     virtual void placeWords() = 0;
     /// Draws all but the axes.
     virtual void draw(QPainter &painter) = 0;
+    /// What it shows of a study, as comma-separated text.
+    virtual QByteArray numbersOf(const sim::Accuracy &accuracy) const;
     /// What a tip says about a spot.
     virtual QString tipOf(const Spot &spot) const;
     /// Mouse and keys that are no spot's business. Returns whether they were used.

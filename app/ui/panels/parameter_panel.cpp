@@ -1,5 +1,6 @@
 #include "app/ui/panels/parameter_panel.h"
 
+#include "app/model/offered_parameters.h"
 #include "app/model/sentences.h"
 #include "app/ui/panels/panel_title.h"
 #include "app/ui/panels/parameter_row.h"
@@ -132,16 +133,8 @@ void ParameterPanel::open()
 QStringList ParameterPanel::offered() const
 {
     QStringList ids;
-    std::vector<sim::EffectPtr> listed;
-    for (const lessons::Parameter &parameter : m_session.step().parameters) {
-        if (!parameter.effects.isEmpty() && listed.empty())
-            listed = m_session.listedEffects();
-        const bool isRead = std::any_of(listed.begin(), listed.end(), [&](const sim::EffectPtr &one) {
-            return parameter.effects.contains(QString::fromStdString(one->id()));
-        });
-        if (parameter.effects.isEmpty() || isRead)
-            ids << parameter.id;
-    }
+    for (const lessons::Parameter *parameter : offeredParameters(m_session))
+        ids << parameter->id;
     return ids;
 }
 

@@ -19,6 +19,7 @@ namespace {
 
 constexpr int leftMargin = 16;
 constexpr int rightMargin = 13;
+constexpr int besideBrief = 8;
 constexpr int unitGap = 8;
 constexpr int resetSize = 24;
 constexpr int fieldHeight = 26;
@@ -27,8 +28,8 @@ constexpr int overhang = ParameterSlider::handle / 2; ///< of the handle past th
 }
 
 ParameterRow::ParameterRow(Session &session, const lessons::Parameter &parameter, const Theme &theme,
-                           QWidget *parent)
-    : QWidget(parent), m_session(session), m_parameter(parameter), m_theme(theme)
+                           QWidget *parent, Form form)
+    : QWidget(parent), m_session(session), m_parameter(parameter), m_theme(theme), m_form(form)
 {
     setFixedHeight(height);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
@@ -122,6 +123,11 @@ void ParameterRow::fill(QHBoxLayout &row)
         row.addSpacing(12 - overhang);
         row.addWidget(m_box);
     }
+    if (m_form == Form::brief) {
+        row.setContentsMargins(besideBrief, 0, besideBrief, 0);
+        m_unit->hide();
+        return;
+    }
     row.addSpacing(unitGap);
     row.addWidget(m_unit);
     row.addWidget(m_reset);
@@ -187,7 +193,7 @@ void ParameterRow::refresh()
             was = ghost->next()->values[id];
         m_slider->setGhost(was);
     }
-    m_reset->setVisible(value != m_parameter.preset);
+    m_reset->setVisible(m_form == Form::whole && value != m_parameter.preset);
 }
 
 void ParameterRow::dress()

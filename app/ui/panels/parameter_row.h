@@ -23,8 +23,14 @@ class ParameterRow : public QWidget
 public:
     static constexpr int height = 36;
 
+    /// How much there is of it.
+    enum class Form {
+        whole,
+        brief, ///< for a bar: without unit and reset, which its field's tooltip and name still tell
+    };
+
     ParameterRow(Session &session, const lessons::Parameter &parameter, const Theme &theme,
-                 QWidget *parent = nullptr);
+                 QWidget *parent = nullptr, Form form = Form::whole);
 
     const lessons::Parameter &parameter() const { return m_parameter; }
     /// Shows the values at the cursor, of the run and of its ghost.
@@ -49,6 +55,7 @@ private:
     Session &m_session;
     lessons::Parameter m_parameter;
     const Theme &m_theme;
+    Form m_form;
     QWidget *m_label = nullptr;
     QLabel *m_name = nullptr;
     QLabel *m_symbol = nullptr;

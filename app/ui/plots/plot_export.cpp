@@ -44,8 +44,19 @@ PlotExport::PlotExport(MakePicture picture, const Theme &theme, QWidget *parent)
 void PlotExport::setNumbers(MakeNumbers numbers)
 {
     m_numbers = std::move(numbers);
+    addNumbersAction(tr("Every frame of the run, with all digits"));
+}
+
+void PlotExport::setNumbersAsText(MakeText text)
+{
+    m_text = std::move(text);
+    addNumbersAction(tr("All that is counted or measured here, with all digits"));
+}
+
+void PlotExport::addNumbersAction(const QString &tip)
+{
     m_saveNumbers = new QAction(tr("Save the &numbers as CSV…"), this);
-    m_saveNumbers->setToolTip(tr("Every frame of the run, with all digits"));
+    m_saveNumbers->setToolTip(tip);
     connect(m_saveNumbers, &QAction::triggered, this, &PlotExport::askNumbers);
 }
 
@@ -157,14 +168,20 @@ bool PlotExport::savePicture(QString path)
         suffix = QStringLiteral("png");
         path += ".png";
     }
+    return commit(path, tr("The picture was not saved as %1: %2. Choose another folder, or make room."),
+                  [&](QIODevice &file) { return write(file, suffix); });
+}
+
+bool PlotExport::commit(const QString &path, const QString &failure,
+                        const std::function<bool(QIODevice &)> &write)
+{
     const QString name = quoted(QFileInfo(path).fileName());
     QSaveFile file(path);
-    if (file.open(QIODevice::WriteOnly) && write(file, suffix) && file.commit()) {
+    if (file.open(QIODevice::WriteOnly) && write(file) && file.commit()) {
         emit said(tr("Saved as %1.").arg(name));
         return true;
     }
-    emit failed(tr("The picture was not saved as %1: %2. Choose another folder, or make room.")
-                    .arg(name, oneLine(file.errorString())));
+    emit failed(failure.arg(name, oneLine(file.errorString())));
     return false;
 }
 
@@ -191,6 +208,22 @@ void PlotExport::askNumbers()
 }
 
 void PlotExport::saveNumbers(const QString &path)
+{
+    m_text ? saveText(path) : computeNumbers(path);
+}
+
+void PlotExport::saveText(const QString &path)
+{
+    const QByteArray text = m_text();
+    if (text.isEmpty()) {
+        emit failed(tr("There are no numbers to save: this plot shows nothing here."));
+        return;
+    }
+    commit(path, tr("The numbers were not saved as %1: %2. Choose another folder, or make room."),
+           [&text](QIODevice &file) { return file.write(text) == text.size(); });
+}
+
+void PlotExport::computeNumbers(const QString &path)
 {
     std::optional<NumberSheet> sheet = m_numbers ? m_numbers() : std::nullopt;
     if (!sheet) {

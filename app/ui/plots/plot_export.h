@@ -34,11 +34,14 @@ class PlotExport : public QObject
 public:
     using MakePicture = std::function<PlotPicture()>;
     using MakeNumbers = std::function<std::optional<NumberSheet>()>;
+    using MakeText = std::function<QByteArray()>;
 
     /// `parent` shows the dialogs, and owns this.
     PlotExport(MakePicture picture, const Theme &theme, QWidget *parent);
     /// Lets the numbers be saved, too. What they come from may have none at times.
     void setNumbers(MakeNumbers numbers);
+    /// The same where they need not be computed: the whole table as comma-separated text; empty where there is none.
+    void setNumbersAsText(MakeText text);
 
     void addTo(QMenu &menu);
     /// A button with a menu of all this.
@@ -48,7 +51,7 @@ public:
     /// written.
     bool savePicture(QString path);
     void copyPicture();
-    /// Begins to write them; see NumberTable.
+    /// Writes them, or begins to: see NumberTable.
     void saveNumbers(const QString &path);
     /// What is being written; null if nothing is.
     NumberTable *table() const { return m_table; }
@@ -61,8 +64,13 @@ signals:
     void tableChanged();
 
 private:
+    void addNumbersAction(const QString &tip);
     void askPicture();
     void askNumbers();
+    void saveText(const QString &path);
+    void computeNumbers(const QString &path);
+    /// Puts a file in its place. Returns whether that went well; said either way.
+    bool commit(const QString &path, const QString &failure, const std::function<bool(QIODevice &)> &write);
     QImage image() const;
     bool write(QIODevice &file, const QString &suffix) const;
     void paint(QCPPainter &painter, const PlotPicture &picture) const;
@@ -70,6 +78,7 @@ private:
 
     MakePicture m_picture;
     MakeNumbers m_numbers;
+    MakeText m_text;
     const Theme &m_theme;
     QAction *m_savePicture;
     QAction *m_copyPicture;

@@ -190,7 +190,8 @@ PlotCard *PlotsPanel::makeCard()
     connect(
         card, &PlotCard::removalWanted, this, [this, card] { removeCard(*card); },
         Qt::QueuedConnection); // it asks from its own menu or key
-    connect(card, &PlotCard::pointedAt, this, &PlotsPanel::hover);
+    connect(card, &PlotCard::pointedAt, this, &PlotsPanel::setHovered);
+    connect(card, &PlotCard::pointedAt, this, &PlotsPanel::pointedAt);
     connect(card, &PlotCard::zoomWanted, this, &PlotsPanel::zoom);
     connect(&card->exports(), &PlotExport::said, this, &PlotsPanel::said);
     connect(&card->exports(), &PlotExport::failed, this, &PlotsPanel::failed);
@@ -279,7 +280,7 @@ void PlotsPanel::writeCaption()
         m_title->setCaption(text);
 }
 
-void PlotsPanel::hover(std::optional<std::int64_t> frame)
+void PlotsPanel::setHovered(std::optional<std::int64_t> frame)
 {
     for (PlotCard *card : m_cards)
         card->plot().setHovered(frame);

@@ -45,6 +45,9 @@ public:
     void setCovered(bool covered);
     bool isCovered() const { return m_isCovered; }
 
+    /// The second cursor of all plots: where the mouse points in one of them, or elsewhere.
+    void setHovered(std::optional<std::int64_t> frame);
+
     /// Room for the first two plots: the others are scrolled to.
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return {260, 170}; }
@@ -53,6 +56,8 @@ signals:
     void said(const QString &sentence);
     void failed(const QString &sentence);
     void wantedHeightChanged();
+    /// The mouse is at a frame of a plot, or has left.
+    void pointedAt(std::optional<std::int64_t> frame);
 
 protected:
     void showEvent(QShowEvent *event) override;
@@ -73,7 +78,6 @@ private:
     void refreshSoon();
     void watch();
     void refresh();
-    void hover(std::optional<std::int64_t> frame);
     void zoom(int steps);
     void writeCaption();
     void showSaving();

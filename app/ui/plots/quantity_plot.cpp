@@ -2,10 +2,7 @@
 
 #include "app/model/quantity_words.h"
 #include "app/ui/plots/number_ticker.h"
-#include "app/ui/plots/quantity_access.h"
 #include "app/ui/theme/plot_axes.h"
-
-#include <QAccessible>
 
 #include <algorithm>
 #include <cmath>
@@ -25,15 +22,9 @@ const char *const curveLayer = "curves";
 }
 
 QuantityPlot::QuantityPlot(Session &session, const PlotCourse &course, const Theme &theme, QWidget *parent)
-    : QCustomPlot(parent), m_session(session), m_course(course), m_theme(theme)
+    : CursorPlot(session, theme, parent), m_course(course)
 {
     setObjectName("quantityPlot");
-    installQuantityAccess();
-    setFocusPolicy(Qt::StrongFocus);
-    setMouseTracking(true);
-    setCursor(Qt::PointingHandCursor);
-    setAntialiasedElements(QCP::aeAll);
-    setNoAntialiasingOnDrag(false);
     setPlottingHint(QCP::phImmediateRefresh, false); // it is painted together with all else that has changed
     addLayer(curveLayer, layer("main"), limAbove);
     layer(curveLayer)->setMode(QCPLayer::lmBuffered);
@@ -164,14 +155,6 @@ void QuantityPlot::refresh(const std::vector<double> &now)
         update();
     }
     announce();
-}
-
-void QuantityPlot::announce()
-{
-    if (m_session.isPlaying() || !QAccessible::isActive())
-        return;
-    QAccessibleValueChangeEvent event(this, sentence());
-    QAccessible::updateAccessibility(&event);
 }
 
 void QuantityPlot::fitAxis(QCPAxis &axis, PlotRange &range, std::size_t column)

@@ -2,16 +2,13 @@
 
 #include "app/model/plot_course.h"
 #include "app/model/plot_list.h"
-#include "app/ui/theme/theme.h"
-
-#include "app/ui/theme/custom_plot.h"
+#include "app/ui/plots/cursor_plot.h"
 
 namespace app {
 
-/// A quantity of the run against time, or against another one. The cursor is in it: a press or a drag goes to a frame, and
-/// the arrow keys go on by one. What is drawn is kept as pictures: the axes are painted anew only where they change, the
-/// curves where they grow, and cursors on top of both.
-class QuantityPlot : public QCustomPlot
+/// A quantity of the run against time, or against another one. What is drawn is kept as pictures: the axes are painted
+/// anew only where they change, the curves where they grow, and cursors on top of both.
+class QuantityPlot : public CursorPlot
 {
     Q_OBJECT
 
@@ -22,51 +19,36 @@ public:
     const PlotSpec &spec() const { return m_spec; }
     /// Draws what has changed. `now`: the numbers at the cursor, by the course's columns.
     void refresh(const std::vector<double> &now);
-    /// The frame of the second cursor; nothing: there is none.
-    void setHovered(std::optional<std::int64_t> frame);
-    std::optional<std::int64_t> hovered() const { return m_hovered; }
 
     /// "y of foot 1 against time".
-    QString title() const;
+    QString title() const override;
     /// The number at the cursor with its unit; of a plot against another quantity both.
     QString valueText() const;
-    /// All of it, for those who cannot see it.
-    QString sentence() const;
+    QString sentence() const override;
     /// What is said in place of a curve; empty where there is one.
     const QString &emptyText() const { return m_empty; }
-    /// The frame at a place, if the plot has one there.
-    std::optional<std::int64_t> frameAt(QPointF place) const;
+    std::optional<std::int64_t> frameAt(QPointF place) const override;
     /// Where a frame of the run is drawn.
     QPointF placeOf(std::int64_t frame) const;
     /// How often curves and axes were painted: for tests.
     int curvesPainted() const { return m_curvesPainted; }
     int axesPainted() const { return m_axesPainted; }
-    /// The plot as it is seen, without focus and second cursor.
-    void paintPicture(QCPPainter &painter);
 
     QSize minimumSizeHint() const override { return {200, 110}; }
     QSize sizeHint() const override { return {380, 190}; }
 
 signals:
-    /// The mouse is at a frame, or has left.
-    void pointedAt(std::optional<std::int64_t> frame);
     /// More frames are to be shown, or fewer.
     void zoomWanted(int steps);
     void removalWanted();
 
 protected:
-    bool event(QEvent *event) override;
-    void paintEvent(QPaintEvent *event) override;
+    void paintMarks(QPainter &painter) const override;
+    void paintHovered(QPainter &painter, std::int64_t frame) const override;
+    bool wantsKey(int key) const override;
     void resizeEvent(QResizeEvent *event) override;
-    void mousePressEvent(QMouseEvent *event) override;
-    void mouseMoveEvent(QMouseEvent *event) override;
-    void mouseReleaseEvent(QMouseEvent *event) override;
-    void mouseDoubleClickEvent(QMouseEvent *event) override;
     void wheelEvent(QWheelEvent *event) override;
-    void leaveEvent(QEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
-    void focusInEvent(QFocusEvent *event) override;
-    void focusOutEvent(QFocusEvent *event) override;
 
 private:
     /// One curve of the plot, as a function of time or of another quantity.
@@ -89,17 +71,11 @@ private:
     QString readout(double up, double across) const;
     std::size_t nearestBucket(QPointF place, double &distance) const;
     QPointF place(double across, double up) const;
-    void goTo(QPointF place);
-    void paintMarks(QPainter &painter) const;
     void paintUnits(QPainter &painter) const;
     void paintNow(QPainter &painter) const;
-    void paintHovered(QPainter &painter) const;
     void paintEmpty(QPainter &painter) const;
-    void announce();
 
-    Session &m_session;
     const PlotCourse &m_course;
-    const Theme &m_theme;
     PlotSpec m_spec;
     std::size_t m_up = 0;     ///< column of the quantity on the vertical axis
     std::size_t m_across = 0; ///< and on the other
@@ -110,13 +86,10 @@ private:
     PlotRange m_acrossRange;
     double m_nowUp = 0.0;
     double m_nowAcross = 0.0;
-    std::optional<std::int64_t> m_hovered;
     QString m_empty;
     quint64 m_drawn = 0;         ///< the course's revision that the curves are from
     std::int64_t m_drawnAt = -1; ///< the frame at which they change
     bool m_axesAreOld = true;
-    bool m_isDragging = false;
-    bool m_isRinged = false; ///< the keyboard is here
     int m_curvesPainted = 0;
     int m_axesPainted = 0;
     double m_wheel = 0.0; ///< what is left of a notch

@@ -19,11 +19,6 @@ bool isZoomIn(int key)
     return key == Qt::Key_Plus || key == Qt::Key_Equal;
 }
 
-bool isArrow(int key)
-{
-    return key == Qt::Key_Left || key == Qt::Key_Right;
-}
-
 }
 
 std::size_t QuantityPlot::nearestBucket(QPointF where, double &distance) const
@@ -50,7 +45,7 @@ std::optional<std::int64_t> QuantityPlot::frameAt(QPointF where) const
     if (!m_spec.isAgainstTime()) {
         double distance = 0.0;
         const std::size_t bucket = nearestBucket(where, distance);
-        return distance <= nearEnough || (m_isDragging && std::isfinite(distance))
+        return distance <= nearEnough || (isDragging() && std::isfinite(distance))
                    ? std::optional(run.frameOf(bucket))
                    : std::nullopt;
     }
@@ -62,66 +57,10 @@ std::optional<std::int64_t> QuantityPlot::frameAt(QPointF where) const
         static_cast<std::size_t>(std::min<std::int64_t>(bucket, static_cast<std::int64_t>(run.size()) - 1)));
 }
 
-void QuantityPlot::setHovered(std::optional<std::int64_t> frame)
-{
-    if (frame == m_hovered)
-        return;
-    m_hovered = frame;
-    update();
-}
-
-void QuantityPlot::goTo(QPointF where)
-{
-    const std::optional<std::int64_t> frame = frameAt(where);
-    // A hand that trembles within one frame asks for nothing new.
-    if (!frame || *frame == m_session.goingTo().value_or(m_session.timeline().at().frame))
-        return;
-    m_session.goTo({*frame, 0});
-}
-
-void QuantityPlot::mousePressEvent(QMouseEvent *event)
-{
-    if (event->button() != Qt::LeftButton || !frameAt(event->position())) {
-        event->ignore();
-        return;
-    }
-    m_isDragging = true;
-    emit pointedAt(std::nullopt);
-    m_session.pause();
-    if (m_session.timeline().at().phase > 0)
-        m_session.goTo({*frameAt(event->position()), 0});
-    else
-        goTo(event->position());
-}
-
-void QuantityPlot::mouseMoveEvent(QMouseEvent *event)
-{
-    if (m_isDragging)
-        goTo(event->position());
-    else
-        emit pointedAt(frameAt(event->position()));
-}
-
-void QuantityPlot::mouseReleaseEvent(QMouseEvent *event)
-{
-    if (event->button() == Qt::LeftButton)
-        m_isDragging = false;
-}
-
-void QuantityPlot::mouseDoubleClickEvent(QMouseEvent *event)
-{
-    mousePressEvent(event);
-}
-
-void QuantityPlot::leaveEvent(QEvent *)
-{
-    emit pointedAt(std::nullopt);
-}
-
 void QuantityPlot::wheelEvent(QWheelEvent *event)
 {
     if (!(event->modifiers() & Qt::ControlModifier)) {
-        event->ignore(); // the panel scrolls
+        CursorPlot::wheelEvent(event); // the panel scrolls
         return;
     }
     m_wheel += event->angleDelta().y();
@@ -130,59 +69,30 @@ void QuantityPlot::wheelEvent(QWheelEvent *event)
     event->accept();
 }
 
-bool QuantityPlot::event(QEvent *event)
+bool QuantityPlot::wantsKey(int key) const
 {
-    if (event->type() == QEvent::ShortcutOverride) {
-        const auto *key = static_cast<QKeyEvent *>(event);
-        const bool isPlain = (key->modifiers() & ~(Qt::KeypadModifier | Qt::ShiftModifier)) == Qt::NoModifier;
-        if (isPlain && (isArrow(key->key()) || isZoomIn(key->key()) || key->key() == Qt::Key_Minus ||
-                        key->key() == Qt::Key_Delete)) {
-            event->accept();
-            return true;
-        }
-    }
-    return QCustomPlot::event(event);
+    return CursorPlot::wantsKey(key) || isZoomIn(key) || key == Qt::Key_Minus || key == Qt::Key_Delete;
 }
 
 void QuantityPlot::keyPressEvent(QKeyEvent *event)
 {
-    const bool isPhase = event->modifiers() & Qt::ShiftModifier;
-    if (event->key() == Qt::Key_Left)
-        isPhase ? m_session.phaseBack() : m_session.frameBack();
-    else if (event->key() == Qt::Key_Right)
-        isPhase ? m_session.phaseForward() : m_session.frameForward();
-    else if (isZoomIn(event->key()))
+    if (isZoomIn(event->key()))
         emit zoomWanted(1);
     else if (event->key() == Qt::Key_Minus)
         emit zoomWanted(-1);
     else if (event->key() == Qt::Key_Delete)
         emit removalWanted();
     else
-        QCustomPlot::keyPressEvent(event);
+        CursorPlot::keyPressEvent(event);
 }
 
 void QuantityPlot::resizeEvent(QResizeEvent *event)
 {
-    QCustomPlot::resizeEvent(event);
+    CursorPlot::resizeEvent(event);
     yAxis->ticker()->setTickCount(std::clamp(axisRect()->height() / betweenTicks, 2, 8));
     xAxis->ticker()->setTickCount(std::clamp(axisRect()->width() / (2 * betweenTicks), 2, 12));
     if (fitAxes())
         replot(QCustomPlot::rpQueuedRefresh);
-}
-
-void QuantityPlot::focusInEvent(QFocusEvent *event)
-{
-    m_isRinged = event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason ||
-                 event->reason() == Qt::ShortcutFocusReason;
-    QCustomPlot::focusInEvent(event);
-    update();
-}
-
-void QuantityPlot::focusOutEvent(QFocusEvent *event)
-{
-    m_isRinged = false;
-    QCustomPlot::focusOutEvent(event);
-    update();
 }
 
 }

@@ -26,6 +26,7 @@ enum class Height {
     springs,
     sticks,
     bodies,
+    rests,
     reference,
     guides,
     arrows,
@@ -202,6 +203,17 @@ protected:
 
 private:
     mutable Stencil m_stencil; ///< keeps its memory from one time to the next
+};
+
+/// How long springs and sticks are at rest: a bar where the end of one would be then, or a ring where that is a place of
+/// its own, with a dashed line to it.
+class RestLayer : public Layer
+{
+public:
+    RestLayer(const Shown &shown, const Theme &theme) : Layer(shown, theme, Height::rests) {}
+
+protected:
+    void draw(const Canvas &canvas) const override;
 };
 
 /// Where an exact solution has the bodies: dashed outlines, and how far each body is from its own.

@@ -1,6 +1,7 @@
 #include "app/ui/scene/overlay.h"
 
 #include "app/model/accuracy_words.h"
+#include "app/model/rest_marks.h"
 #include "app/ui/scene/arrows.h"
 #include "app/ui/scene/free_area.h"
 #include "app/ui/scene/guide_labels.h"
@@ -51,7 +52,7 @@ QString plain(double value)
 /// A mark and what it means.
 struct Overlay::Entry
 {
-    enum class Mark { pull, velocity, sum, ghost, onion, yours, reference };
+    enum class Mark { pull, velocity, sum, ghost, onion, yours, reference, rest };
     Mark mark;
     double width;
     QString text;
@@ -171,6 +172,8 @@ std::vector<Overlay::Entry> Overlay::legend() const
         entries.push_back({Entry::Mark::ghost, 30.0, m_shown.ghostName});
     if (!m_shown.onion.empty())
         entries.push_back({Entry::Mark::onion, 30.0, Text::tr("every %1 frames").arg(onionFrames)});
+    if (m_shown.extras.rests && hasRests(m_shown.picture.segment->scene))
+        entries.push_back({Entry::Mark::rest, 30.0, Text::tr("length at rest")});
     if (m_shown.extras.velocities)
         entries.push_back({Entry::Mark::velocity, unitArrow + 8.0,
                            Text::tr("%1\u2009px/frame").arg(plain(m_shown.velocityUnit))});
@@ -229,6 +232,12 @@ void Overlay::drawEntry(QPainter &painter, const Entry &entry, QPointF at) const
         break;
     case Entry::Mark::reference:
         drawReferenceMark(painter, m_theme, mark + QPointF(6.0, 0.0));
+        break;
+    case Entry::Mark::rest:
+        painter.setPen(dashed(t.ink3, 1.2, {4.0, 3.0}));
+        painter.drawLine(mark, mark + QPointF(20.0, 0.0));
+        painter.setPen(QPen(t.ink3, 2.0, Qt::SolidLine, Qt::FlatCap));
+        painter.drawLine(mark + QPointF(20.0, -6.0), mark + QPointF(20.0, 6.0));
         break;
     case Entry::Mark::onion:
         for (int i = 0; i < 3; ++i) {

@@ -224,6 +224,21 @@ void SceneBar::addTool(QAction &action, const QString &icon)
     arrange();
 }
 
+void SceneBar::setMiddle(QWidget *middle)
+{
+    if (m_middle) {
+        m_middle->hide();
+        m_middle->deleteLater(); // a key that was pressed in it may be what ends it
+    }
+    m_middle = middle;
+    if (middle) {
+        auto *row = static_cast<QHBoxLayout *>(layout());
+        row->insertWidget(row->indexOf(m_step) + 1, middle, 1000); // before the stretch, and at its cost
+        middle->show();
+    }
+    arrange();
+}
+
 void SceneBar::fillShow()
 {
     struct Item
@@ -241,6 +256,7 @@ void SceneBar::fillShow()
                            Item{"onion", tr("Onion skins"), &Extras::onion},
                            Item{"reference", tr("Reference"), &Extras::reference},
                            Item{"pulls", tr("Pulls of all forces"), &Extras::pulls},
+                           Item{"rests", tr("Rest lengths"), &Extras::rests},
                            Item{"ruler", tr("Ruler"), &Extras::ruler},
                            Item{"clock", tr("Clock"), &Extras::clock}};
     auto *menu = new QMenu(m_show);
@@ -307,7 +323,8 @@ void SceneBar::showZoom(double percent)
 
 void SceneBar::arrange()
 {
-    const bool isShort = widthWith(m_method->fullWidth(), m_step->fullWidth()) > width();
+    const int middle = m_middle ? m_middle->sizeHint().width() : 0;
+    const bool isShort = widthWith(m_method->fullWidth(), m_step->fullWidth()) + middle > width();
     m_method->setShort(isShort);
     m_step->setShort(isShort);
 }

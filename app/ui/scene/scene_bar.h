@@ -30,6 +30,9 @@ public:
     QStringList choices() const;
     /// A button with an icon of the theme, before "Show", that does what `action` does.
     void addTool(QAction &action, const QString &icon);
+    /// Something between step and "Show", which the bar owns then and which may be given less room than it wants; null:
+    /// nothing, and what was there is deleted.
+    void setMiddle(QWidget *middle);
     /// Without the captions of method and step.
     QSize minimumSizeHint() const override;
 
@@ -66,6 +69,7 @@ private:
     FlatButton *m_zoom;
     FlatButton *m_fit;
     int m_toolsWidth = 0; ///< px, of all buttons that were added
+    QWidget *m_middle = nullptr;
     QMenu *m_steps = nullptr;
     QLineEdit *m_other = nullptr;
     QLabel *m_unit = nullptr; ///< of what is typed there

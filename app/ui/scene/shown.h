@@ -41,6 +41,7 @@ struct Extras
     bool onion = false;
     bool reference = true;
     bool pulls = false; ///< between two frames, too
+    bool rests = false; ///< how long springs and sticks are at rest
     bool ruler = false;
     bool clock = false;
 };

@@ -56,6 +56,7 @@ void TimelineStrip::mousePressEvent(QMouseEvent *event)
         press(*fork, event->globalPosition().toPoint());
     } else if (isOnTrack(event->position())) {
         m_scrubbing = true;
+        emit pointedAt(std::nullopt);
         scrubTo(m_axis.frameAt(event->position().x()));
     }
 }
@@ -64,6 +65,7 @@ void TimelineStrip::mouseMoveEvent(QMouseEvent *event)
 {
     if (!m_scrubbing) {
         setHovered(m_phases.phaseAt(event->position()));
+        emit pointedAt(trackFrameAt(event->position()));
         return;
     }
     const std::int64_t frame = m_axis.frameAt(event->position().x());
@@ -81,6 +83,22 @@ void TimelineStrip::mouseReleaseEvent(QMouseEvent *event)
 void TimelineStrip::leaveEvent(QEvent *)
 {
     setHovered(-1);
+    emit pointedAt(std::nullopt);
+}
+
+std::optional<std::int64_t> TimelineStrip::trackFrameAt(const QPointF &place) const
+{
+    if (!isOnTrack(place) || m_axis.frameAt(place.x()) > m_view.computed)
+        return std::nullopt;
+    return m_axis.frameAt(place.x());
+}
+
+void TimelineStrip::setPointed(std::optional<std::int64_t> frame)
+{
+    if (frame == m_pointed)
+        return;
+    m_pointed = frame;
+    update(0, 0, width(), TimelinePlaces::fan);
 }
 
 void TimelineStrip::setHovered(int phase)

@@ -149,7 +149,8 @@ void paintHead(QPainter &painter, double x, const Tokens &t)
 
 }
 
-void paintTimeline(QPainter &painter, const TimelineAxis &axis, const RunView &view, const Theme &theme)
+void paintTimeline(QPainter &painter, const TimelineAxis &axis, const RunView &view, const Theme &theme,
+                   Below below)
 {
     painter.setRenderHint(QPainter::Antialiasing);
     paintTicks(painter, axis, theme);
@@ -159,8 +160,16 @@ void paintTimeline(QPainter &painter, const TimelineAxis &axis, const RunView &v
     if (view.old)
         paintOldRun(painter, axis, *view.old, theme);
     const double x = axis.xOf(view.at);
-    paintFan(painter, axis, x, view.playing, theme.tokens());
+    if (below == Below::fan)
+        paintFan(painter, axis, x, view.playing, theme.tokens());
     paintHead(painter, x, theme.tokens());
+}
+
+void paintPointed(QPainter &painter, const TimelineAxis &axis, std::int64_t frame, const Theme &theme)
+{
+    const double x = std::min(std::floor(axis.xOf(frame)), axis.right() - 1) + 0.5;
+    painter.setPen(QPen(theme.tokens().ink3, 1.0));
+    painter.drawLine(QPointF(x, Places::track - 9.0), QPointF(x, Places::track + 9.0));
 }
 
 QRectF oldRunArea(const TimelineAxis &axis, const OldRun &old, const Theme &theme)

@@ -59,8 +59,14 @@ struct TimelinePlaces
     static constexpr int stripHeight = 28;
 };
 
-/// Tick labels, track, old run, fan and head; not the phase strip.
-void paintTimeline(QPainter &painter, const TimelineAxis &axis, const RunView &view, const Theme &theme);
+/// What hangs below the track.
+enum class Below { fan, nothing };
+/// Tick labels, track, old run, head and, if it is wanted, the fan; not the phase strip.
+void paintTimeline(QPainter &painter, const TimelineAxis &axis, const RunView &view, const Theme &theme,
+                   Below below);
+
+/// A thin line through the track, at a frame that the mouse is at.
+void paintPointed(QPainter &painter, const TimelineAxis &axis, std::int64_t frame, const Theme &theme);
 
 /// Where the old run's dots and name are.
 QRectF oldRunArea(const TimelineAxis &axis, const OldRun &old, const Theme &theme);

@@ -43,12 +43,20 @@ TimelineStrip::TimelineStrip(Session &session, const Theme &theme, QWidget *pare
 
 QSize TimelineStrip::sizeHint() const
 {
-    return {600, Places::height};
+    return {600, m_form == Form::whole ? Places::height : Places::fan};
 }
 
 QSize TimelineStrip::minimumSizeHint() const
 {
-    return {280, Places::height};
+    return {280, sizeHint().height()};
+}
+
+void TimelineStrip::setForm(Form form)
+{
+    m_form = form;
+    readPhases();
+    updateGeometry();
+    update();
 }
 
 QString TimelineStrip::sentence() const
@@ -127,8 +135,10 @@ void TimelineStrip::paintEvent(QPaintEvent *event)
 {
     QPainter painter(this);
     painter.fillRect(event->rect(), m_theme.tokens().panel);
-    paintTimeline(painter, m_axis, m_view, m_theme);
-    if (event->region().intersects(stripArea(m_axis).toAlignedRect()))
+    paintTimeline(painter, m_axis, m_view, m_theme, m_form == Form::whole ? Below::fan : Below::nothing);
+    if (m_pointed)
+        paintPointed(painter, m_axis, *m_pointed, m_theme);
+    if (m_form == Form::whole && event->region().intersects(stripArea(m_axis).toAlignedRect()))
         m_phases.paint(painter, m_theme, m_view.playing, m_hovered);
     if (hasFocus() && m_byKeyboard) {
         constexpr double half = FocusRing::width / 2.0;

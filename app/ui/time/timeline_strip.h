@@ -20,6 +20,11 @@ public:
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
+    /// What of it is shown: all, or the run in time alone, as high as a row of buttons.
+    enum class Form { whole, trackOnly };
+    void setForm(Form form);
+    Form form() const { return m_form; }
+
     const TimelineAxis &axis() const { return m_axis; }
     const PhaseStrip &phases() const { return m_phases; }
     /// "Frame 41, after gravity, 2 of 5 phases done".
@@ -30,8 +35,13 @@ public:
     void scrubTo(std::int64_t frame);
     /// What is at a place, and what it does; empty where nothing is.
     QString hintAt(const QPoint &place) const;
+    /// A thin mark at a frame that the mouse is at, here or in a plot; nothing: there is none.
+    void setPointed(std::optional<std::int64_t> frame);
+    std::optional<std::int64_t> pointed() const { return m_pointed; }
 
 signals:
+    /// The mouse is at a frame of the track, or has left it.
+    void pointedAt(std::optional<std::int64_t> frame);
     /// This run and the one beside it are to be compared in numbers.
     void compareWanted();
 
@@ -65,6 +75,8 @@ private:
     void showRuns(std::vector<int> branches, const QPoint &onScreen);
     QString hintOf(const Fork &fork) const;
     void setHovered(int phase);
+    /// The computed frame under a place; nothing where there is none.
+    std::optional<std::int64_t> trackFrameAt(const QPointF &place) const;
     void runTo(int phase);
     void step(bool forward, bool byPhase);
     void announce();
@@ -76,7 +88,9 @@ private:
     RunView m_view;
     Position m_position;
     std::shared_ptr<const sim::Segment> m_segment; ///< whose phases are shown
-    int m_hovered = -1;
+    int m_hovered = -1;                            ///< the phase that the mouse is on
+    std::optional<std::int64_t> m_pointed;         ///< the frame that it is on
+    Form m_form = Form::whole;
     int m_wheel = 0; ///< what is left of a notch
     bool m_scrubbing = false;
     bool m_byKeyboard = false; ///< whether focus came with the keyboard, and shows

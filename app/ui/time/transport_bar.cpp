@@ -238,9 +238,23 @@ void TransportBar::editFrame()
     m_frame->edit();
 }
 
+void TransportBar::takeIn(QWidget *widget)
+{
+    m_middle = widget;
+    m_layout->insertWidget(m_layout->indexOf(m_frame) + 1, widget, 1000);
+    fit();
+}
+
+void TransportBar::giveOut(QWidget *widget)
+{
+    m_middle = nullptr;
+    m_layout->removeWidget(widget);
+    fit();
+}
+
 QSize TransportBar::minimumSizeHint() const
 {
-    return {400, height()};
+    return {400 + (m_middle ? m_middle->minimumSizeHint().width() : 0), height()};
 }
 
 void TransportBar::fit()

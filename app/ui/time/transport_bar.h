@@ -32,6 +32,11 @@ public:
     /// Opens that menu above its button.
     void chooseRun();
 
+    /// Puts a widget between the frame and the other runs, and owns it from then on.
+    void takeIn(QWidget *widget);
+    /// Gives it up again: whoever calls takes it.
+    void giveOut(QWidget *widget);
+
     /// Less high and wide than this is not to be had.
     QSize minimumSizeHint() const override;
 
@@ -79,6 +84,7 @@ private:
     QToolButton *m_runsButton;
     RunsMenu *m_runs;
     FrameCounter *m_frame;
+    QWidget *m_middle = nullptr; ///< what was taken in
     SpeedButton *m_speed;
     QAction *m_goToFrame;
     QShortcut *m_cancel; ///< Escape, while the session goes to a far frame or computes a run again

@@ -181,6 +181,7 @@ void MainWindow::makeViewActions()
     m_stabilityAction = add(tr("&Stability of the step"), {QKeySequence("Ctrl+L")}, window,
                             [this](bool shown) { showStability(shown); });
     m_stabilityAction->setCheckable(true);
+    makeLayoutMenu();
     makeLanguageMenu();
     makeAppearanceActions();
 }
@@ -235,6 +236,7 @@ void MainWindow::showHelp()
                                tr("from line to line; with Ctrl from heading to heading"));
         m_helpPage->addGesture(code, tr("Ctrl and Left or Right"), tr("from word to word"));
         m_helpPage->addGesture(code, tr("Enter, on a heading"), tr("fold or unfold"));
+        m_helpPage->addGesture(code, tr("F8"), tr("show the lines of the step before that are gone"));
         m_helpPage->addGesture(code, tr("Ctrl+C"), tr("copy what is selected, or the whole region"));
         m_helpPage->addGesture(code, tr("Stop when…"),
                                tr("the field below the code: stop when that comes true"));

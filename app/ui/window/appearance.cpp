@@ -1,4 +1,4 @@
-// How the window looks: colours, size, motion, and the scene alone.
+// How the window looks: colours, size, motion.
 
 #include "app/ui/window/appearance.h"
 
@@ -138,38 +138,6 @@ void MainWindow::makeSizeActions()
             emit m_session.said(tr("At its next start, Springstep is drawn at %1\u2009%.").arg(size));
         });
     }
-}
-
-void MainWindow::makeFocusActions()
-{
-    m_focusAction = action(tr("Scene onl&y"), {QKeySequence(Qt::Key_F11)}, tr("Window"));
-    m_focusAction->setToolTip(tr("Nothing but the scene and its time; again brings the panels back (F11)"));
-    m_focusAction->setCheckable(true);
-    m_view->addAction(m_focusAction);
-    connect(m_focusAction, &QAction::toggled, this, &MainWindow::setFocusMode);
-    QAction *full = action(tr("F&ull screen"), {QKeySequence("Shift+F11")}, tr("Window"));
-    full->setCheckable(true);
-    m_view->addAction(full);
-    // The window may have been left so at the last start, and others than this action can change it.
-    const auto follow = [this, full] { full->setChecked(isFullScreen()); };
-    connect(m_view, &QMenu::aboutToShow, full, follow);
-    connect(full, &QAction::triggered, this, [this, follow] {
-        setWindowState(windowState() ^ Qt::WindowFullScreen);
-        follow();
-    });
-}
-
-void MainWindow::setFocusMode(bool on)
-{
-    if (on) {
-        showStability(false);
-        m_docksBeforeFocus = saveState();
-        for (QDockWidget *dock : findChildren<QDockWidget *>())
-            dock->hide();
-        return;
-    }
-    restoreState(m_docksBeforeFocus);
-    fitParameters();
 }
 
 void MainWindow::fitInto(QSize room)

@@ -125,8 +125,7 @@ void MainWindow::followWorkshop()
     }
     if (m_mode == Mode::measure)
         return;
-    m_mode = builds ? Mode::build : Mode::learn;
-    m_modes->actions().at(static_cast<int>(m_mode))->setChecked(true);
+    arrangeFor(builds ? Mode::build : Mode::learn);
 }
 
 void MainWindow::openWorkshop()

@@ -33,6 +33,7 @@ void MainWindow::makeDocks(CostFunction cost)
 {
     m_learn = new LearnPanel(m_session, m_theme, this);
     m_left = dock("lessons", new QWidget(this), m_learn, Qt::LeftDockWidgetArea);
+    m_left->setWindowTitle(tr("Lessons"));
 
     m_accuracy = new AccuracyPanel(*m_study, m_theme, this);
     m_accuracyDock = dock("accuracy", new QWidget(this), m_accuracy, Qt::RightDockWidgetArea);
@@ -92,6 +93,7 @@ void MainWindow::makeParameterDock()
     column->addWidget(m_measureLine);
     column->addWidget(m_parameters, 1);
     m_parameterDock = dock("parameters", new QWidget(this), numbers, Qt::RightDockWidgetArea);
+    m_parameterDock->setWindowTitle(tr("Parameters"));
 }
 
 void MainWindow::showMeasures()

@@ -167,7 +167,9 @@ void MainWindow::restore()
     const QSettings settings;
     if (!restoreGeometry(settings.value("window/geometry").toByteArray()))
         resize(1280, 800);
-    m_docksKnown = restoreState(settings.value("window/docks").toByteArray());
+    m_firstDocks = saveState();
+    m_layoutKey = layoutKey(m_mode);
+    m_docksKnown = restoreState(settings.value(m_layoutKey).toByteArray());
     m_accuracyDock->hide(); // the window opens for learning
     m_energyDock->hide();
     m_branchesDock->hide();
@@ -180,9 +182,14 @@ void MainWindow::showEvent(QShowEvent *event)
 {
     QMainWindow::showEvent(event);
     if (!m_docksKnown)
-        resizeDocks({m_left, m_codeDock}, width() < wide ? QList{280, 400} : QList{320, 480}, Qt::Horizontal);
+        placeSides();
     m_docksKnown = true;
     fitParameters();
+}
+
+void MainWindow::placeSides()
+{
+    resizeDocks({m_left, m_codeDock}, width() < wide ? QList{280, 400} : QList{320, 480}, Qt::Horizontal);
 }
 
 void MainWindow::closeEvent(QCloseEvent *event)
@@ -191,11 +198,9 @@ void MainWindow::closeEvent(QCloseEvent *event)
         event->ignore();
         return;
     }
-    QSettings settings;
-    settings.setValue("window/geometry", saveGeometry());
+    QSettings().setValue("window/geometry", saveGeometry());
     showStability(false);
-    if (!m_gaveWay)
-        settings.setValue("window/docks", m_mode == Mode::learn ? saveState() : m_learnDocks);
+    saveLayouts();
     QMainWindow::closeEvent(event);
 }
 

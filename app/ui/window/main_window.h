@@ -11,6 +11,7 @@
 #include <QTimer>
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -37,6 +38,7 @@ class MeasurePanel;
 class ParameterPanel;
 class PlotsPanel;
 class SceneBar;
+class SceneCard;
 class SceneView;
 class StabilityGauge;
 class StabilityPanel;
@@ -118,6 +120,22 @@ private:
     void makeFocusActions();
     void rememberChoices();
     void setFocusMode(bool on);
+    void enterFocus();
+    void leaveFocus();
+    void makeLayoutMenu();
+    /// Where the arrangement for `mode` is kept in the settings.
+    QString layoutKey(Mode mode) const;
+    void keepLayout();
+    void saveLayouts();
+    /// Arranges the panels as they were kept for the preset in use, or as it has them at first.
+    void useLayout(Mode before);
+    void resetLayout();
+    void movePanel(QDockWidget &panel, Qt::DockWidgetArea area);
+    void setPanelsMovable(bool movable);
+    /// How wide the panels beside the scene are at first.
+    void placeSides();
+    /// Changes to a preset, without what belongs to it besides its panels.
+    void arrangeFor(Mode mode);
     void makeLanguageMenu();
     void chooseLanguage(const QString &code);
     void makeBuilding();
@@ -143,6 +161,8 @@ private:
     void makeBranchActions();
     void makePlots();
     void makePlotsAction();
+    /// Where the mouse is in a plot, or on the timeline, is marked in all of them.
+    void joinCursors();
     void arrangePlots();
     bool hasRoomForPlots() const;
     void say(const QString &sentence);
@@ -194,8 +214,10 @@ private:
     AccuracyStudy *m_study;
     StabilityWatch *m_stability;
     Mode m_mode = Mode::learn;
-    QByteArray m_learnDocks; ///< the arrangement that the learner left for measuring
-    QString m_leftLesson;    ///< the one that the learner left for building
+    std::map<QString, QByteArray> m_layouts; ///< that were in use, by where they are kept
+    QString m_layoutKey;                     ///< of the one in use
+    QByteArray m_firstDocks;                 ///< the arrangement of a new window
+    QString m_leftLesson;                    ///< the one that the learner left for building
     QString m_leftStep;
     std::vector<Listed> m_actions;
     QMenu *m_file = nullptr;
@@ -219,6 +241,7 @@ private:
     LearnPanel *m_learn = nullptr;
     SceneBar *m_sceneBar = nullptr;
     SceneView *m_scene = nullptr;
+    SceneCard *m_card = nullptr; ///< over the scene, while it is alone
     StopNotice *m_stopNotice = nullptr;
     TransportBar *m_transport = nullptr;
     TimelineStrip *m_timeline = nullptr;

@@ -69,23 +69,25 @@ void MainWindow::setMode(Mode mode)
 {
     if (mode == m_mode)
         return;
-    showStability(false);
-    const Mode before = std::exchange(m_mode, mode);
-    m_modes->actions().at(static_cast<int>(mode))->setChecked(true);
-    if (mode == Mode::measure) {
-        m_learnDocks = saveState();
-        removeDockWidget(m_plotsDock); // arrangePlots() finds its place among those that stay
-        arrangeForMeasuring();
-    } else if (before == Mode::measure) {
-        restoreState(m_learnDocks);
-        m_accuracyDock->hide();
-    }
-    arrangePlots();
+    arrangeFor(mode);
     if (mode == Mode::build)
         openWorkshop();
     else if (mode == Mode::learn)
         leaveWorkshop();
     fitParameters();
+}
+
+void MainWindow::arrangeFor(Mode mode)
+{
+    if (mode == m_mode)
+        return;
+    m_focusAction->setChecked(false);
+    showStability(false);
+    keepLayout();
+    const Mode before = std::exchange(m_mode, mode);
+    m_modes->actions().at(static_cast<int>(mode))->setChecked(true);
+    useLayout(before);
+    arrangePlots();
 }
 
 void MainWindow::showEnergy(bool shown)

@@ -1,9 +1,11 @@
 // The plots of the window: where they stand, and who hears what they say.
 
+#include "app/ui/branches/branches_panel.h"
 #include "app/ui/energy/energy_panel.h"
 #include "app/ui/measure/accuracy_panel.h"
 #include "app/ui/plots/plot_export.h"
 #include "app/ui/plots/plots_panel.h"
+#include "app/ui/time/timeline_strip.h"
 #include "app/ui/window/main_window.h"
 #include "app/ui/window/notice.h"
 
@@ -36,8 +38,23 @@ void MainWindow::makePlots()
         connect(exports, &PlotExport::said, &m_session, &Session::said);
         connect(exports, &PlotExport::failed, m_notice, &Notice::say);
     }
+    joinCursors();
     connect(m_plotsDock, &QDockWidget::visibilityChanged, m_plots,
             [plots = m_plots](bool seen) { plots->setCovered(!seen); });
+}
+
+void MainWindow::joinCursors()
+{
+    const auto show = [this](std::optional<std::int64_t> frame) {
+        m_plots->setHovered(frame);
+        m_energy->setHovered(frame);
+        m_branches->setHovered(frame);
+        m_timeline->setPointed(frame);
+    };
+    connect(m_plots, &PlotsPanel::pointedAt, this, show);
+    connect(m_energy, &EnergyPanel::pointedAt, this, show);
+    connect(m_branches, &BranchesPanel::pointedAt, this, show);
+    connect(m_timeline, &TimelineStrip::pointedAt, this, show);
 }
 
 void MainWindow::makePlotsAction()
@@ -72,6 +89,11 @@ void MainWindow::showPlots(bool shown)
 void MainWindow::arrangePlots()
 {
     const bool shown = QSettings().value(shownKey, true).toBool();
+    const Qt::DockWidgetArea area = dockWidgetArea(m_plotsDock);
+    if (area == Qt::LeftDockWidgetArea || area == Qt::BottomDockWidgetArea) {
+        m_plotsDock->setVisible(shown); // the learner has put it there
+        return;
+    }
     removeDockWidget(m_plotsDock); // a dock leaves its tabs only so
     if (hasRoomForPlots()) {
         addDockWidget(Qt::RightDockWidgetArea, m_plotsDock);

@@ -1,6 +1,6 @@
-#include "app/ui/plots/quantity_access.h"
+#include "app/ui/plots/cursor_access.h"
 
-#include "app/ui/plots/quantity_plot.h"
+#include "app/ui/plots/cursor_plot.h"
 
 #include <QAccessible>
 #include <QAccessibleWidget>
@@ -9,10 +9,10 @@ namespace app {
 
 namespace {
 
-class QuantityAccess : public QAccessibleWidget
+class CursorAccess : public QAccessibleWidget
 {
 public:
-    explicit QuantityAccess(QuantityPlot *plot) : QAccessibleWidget(plot, QAccessible::Chart), m_plot(plot) {}
+    explicit CursorAccess(CursorPlot *plot) : QAccessibleWidget(plot, QAccessible::Chart), m_plot(plot) {}
 
     QString text(QAccessible::Text kind) const override
     {
@@ -22,18 +22,18 @@ public:
     }
 
 private:
-    QuantityPlot *m_plot;
+    CursorPlot *m_plot;
 };
 
 QAccessibleInterface *makeAccess(const QString &, QObject *object)
 {
-    auto *plot = qobject_cast<QuantityPlot *>(object);
-    return plot ? new QuantityAccess(plot) : nullptr;
+    auto *plot = qobject_cast<CursorPlot *>(object);
+    return plot ? new CursorAccess(plot) : nullptr;
 }
 
 }
 
-void installQuantityAccess()
+void installCursorAccess()
 {
     static const bool once = [] {
         QAccessible::installFactory(makeAccess);

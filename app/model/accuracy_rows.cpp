@@ -1,0 +1,78 @@
+#include "app/model/accuracy_rows.h"
+
+#include "app/model/accuracy_words.h"
+#include "app/model/csv_text.h"
+
+#include <algorithm>
+
+namespace app {
+
+namespace {
+
+void append(QByteArray &text, double value)
+{
+    text += ',';
+    appendNumber(text, value);
+}
+
+void appendRow(QByteArray &text, const sim::AccuracyRow &row)
+{
+    text += quotedField(QString::fromStdString(row.way.method->id()));
+    text += ',' + QByteArray::number(row.way.method->order()) + ',';
+    if (!row.way.step.adaptive())
+        appendNumber(text, row.way.step.h);
+    text += ',';
+    if (row.way.step.adaptive())
+        appendNumber(text, row.way.step.tolerance);
+    append(text, row.error);
+    append(text, row.evaluations);
+    const bool isTimed = row.nsPerFrame > 0.0;
+    text += ',';
+    if (isTimed)
+        appendNumber(text, row.nsPerFrame);
+    text += ',';
+    if (isTimed)
+        appendNumber(text, row.spread);
+    text += row.front ? ",1\n" : ",0\n";
+}
+
+}
+
+QByteArray accuracyRows(const sim::Accuracy &accuracy)
+{
+    // As the command line calls them.
+    const QByteArray titles = "method,order,\"h [frames]\",\"tolerance [px]\",\"error [px]\",evaluations,"
+                              "ns_per_frame,spread,front\n";
+    QByteArray text;
+    for (const sim::AccuracyRow &row : accuracy.rows) {
+        if (row.outcome == sim::Outcome::measured)
+            appendRow(text, row);
+    }
+    return text.isEmpty() ? text : titles + text;
+}
+
+QByteArray errorsOverRun(const sim::Accuracy &accuracy, const std::vector<std::size_t> &rows)
+{
+    if (rows.empty())
+        return {};
+    QByteArray text = "frame";
+    std::size_t frames = 0;
+    for (const std::size_t row : rows) {
+        text += ',' + quotedField(QStringLiteral("%1 [px]").arg(wayWords(accuracy.rows[row].way)));
+        frames = std::max(frames, accuracy.rows[row].errorAt.size());
+    }
+    text += '\n';
+    for (std::size_t frame = 0; frame < frames; ++frame) {
+        text += QByteArray::number(static_cast<qulonglong>(frame));
+        for (const std::size_t row : rows) {
+            const std::vector<double> &errors = accuracy.rows[row].errorAt;
+            text += ',';
+            if (frame < errors.size())
+                appendNumber(text, errors[frame]);
+        }
+        text += '\n';
+    }
+    return text;
+}
+
+}

@@ -1,0 +1,70 @@
+#include "app/model/rest_marks.h"
+
+#include <algorithm>
+#include <map>
+
+namespace app {
+
+namespace {
+
+constexpr double shortest = 1e-6; ///< px: a length below that is none
+
+using Pair = std::pair<int, int>;
+
+Pair pairOf(const sim::RestEnd &rest)
+{
+    return std::minmax(rest.mover, rest.anchor);
+}
+
+/// What is nailed stays where it is; else the smaller disc goes, and of two alike the later point.
+bool goesRather(const sim::RestEnd &one, const sim::RestEnd &other, const sim::State &state,
+                const lessons::Look &look)
+{
+    if (state.feels(one.mover) != state.feels(other.mover))
+        return state.feels(one.mover);
+    const auto radius = [&look](int point) { return look.bodies[static_cast<std::size_t>(point)].radius; };
+    if (radius(one.mover) != radius(other.mover))
+        return radius(one.mover) < radius(other.mover);
+    return one.mover > other.mover;
+}
+
+void addMarks(std::vector<RestMark> &marks, const sim::Effect &effect, const sim::State &state,
+              const lessons::Look &look)
+{
+    const auto *resting = dynamic_cast<const sim::Resting *>(&effect);
+    if (!resting)
+        return;
+    std::vector<sim::RestEnd> rests;
+    resting->rests(state, rests);
+    std::map<Pair, sim::RestEnd> chosen;
+    for (const sim::RestEnd &rest : rests) {
+        if (sim::length(rest.place - state.at(rest.anchor)) <= shortest)
+            continue;
+        const auto [place, isFirst] = chosen.try_emplace(pairOf(rest), rest);
+        if (!isFirst && goesRather(rest, place->second, state, look))
+            place->second = rest;
+    }
+    for (const auto &[pair, rest] : chosen)
+        marks.push_back({rest, effect.kind()});
+}
+
+}
+
+std::vector<RestMark> restMarks(const sim::Scene &scene, const sim::State &state, const lessons::Look &look)
+{
+    std::vector<RestMark> marks;
+    for (const sim::EffectPtr &effect : scene.effects) {
+        if (!effect->idle())
+            addMarks(marks, *effect, state, look);
+    }
+    return marks;
+}
+
+bool hasRests(const sim::Scene &scene)
+{
+    return std::any_of(scene.effects.begin(), scene.effects.end(), [](const sim::EffectPtr &effect) {
+        return dynamic_cast<const sim::Resting *>(effect.get()) != nullptr;
+    });
+}
+
+}

@@ -1,0 +1,84 @@
+// How long springs and sticks are at rest.
+
+#include "app/model/rest_marks.h"
+#include "app/ui/scene/layers.h"
+
+#include <algorithm>
+
+namespace app {
+
+namespace {
+
+constexpr double beyondDisc = 4.0; ///< px of the screen by which a mark sticks out of the disc at its end
+constexpr double leastHalf = 6.0;  ///< px of the screen, of a bar
+constexpr double barWidth = 2.0;
+constexpr double rim = 2.0; ///< px of the background round a bar, so that it shows on any disc
+
+double discAt(const Canvas &canvas, int point)
+{
+    return canvas.shown.isHidden(point) ? 0.0 : canvas.camera.radius(canvas.shown.radius(point));
+}
+
+/// All that one kind of link draws.
+struct Strokes
+{
+    QVector<QLineF> shadows; ///< from an end to where the other would be
+    QVector<QLineF> bars;    ///< across a link, at its length
+    QPainterPath rings;      ///< round a place that is not on the link
+};
+
+void addMark(Strokes &strokes, const Canvas &canvas, const RestMark &mark)
+{
+    const QPointF place = canvas.camera.at(mark.rest.place);
+    const QPointF from = canvas.camera.at(canvas.shown.state().at(mark.rest.anchor));
+    const QLineF visible = canvas.cut(from, place);
+    if (!visible.isNull())
+        strokes.shadows << visible;
+    const double half = std::max(leastHalf, discAt(canvas, mark.rest.mover) + beyondDisc);
+    if (!canvas.reaches(place, half))
+        return;
+    if (!mark.rest.isLength) {
+        strokes.rings.addEllipse(place, half, half);
+        return;
+    }
+    const QLineF link(from, place);
+    if (link.length() <= 0.0)
+        return;
+    const QPointF across = half / link.length() * QPointF(link.dy(), -link.dx());
+    strokes.bars << QLineF(place - across, place + across);
+}
+
+void drawStrokes(QPainter &painter, const Strokes &strokes, const QColor &color, const QColor &behind)
+{
+    painter.setBrush(Qt::NoBrush);
+    QPen pen(behind, barWidth + rim, Qt::SolidLine, Qt::FlatCap);
+    painter.setPen(pen);
+    painter.drawLines(strokes.bars);
+    painter.setPen(dashed(color, 1.2, {4.0, 3.0}));
+    painter.drawLines(strokes.shadows);
+    painter.setPen(dashed(color, 1.5, {4.0, 3.0}));
+    painter.drawPath(strokes.rings);
+    pen.setColor(color);
+    pen.setWidthF(barWidth);
+    painter.setPen(pen);
+    painter.drawLines(strokes.bars);
+}
+
+}
+
+void RestLayer::draw(const Canvas &canvas) const
+{
+    const Shown &shown = canvas.shown;
+    if (!shown.extras.rests)
+        return;
+    Strokes springs, sticks;
+    for (const RestMark &mark : restMarks(shown.picture.segment->scene, shown.state(), shown.look())) {
+        if (shown.isCrowd() && mark.rest.mover != shown.selected && mark.rest.anchor != shown.selected)
+            continue;
+        addMark(mark.kind == sim::Kind::stick ? sticks : springs, canvas, mark);
+    }
+    drawStrokes(canvas.painter, springs, canvas.tokens().spring, canvas.tokens().scene);
+    drawStrokes(canvas.painter, sticks, canvas.tokens().stick, canvas.tokens().scene);
+}
+
+}

@@ -1,0 +1,97 @@
+#include "app/ui/window/focus_parameters.h"
+
+#include "app/model/offered_parameters.h"
+#include "app/ui/panels/parameter_row.h"
+
+#include <algorithm>
+
+namespace app {
+
+namespace {
+
+constexpr int leastField = 150; ///< px that slider and number need
+constexpr int wantedField = 200;
+constexpr int refreshMilliseconds = 100;
+
+}
+
+FocusParameters::FocusParameters(Session &session, const Theme &theme, QWidget *parent)
+    : QWidget(parent), m_session(session), m_theme(theme)
+{
+    setObjectName("focusParameters");
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    m_soon.setSingleShot(true);
+    m_soon.setInterval(refreshMilliseconds);
+    connect(&m_soon, &QTimer::timeout, this, &FocusParameters::refresh);
+    const auto refreshSoon = [this] {
+        if (!m_session.isPlaying())
+            refresh();
+        else if (!m_soon.isActive())
+            m_soon.start();
+    };
+    connect(&session, &Session::stepOpened, this, &FocusParameters::open);
+    connect(&session, &Session::moved, this, refreshSoon);
+    connect(&session, &Session::runChanged, this, refreshSoon);
+    open();
+}
+
+void FocusParameters::open()
+{
+    for (ParameterRow *row : m_rows) {
+        row->hide();
+        row->deleteLater(); // it may be its own change that opened a step
+    }
+    m_rows.clear();
+    for (const lessons::Parameter *parameter : offeredParameters(m_session)) {
+        if (m_rows.size() == most)
+            break;
+        m_rows.push_back(new ParameterRow(m_session, *parameter, m_theme, this, ParameterRow::Form::brief));
+        m_rows.back()->setColumns(m_rows.back()->wantedLabelWidth(), 0);
+    }
+    updateGeometry();
+    fit();
+}
+
+void FocusParameters::refresh()
+{
+    m_soon.stop();
+    for (ParameterRow *row : m_rows)
+        row->refresh();
+}
+
+QSize FocusParameters::sizeHint() const
+{
+    int wide = 0;
+    for (const ParameterRow *row : m_rows)
+        wide += row->wantedLabelWidth() + wantedField;
+    return {wide, ParameterRow::height};
+}
+
+void FocusParameters::fit()
+{
+    std::size_t shown = 0;
+    int needed = 0;
+    for (; shown < m_rows.size(); ++shown) {
+        const int least = m_rows[shown]->wantedLabelWidth() + leastField;
+        if (needed + least > width())
+            break;
+        needed += least;
+    }
+    const int spare = shown > 0 ? (width() - needed) / static_cast<int>(shown) : 0;
+    const int more = std::min(spare, wantedField - leastField);
+    int x = width() - needed - more * static_cast<int>(shown); // at the right, beside "Show"
+    for (std::size_t i = 0; i < m_rows.size(); ++i) {
+        const int wide = m_rows[i]->wantedLabelWidth() + leastField + more;
+        m_rows[i]->setVisible(i < shown);
+        m_rows[i]->setGeometry(x, (height() - ParameterRow::height) / 2, wide, ParameterRow::height);
+        x += wide;
+    }
+}
+
+void FocusParameters::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    fit();
+}
+
+}

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "app/ui/theme/theme.h"
+
+#include <QTimer>
+#include <QWidget>
+
+#include <vector>
+
+namespace app {
+
+class ParameterRow;
+class Session;
+
+/// The first parameters of a step in a bar, as many as have room.
+class FocusParameters : public QWidget
+{
+    Q_OBJECT
+
+public:
+    static constexpr std::size_t most = 3;
+
+    FocusParameters(Session &session, const Theme &theme, QWidget *parent = nullptr);
+
+    /// Those that the step has, whether or not they have room.
+    const std::vector<ParameterRow *> &rows() const { return m_rows; }
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override { return {0, 0}; }
+
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+
+private:
+    void open();
+    void refresh();
+    void fit();
+
+    Session &m_session;
+    const Theme &m_theme;
+    std::vector<ParameterRow *> m_rows;
+    QTimer m_soon; ///< numbers change as often as they can be read
+};
+
+}

@@ -1,0 +1,125 @@
+#include "app/ui/window/scene_card.h"
+
+#include "app/model/session.h"
+#include "app/ui/panels/prose.h"
+#include "app/ui/scene/free_area.h"
+#include "app/ui/scene/scene_view.h"
+
+#include <QEvent>
+#include <QLabel>
+#include <QPainter>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace app {
+
+namespace {
+
+constexpr int gap = 20;        ///< px, to the picture's edges
+constexpr int mostWidth = 420; ///< px
+constexpr double radius = 10.0;
+constexpr double cover = 0.86; ///< how much of the picture it hides
+
+/// The first sentence of a text.
+QString firstSentence(const QString &text)
+{
+    const QString line = text.section('\n', 0, 0, QString::SectionSkipEmpty);
+    const qsizetype end = line.indexOf(QStringLiteral(". "));
+    return end < 0 ? line : line.left(end + 1);
+}
+
+}
+
+SceneCard::SceneCard(Session &session, const Theme &theme, SceneView &scene)
+    : QFrame(&scene), m_session(session), m_theme(theme), m_scene(scene), m_title(new QLabel(this)),
+      m_text(new QLabel(this))
+{
+    setObjectName("sceneCard");
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    for (QLabel *label : {m_title, m_text}) {
+        label->setTextFormat(Qt::PlainText);
+        label->setWordWrap(true);
+    }
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(16, 10, 16, 12);
+    column->setSpacing(4);
+    column->addWidget(m_title);
+    column->addWidget(m_text);
+    connect(&session, &Session::stepOpened, this, &SceneCard::refresh);
+    connect(&session, &Session::moved, this, &SceneCard::place);
+    connect(&session.progress(), &Progress::changed, this, &SceneCard::refresh);
+    connect(&theme, &Theme::changed, this, &SceneCard::dress);
+    scene.installEventFilter(this);
+    dress();
+    refresh();
+}
+
+void SceneCard::dress()
+{
+    m_title->setFont(m_theme.ui(15, QFont::DemiBold));
+    m_text->setFont(m_theme.ui(13));
+    place();
+    update();
+}
+
+QString SceneCard::sentence() const
+{
+    const lessons::Step &step = m_session.step();
+    for (std::size_t i = 0; i < step.tries.size(); ++i) {
+        if (!m_session.progress().isDone(m_session.lesson().id, step.id, static_cast<int>(i)))
+            return plainText(step.tries[i].text);
+    }
+    if (step.tries.empty())
+        return firstSentence(plainText(step.narration));
+    return m_session.following() ? tr("Done: all there is to try here. Page Down opens the next step.")
+                                 : tr("Done: all there is to try here.");
+}
+
+void SceneCard::refresh()
+{
+    m_title->setText(m_session.step().title);
+    m_text->setText(sentence());
+    setAccessibleName(tr("%1: %2").arg(m_title->text(), m_text->text()));
+    place();
+}
+
+void SceneCard::place()
+{
+    const int width = std::min(mostWidth, m_scene.width() - 2 * gap);
+    // Below what the picture itself says at its top.
+    const double top =
+        m_scene.shown().caption.isEmpty() ? gap : freeArea(m_scene.shown(), QRectF(m_scene.rect())).top();
+    const int wanted = std::min(width, sizeHint().width());
+    const QRect box(gap, qRound(top), wanted, heightForWidth(wanted));
+    if (box != geometry())
+        setGeometry(box);
+}
+
+bool SceneCard::eventFilter(QObject *watched, QEvent *event)
+{
+    if (watched == &m_scene && event->type() == QEvent::Resize)
+        place();
+    return QFrame::eventFilter(watched, event);
+}
+
+void SceneCard::showEvent(QShowEvent *event)
+{
+    QFrame::showEvent(event);
+    place();
+}
+
+void SceneCard::paintEvent(QPaintEvent *)
+{
+    const Tokens &t = m_theme.tokens();
+    const bool isPlain = m_theme.scheme() == Scheme::highContrast; // nothing shines through
+    QColor fill = t.panel;
+    fill.setAlphaF(isPlain ? 1.0F : static_cast<float>(cover));
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(t.line);
+    painter.setBrush(fill);
+    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), radius, radius);
+}
+
+}
