@@ -30,12 +30,15 @@ void waitThere(const Session &session)
 
 QString percentiles(std::vector<double> seconds)
 {
+    const auto slowest = std::max_element(seconds.begin(), seconds.end()) - seconds.begin() + 1;
     std::sort(seconds.begin(), seconds.end());
     const auto at = [&](double share) {
         const auto last = static_cast<double>(seconds.size() - 1);
         return QString::number(1e3 * seconds[static_cast<std::size_t>(std::lround(share * last))], 'f', 2);
     };
-    return QString("median %1 ms, 90 %: %2, 99 %: %3, most %4").arg(at(0.5), at(0.9), at(0.99), at(1.0));
+    return QString("median %1 ms, 90 %: %2, 99 %: %3, most %4 (number %5)")
+        .arg(at(0.5), at(0.9), at(0.99), at(1.0))
+        .arg(slowest);
 }
 
 /// Opens "LESSON/STEP,PARAMETER=VALUE...".
