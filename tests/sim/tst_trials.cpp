@@ -234,7 +234,7 @@ private slots:
 
     void aTrialThatWouldTakeLongIsNotClaimed()
     {
-        Script script = star(25);
+        Script script = star(60);
         script.values.set("damp", 1.0); // what is damped comes to rest, and then no time is long
         Stop stop = stopOf(script);
         stop.frame = 1'000'000'000;
