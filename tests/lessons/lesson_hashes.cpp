@@ -24,15 +24,11 @@ namespace {
 /// Source: Fowler, Noll and Vo, FNV-1a with 64 bits.
 std::uint64_t hashed(std::uint64_t hash, const sim::State &state)
 {
-    const auto visit = [&](const void *data, std::size_t bytes) {
+    sim::visitMemory(state, [&](const void *data, std::size_t bytes) {
         const auto *byte = static_cast<const unsigned char *>(data);
         for (std::size_t i = 0; i < bytes; ++i)
             hash = (hash ^ byte[i]) * 0x100000001b3u;
-    };
-    const auto arr = [&](const auto &a) { visit(a.data(), std::size_t(a.size()) * sizeof *a.data()); };
-    arr(state.position); arr(state.velocity); arr(state.acceleration); arr(state.previous); arr(state.inverseMass);
-    arr(state.angle); arr(state.spin); arr(state.turning); arr(state.stages); arr(state.resting); arr(state.gait); arr(state.gaitSpeed);
-    visit(&state.frame, 8);
+    });
     return hash;
 }
 
@@ -81,8 +77,8 @@ std::uint64_t hashOfRows(const sim::Script &script, int threads)
     return hash;
 }
 
-/// In a crowd each touch ends a step of a method that chooses its steps, for all of them, and an implicit one solves for
-/// all of them together: a frame of those takes up to seconds.
+/// An implicit method solves for all of a crowd together, and one that chooses its steps takes some for each touch: a
+/// thousand frames of those take too long here.
 bool takesLong(const sim::Script &script)
 {
     const std::vector<std::string> needs = script.method->needs();
