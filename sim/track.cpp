@@ -163,7 +163,7 @@ bool Track::runWhole(const Pipeline &pipeline, State &state, const std::vector<c
 
 Track::Next Track::endRow(const GoesOn &goesOn)
 {
-    const bool isGood = m_now.ahead.stuck < 0 && isFinite(m_now, m_crew);
+    const bool isGood = firstStuck(m_now) < 0 && isFinite(m_now, m_crew);
     if (!isGood)
         return stopHere(goesOn);
     m_at = {m_at.frame + rowFrames(), 0};
