@@ -5,6 +5,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <iterator>
 
 namespace app {
 
@@ -88,6 +89,36 @@ void Branches::limit()
     const auto passes = [](const Branch &one) { return !one.isKept; };
     while (std::count_if(m_all.begin(), m_all.end(), passes) > static_cast<std::ptrdiff_t>(mostPassing))
         m_all.erase(std::find_if(m_all.begin(), m_all.end(), passes));
+}
+
+Branches Branches::marked() const
+{
+    Branches marked;
+    std::copy_if(m_all.begin(), m_all.end(), std::back_inserter(marked.m_all),
+                 [](const Branch &one) { return one.isNamed || one.isKept; });
+    if (!m_own.name.isEmpty() || m_own.isKept)
+        marked.m_own = m_own;
+    return marked;
+}
+
+Branches Branches::renumbered(int &last) const
+{
+    Branches renumbered = *this;
+    for (Branch &one : renumbered.m_all)
+        one.id = ++last;
+    return renumbered;
+}
+
+bool sameMarked(const Branches &a, const Branches &b)
+{
+    const Branches of = a.marked();
+    const Branches with = b.marked();
+    const auto isSame = [](const Branch &one, const Branch &other) {
+        return one.name == other.name && one.isNamed == other.isNamed && one.isKept == other.isKept &&
+               (one.script == other.script || sameScript(*one.script, *other.script));
+    };
+    return of.own().name == with.own().name && of.own().isKept == with.own().isKept &&
+           std::equal(of.all().begin(), of.all().end(), with.all().begin(), with.all().end(), isSame);
 }
 
 std::int64_t firstDifferent(const sim::Script &a, const sim::Script &b)

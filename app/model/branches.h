@@ -9,6 +9,9 @@
 
 namespace app {
 
+constexpr qsizetype longestRunName = 200;     ///< letters, in a file
+constexpr std::size_t mostKeptBranches = 100; ///< in a file
+
 /// A run that was left for another one. Its script alone is kept: that gives every bit of it again.
 struct Branch
 {
@@ -59,6 +62,11 @@ public:
     void remove(int id);
     /// Lets the oldest go that are not kept, until there are not too many of those.
     void limit();
+
+    /// Those that the learner named or keeps, and the name of the run in use: what files have of them.
+    Branches marked() const;
+    /// The same with other ids, counted on from `last`.
+    Branches renumbered(int &last) const;
     friend bool operator==(const Branches &, const Branches &) = default;
 
 private:
@@ -68,6 +76,9 @@ private:
     std::vector<Branch> m_all;
     OwnRun m_own;
 };
+
+/// Whether two have the same of what files have: names, what is kept, and runs.
+bool sameMarked(const Branches &a, const Branches &b);
 
 /// The frame from which two runs of a step differ: 0 if they do from the start, the largest number if they are the same.
 std::int64_t firstDifferent(const sim::Script &a, const sim::Script &b);

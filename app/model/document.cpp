@@ -27,20 +27,18 @@ std::optional<Experiment> Document::experimentOf(const StepName &which) const
     return which == name() ? m_session.experiment() : m_session.left(which.lesson, which.step);
 }
 
-const sim::Script *Document::scriptOf(const StepName &which, std::optional<Experiment> &left) const
-{
-    if (which == name())
-        return &m_session.timeline().script();
-    left = m_session.left(which.lesson, which.step);
-    return left ? &left->script : nullptr;
-}
-
 bool Document::isChanged(const StepName &which) const
 {
     const auto found = m_kept.find(which);
-    std::optional<Experiment> left;
-    const sim::Script *script = scriptOf(which, left);
-    return found != m_kept.end() && script && !sameScript(found->second.script, *script);
+    if (found == m_kept.end())
+        return false;
+    const auto differs = [&](const sim::Script &script, const Branches &branches) {
+        return !sameScript(found->second.script, script) || !sameMarked(found->second.branches, branches);
+    };
+    if (which == name())
+        return differs(m_session.timeline().script(), m_session.branches());
+    const std::optional<Experiment> left = m_session.left(which.lesson, which.step);
+    return left && differs(left->script, left->branches);
 }
 
 std::vector<StepName> Document::changed() const
@@ -70,7 +68,7 @@ void Document::tell()
 
 void Document::keep(const QString &path)
 {
-    m_kept.insert_or_assign(name(), Kept{path, m_session.timeline().script()});
+    m_kept.insert_or_assign(name(), Kept{path, m_session.timeline().script(), m_session.branches().marked()});
     tell();
 }
 
@@ -99,7 +97,7 @@ void Document::save(const StepName &which, const QString &path)
     if (!experiment)
         return;
     writeExperiment(path, *experiment, m_session.library());
-    m_kept.insert_or_assign(which, Kept{path, experiment->script});
+    m_kept.insert_or_assign(which, Kept{path, experiment->script, experiment->branches});
     tell();
 }
 
@@ -110,6 +108,7 @@ void Document::giveUp(const StepName &which)
     if (!experiment || found == m_kept.end())
         return;
     found->second.script = experiment->script;
+    found->second.branches = experiment->branches;
     tell();
 }
 

@@ -65,12 +65,12 @@ private:
     {
         QString path;
         sim::Script script; ///< as in the file, or as published
+        Branches branches = {};
     };
 
     void follow();
     void keep(const QString &path);
     void tell();
-    const sim::Script *scriptOf(const StepName &name, std::optional<Experiment> &left) const;
 
     Session &m_session;
     std::map<StepName, Kept> m_kept; ///< of every step that was open

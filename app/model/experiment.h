@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/model/branches.h"
 #include "app/model/lesson_library.h"
 #include "app/model/refusal.h"
 #include "sim/script.h"
@@ -18,10 +19,13 @@ struct Experiment
     QString step;
     std::int64_t frames = 300; ///< how many `trace` computes
     sim::Script script;        ///< complete: presets filled in
+    Branches branches = {};    ///< runs beside it, and what the learner calls this one
 };
 
 constexpr qint64 largestExperiment = 64 << 20; ///< bytes
 constexpr std::int64_t mostFrames = 10'000'000;
+constexpr std::size_t mostBranchEvents =
+    2'000'000; ///< of all branches together: what they share, each has again
 
 /// Reads an experiment. `name` is how messages call it.
 /// @throws Refusal: not JSON, wrong types, unknown or missing names, values out of range; with the line
@@ -29,7 +33,8 @@ Experiment parseExperiment(const QByteArray &text, const QString &name, const Le
 /// @throws Refusal: as parseExperiment, or the file cannot be read or is larger than largestExperiment
 Experiment readExperiment(const QString &path, const LessonLibrary &library);
 
-/// The experiment as a file: what differs from the step's own is written, and nothing else.
+/// The experiment as a file: what differs from the step's own is written, and nothing else. Of the branches those are
+/// written that the learner named or keeps. @throws Refusal: a number that is not finite, or too many branches
 QByteArray experimentText(const Experiment &experiment, const LessonLibrary &library);
 /// Writes to a temporary file and renames it, so that a failure leaves the old file as it was.
 /// @throws Refusal when the file cannot be written

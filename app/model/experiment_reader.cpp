@@ -1,27 +1,17 @@
 #include "app/model/experiment.h"
 
-#include "app/model/blueprint_reader.h"
-#include "app/model/experiment_input.h"
-#include "app/model/experiment_method.h"
-#include "app/model/experiment_points.h"
-#include "app/model/input_walk.h"
-#include "app/model/json_fields.h"
-#include "app/model/parameter_value.h"
-#include "app/model/sentences.h"
+#include "app/model/experiment_run.h"
 #include "app/model/words.h"
 
 #include <QCoreApplication>
-
-#include <set>
 
 namespace app {
 
 namespace {
 
 constexpr auto format = "springstep-experiment/1";
-constexpr std::int64_t mostSeed = std::int64_t{1} << 53; ///< up to here JSON's numbers are exact everywhere
 
-/// Fills an experiment from a file, field by field.
+/// Fills an experiment from a file: what it is of, its run, and the runs beside that.
 class ExperimentReader
 {
     Q_DECLARE_TR_FUNCTIONS(Experiment)
@@ -36,30 +26,16 @@ public:
     {
         readFormat();
         readStep();
-        refuseWhatNoStepHas();
-        readMethod(m_file, m_fields, script());
-        readParameters();
-        readScene();
-        openRun();
-        readPoints();
-        if (const JsonValue *frames = m_fields.find("frames"))
-            m_experiment.frames = wholeOf(m_file, *frames, "frames", 0, mostFrames);
-        if (const JsonValue *input = m_fields.find("input"))
-            m_events = readInput(m_file, *input, *m_step);
-        script().input.clear();
-        for (const ReadEvent &read : m_events)
-            script().input.push_back(read.event);
-        walk();
-        readEffects();
-        readBodies();
-        moveBuiltBodies();
-        composeAll();
+        const ReadRun run = readRun(m_file, m_fields, *m_step);
+        m_experiment.frames = run.frames;
+        m_experiment.script = run.script;
+        readOwnName();
+        if (const JsonValue *branches = m_fields.find("branches"))
+            readBranches(*branches);
         return m_experiment;
     }
 
 private:
-    sim::Script &script() { return m_experiment.script; }
-
     QString text(const QString &name, const QString &possible) const
     {
         return textOf(m_file, m_fields.require(name, possible), name);
@@ -75,10 +51,8 @@ private:
 
     void readStep()
     {
-        static const QStringList known = {"format",    "lesson",  "step",  "method", "h",
-                                          "tolerance", "effects", "scene", "frames", "parameters",
-                                          "bodies",    "links",   "seed",  "input"};
-        m_fields.refuseOthers(known);
+        m_fields.refuseOthers(QStringList{"format", "lesson", "step"} + runFields() +
+                              QStringList{"name", "named", "kept", "branches"});
         m_experiment.lesson = text("lesson", lessonIds(m_library));
         const LessonEntry *lesson = m_library.lesson(m_experiment.lesson);
         if (!lesson)
@@ -87,200 +61,65 @@ private:
         m_step = lesson->step(m_experiment.step);
         if (!m_step)
             refuse(m_file, m_fields.find("step")->line, noStep(m_experiment.step, *lesson));
-        script() = m_step->script();
     }
 
-    void refuseWhatNoStepHas() const
+    QString nameOf(const JsonValue &value) const
     {
-        const bool isBuilt = m_step->points == lessons::Points::scene;
-        if (const JsonValue *scene = m_fields.find("scene"); scene && !isBuilt)
-            refuse(m_file, scene->line,
-                   tr("\"scene\" does not go with a lesson's step, which has its own; remove it, and change "
-                      "that "
-                      "one by \"parameters\", \"bodies\" and \"effects\"."));
-        const JsonValue *links = m_fields.find("links");
-        if (links && isBuilt)
-            refuse(m_file, links->line,
-                   tr("the step %1 has its sticks in \"scene\"; move \"links\" there and call it \"sticks\".")
-                       .arg(quoted(m_step->id)));
-        if (links && m_step->points != lessons::Points::files && !listOf(m_file, *links, "links").empty())
-            refuse(m_file, links->line,
-                   tr("the step %1 has no sticks; remove \"links\".").arg(quoted(m_step->id)));
+        const QString name = textOf(m_file, value, "name").simplified();
+        if (name.isEmpty() || name.size() > longestRunName)
+            refuse(m_file, value.line,
+                   tr("\"name\" has %1 letters; it can have 1 to %2.").arg(name.size()).arg(longestRunName));
+        return name;
     }
 
-    void readParameters()
+    bool truth(const JsonFields &fields, const QString &name) const
     {
-        if (const JsonValue *seed = m_fields.find("seed"))
-            script().values.seed = std::uint64_t(wholeOf(m_file, *seed, "seed", 0, mostSeed));
-        const JsonValue *parameters = m_fields.find("parameters");
-        if (!parameters)
+        const JsonValue *value = fields.find(name);
+        return !value || truthOf(m_file, *value, name);
+    }
+
+    /// What the learner calls the file's own run.
+    void readOwnName()
+    {
+        const JsonValue *name = m_fields.find("name");
+        const bool isNamed = truth(m_fields, "named");
+        const bool isKept = truth(m_fields, "kept");
+        if (!name)
             return;
-        for (const auto &[id, value] : JsonFields(m_file, *parameters, quoted("parameters")).all()) {
-            const lessons::Parameter &parameter = parameterOf(m_file, value.line, *m_step, id);
-            script().values.set(id.toStdString(), parameterValue(m_file, value, parameter));
+        const QString given = nameOf(*name);
+        m_experiment.branches.setOwn({given, isNamed ? given : QString(), isKept, 0});
+    }
+
+    void readBranches(const JsonValue &value)
+    {
+        const JsonValue::List &list = listOf(m_file, value, "branches");
+        if (list.size() > mostKeptBranches)
+            refuse(
+                m_file, value.line,
+                tr("\"branches\" has %1 runs; it can have up to %2.").arg(list.size()).arg(mostKeptBranches));
+        for (const JsonValue &one : list) {
+            m_experiment.branches.add(readBranch(one));
+            if (m_events > mostBranchEvents)
+                refuse(m_file, one.line,
+                       tr("the runs in \"branches\" have more than %1 events together; remove some.")
+                           .arg(mostBranchEvents));
         }
+        m_experiment.branches.settle(m_experiment.script);
     }
 
-    /// What the step's run begins with, with the file's values: what the file gives itself counts in its place.
-    void openRun()
+    Branch readBranch(const JsonValue &value)
     {
-        if (!m_step->opening)
-            return;
-        sim::Script opened = m_step->scriptWith(script().values, script().method);
-        if (!m_fields.find("h") && !m_fields.find("tolerance"))
-            script().step = opened.step;
-        script().bodies = opened.bodies;
-        script().input = m_fields.find("input") ? std::vector<sim::Event>() : std::move(opened.input);
-        for (const sim::Event &event : script().input)
-            m_events.push_back({event, m_fields.line()});
-    }
-
-    /// The whole scene, where the step takes one.
-    void readScene()
-    {
-        if (const JsonValue *scene = m_fields.find("scene"))
-            script().values.blueprint =
-                std::make_shared<const sim::Blueprint>(readBlueprint(m_file, *scene, *m_step));
-    }
-
-    /// Points and sticks of the file's own, where the step takes them: scenes are made from them.
-    void readPoints()
-    {
-        if (m_step->points != lessons::Points::files)
-            return;
-        const JsonValue *bodies = m_fields.find("bodies");
-        if (bodies && countPoints(m_file, *bodies) > 0)
-            script().values.points = countPoints(m_file, *bodies);
-        const JsonValue *links = m_fields.find("links");
-        if (!links)
-            return;
-        const auto own = [this] { return script().build(script().values).start.points(); };
-        const std::optional<int> &given = script().values.points;
-        script().values.sticks = readSticks(m_file, *links, given ? *given : own());
-    }
-
-    /// Follows the input through the run, and collects what the run's scenes have.
-    void walk()
-    {
-        const auto newScene = [this](const sim::Scene &scene, int) {
-            if (m_names.empty())
-                m_startNames = scene.names;
-            m_names.insert(scene.names.begin(), scene.names.end());
-            for (const sim::EffectPtr &effect : scene.effects)
-                m_effects.insert(effect->id());
-            m_sceneNames = scene.names;
-        };
-        const auto each = [this](int index, EventEffect effect) {
-            if (effect != EventEffect::works)
-                refuseEvent(m_events[std::size_t(index)], effect);
-        };
-        try {
-            walkInput(script(), script().input, newScene, each);
-        } catch (const SceneRefused &refused) {
-            const int line = refused.event < 0 ? m_fields.line() : m_events[std::size_t(refused.event)].line;
-            refuse(m_file, line, sentenceFor(refused));
-        }
-    }
-
-    [[noreturn]] void refuseEvent(const ReadEvent &read, EventEffect effect) const
-    {
-        if (effect != EventEffect::nothingHeld) {
-            const std::string &body = std::get<sim::Grab>(read.event.what).body;
-            refuse(m_file, read.line, noBody(body, m_sceneNames));
-        }
-        const QString event = std::holds_alternative<sim::Move>(read.event.what) ? "move" : "release";
-        refuse(m_file, read.line,
-               tr("nothing is held at frame %1; a %2 comes after a \"grab\".")
-                   .arg(QString::number(read.event.frame), quoted(event)));
-    }
-
-    void readEffects()
-    {
-        const JsonValue *effects = m_fields.find("effects");
-        if (!effects)
-            return;
-        for (const JsonValue &value : listOf(m_file, *effects, "effects")) {
-            const QString id = textOf(m_file, value, "effects");
-            if (!m_effects.contains(id.toStdString()))
-                refuse(m_file, value.line,
-                       tr("the step %1 has no effect %2; it has %3.")
-                           .arg(quoted(m_step->id), quoted(id), listed(m_effects)));
-            script().effectsOff.push_back(id.toStdString());
-        }
-    }
-
-    void readBodies()
-    {
-        const JsonValue *bodies = m_fields.find("bodies");
-        if (!bodies)
-            return;
-        for (const auto &[name, value] : JsonFields(m_file, *bodies, quoted("bodies")).all()) {
-            if (!m_names.contains(name.toStdString()))
-                refuse(m_file, value.line, noBody(name.toStdString(), m_startNames));
-            const JsonFields body(m_file, value, tr("the body %1").arg(quoted(name)));
-            body.refuseOthers({"x", "y", "vx", "vy"});
-            sim::BodyStart start{{body.number("x"), body.number("y")}, {}};
-            const bool hasX = body.find("vx");
-            const bool hasY = body.find("vy");
-            if (hasX || hasY)
-                start.v = {hasX ? body.number("vx") : 0.0, hasY ? body.number("vy") : 0.0};
-            script().bodies[name.toStdString()] = start;
-        }
-    }
-
-    /// Where "bodies" starts a body of a built scene, it is built there: then the learner can move it.
-    void moveBuiltBodies()
-    {
-        if (!script().values.blueprint)
-            return;
-        sim::Blueprint plan = *script().values.blueprint;
-        for (sim::BuiltPoint &point : plan.points) {
-            const auto start = script().bodies.find(point.name);
-            if (start == script().bodies.end())
-                continue;
-            point.x = start->second.x;
-            point.v = start->second.v.value_or(point.v);
-        }
-        script().values.blueprint = std::make_shared<const sim::Blueprint>(std::move(plan));
-        script().bodies.clear();
-    }
-
-    /// Composes the scene of every stretch of the run, so that none is refused in the middle of it.
-    void composeAll()
-    {
-        sim::Values values = script().values;
-        compose(values, m_fields.line());
-        for (const ReadEvent &read : m_events) {
-            const auto *set = std::get_if<sim::Set>(&read.event.what);
-            if (!set)
-                continue;
-            values.set(set->parameter, set->value);
-            compose(values, read.line);
-        }
-    }
-
-    void compose(const sim::Values &values, int line)
-    {
-        try {
-            sim::compose(sim::sceneOf(script(), values), *script().method, script().step);
-        } catch (const sim::Error &error) {
-            refuse(m_file, line, sentenceFor(error));
-        }
-    }
-
-    static QString noBody(const std::string &body, const std::vector<std::string> &names)
-    {
-        return tr("there is no body %1 here; there is %2.")
-            .arg(quoted(QString::fromStdString(body)), listed(names));
-    }
-
-    template <class Texts>
-    static QString listed(const Texts &texts)
-    {
-        QStringList list;
-        for (const std::string &text : texts)
-            list.push_back(QString::fromStdString(text));
-        return quotedList(list);
+        const JsonFields fields(m_file, value, tr("a branch"));
+        const QString name = nameOf(fields.require("name", tr("a text that tells it from others")));
+        const JsonValue *given = fields.find("fork");
+        const std::int64_t fork = given ? wholeOf(m_file, *given, "fork", 0, mostFrames) : 0;
+        const QStringList about = {"name", "named", "kept", "fork"};
+        fields.refuseOthers(about + (fork > 0 ? QStringList{"frames", "input"} : runFields()));
+        const ReadRun run = fork > 0 ? readRunFrom(m_file, fields, *m_step, m_experiment.script, fork)
+                                     : readRun(m_file, fields, *m_step);
+        m_events += run.script.input.size();
+        return {++m_branches,          name,       truth(fields, "named"),
+                truth(fields, "kept"), run.frames, std::make_shared<const sim::Script>(run.script)};
     }
 
     QString m_file;
@@ -288,11 +127,8 @@ private:
     const LessonLibrary &m_library;
     const lessons::Step *m_step = nullptr;
     Experiment m_experiment;
-    std::vector<ReadEvent> m_events;
-    std::vector<std::string> m_startNames; ///< bodies at the start
-    std::vector<std::string> m_sceneNames; ///< bodies where the walk through the input is
-    std::set<std::string> m_names;         ///< bodies at any time
-    std::set<std::string> m_effects;       ///< effects at any time
+    int m_branches = 0;       ///< read so far
+    std::size_t m_events = 0; ///< of those
 };
 
 }

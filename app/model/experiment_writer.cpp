@@ -11,6 +11,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 
+#include <algorithm>
 #include <cmath>
 
 namespace app {
@@ -56,7 +57,7 @@ public:
         if (!entries.isEmpty())
             field(name, brackets.left(1) + "\n  " + entries.join(",\n  ") + "\n " + brackets.right(1));
     }
-    QByteArray text() const { return ("{\n " + m_fields.join(",\n ") + "\n}\n").toUtf8(); }
+    QString text() const { return "{\n " + m_fields.join(",\n ") + "\n}"; }
 
 private:
     QStringList m_fields;
@@ -157,8 +158,9 @@ QStringList linkEntries(const sim::Script &script)
 }
 
 /// The events that do something. A parameter that was changed in the past can leave others without effect: a
-/// body that is taken hold of later may be gone now. What a file has must make sense to who reads it.
-QStringList inputEntries(const sim::Script &script, const lessons::Step &step)
+/// body that is taken hold of later may be gone now. What a file has must make sense to who reads it. Those before frame
+/// `from` are left out.
+QStringList inputEntries(const sim::Script &script, const lessons::Step &step, std::int64_t from = 0)
 {
     QStringList entries;
     std::vector<sim::Event> input = script.input;
@@ -167,6 +169,8 @@ QStringList inputEntries(const sim::Script &script, const lessons::Step &step)
         script, input, [](const sim::Scene &, int) {},
         [&](int index, EventEffect effect) {
             const sim::Event &event = input[std::size_t(index)];
+            if (event.frame < from)
+                return;
             if (effect == EventEffect::works)
                 entries.push_back(eventEntry(event, step));
             else if (effect == EventEffect::onlyLetsGo)
@@ -183,11 +187,93 @@ void writeStep(sim::StepSize step, Writer &writer)
         writer.field("h", jsonNumber(step.h));
 }
 
+/// What differs in a run from the step's own.
+void writeRun(const sim::Script &script, std::int64_t frames, const lessons::Step &step, Writer &writer)
+{
+    const sim::Script untouched = step.script();
+    if (script.method->id() != untouched.method->id())
+        writer.field("method", jsonText(script.method->id()));
+    const sim::Script opened = step.opening ? step.scriptWith(script.values, script.method) : untouched;
+    if (script.step != sim::stepFor(*script.method, opened.step))
+        writeStep(script.step, writer);
+    writer.field("frames", QString::number(frames));
+    if (script.values.seed != untouched.values.seed)
+        writer.field("seed", QString::number(script.values.seed));
+    QStringList effects;
+    for (const std::string &id : script.effectsOff)
+        effects.push_back(jsonText(id));
+    if (!effects.isEmpty())
+        writer.field("effects", '[' + effects.join(", ") + ']');
+    writer.block("parameters", "{}", parameterEntries(script, step));
+    if (script.values.blueprint)
+        writer.field("scene", blueprintText(*script.values.blueprint));
+    writer.block("bodies", "{}", bodyEntries(script));
+    if (script.values.sticks && script.values.sticks->empty())
+        writer.field("links", "[]");
+    writer.block("links", "[]", linkEntries(script));
+    const QStringList input = inputEntries(script, step);
+    if (input.isEmpty() && !opened.input.empty())
+        writer.field("input", "[]");
+    if (script.input != opened.input)
+        writer.block("input", "[]", input);
+}
+
+/// Whether the learner gave it that name, and whether it is kept, where that is not so.
+void writeName(const QString &name, bool isNamed, bool isKept, Writer &writer)
+{
+    writer.field("name", jsonText(name.left(longestRunName)));
+    if (!isNamed)
+        writer.field("named", "false");
+    if (!isKept)
+        writer.field("kept", "false");
+}
+
+/// The first frame of the row from which a branch is another run than `own`; 0 where nothing is shared.
+std::int64_t forkOf(const sim::Script &branch, const sim::Script &own)
+{
+    const std::int64_t row = own.step.rowFrames;
+    const std::int64_t first = std::min(firstDifferent(branch, own), mostFrames);
+    const std::int64_t before = (first + row - 1) / row - 1; ///< rows that both share
+    return before > 0 ? before * row + 1 : 0;
+}
+
+QString branchEntry(const Branch &branch, const sim::Script &own, const lessons::Step &step)
+{
+    Writer writer;
+    writeName(branch.name, branch.isNamed, branch.isKept, writer);
+    const std::int64_t frames = std::min(branch.end, mostFrames);
+    const std::int64_t fork = forkOf(*branch.script, own);
+    if (fork > 0) {
+        writer.field("fork", QString::number(fork));
+        writer.field("frames", QString::number(frames));
+        writer.block("input", "[]", inputEntries(*branch.script, step, fork));
+    } else {
+        writeRun(*branch.script, frames, step, writer);
+    }
+    return writer.text().replace('\n', "\n  ");
+}
+
+QStringList branchEntries(const Branches &branches, const sim::Script &own, const lessons::Step &step)
+{
+    QStringList entries;
+    std::size_t events = 0;
+    for (const Branch &branch : branches.all()) {
+        events += branch.script->input.size();
+        entries.push_back(branchEntry(branch, own, step));
+    }
+    if (branches.all().size() > mostKeptBranches || events > mostBranchEvents)
+        throw Refusal(
+            Text::tr("Not saved: there are more runs beside this one than a file can have: %1 with %2 "
+                     "events together. Delete some that you named or keep, in “Runs”.")
+                .arg(mostKeptBranches)
+                .arg(mostBranchEvents));
+    return entries;
+}
+
 }
 
 QByteArray experimentText(const Experiment &experiment, const LessonLibrary &library)
 {
-    const sim::Script &script = experiment.script;
     const LessonEntry *lesson = library.lesson(experiment.lesson);
     const lessons::Step *step = lesson ? lesson->step(experiment.step) : nullptr;
     if (!step)
@@ -197,33 +283,13 @@ QByteArray experimentText(const Experiment &experiment, const LessonLibrary &lib
     writer.field("format", jsonText(QStringLiteral("springstep-experiment/1")));
     writer.field("lesson", jsonText(experiment.lesson));
     writer.field("step", jsonText(experiment.step));
-    const sim::Script untouched = step->script();
-    if (script.method->id() != untouched.method->id())
-        writer.field("method", jsonText(script.method->id()));
-    const sim::Script opened = step->opening ? step->scriptWith(script.values, script.method) : untouched;
-    if (script.step != sim::stepFor(*script.method, opened.step))
-        writeStep(script.step, writer);
-    writer.field("frames", QString::number(experiment.frames));
-    if (script.values.seed != untouched.values.seed)
-        writer.field("seed", QString::number(script.values.seed));
-    QStringList effects;
-    for (const std::string &id : script.effectsOff)
-        effects.push_back(jsonText(id));
-    if (!effects.isEmpty())
-        writer.field("effects", '[' + effects.join(", ") + ']');
-    writer.block("parameters", "{}", parameterEntries(script, *step));
-    if (script.values.blueprint)
-        writer.field("scene", blueprintText(*script.values.blueprint));
-    writer.block("bodies", "{}", bodyEntries(script));
-    if (script.values.sticks && script.values.sticks->empty())
-        writer.field("links", "[]");
-    writer.block("links", "[]", linkEntries(script));
-    const QStringList input = inputEntries(script, *step);
-    if (input.isEmpty() && !opened.input.empty())
-        writer.field("input", "[]");
-    if (script.input != opened.input)
-        writer.block("input", "[]", input);
-    return writer.text();
+    const Branches branches = experiment.branches.marked();
+    const OwnRun &own = branches.own();
+    if (const QString name = own.name.isEmpty() ? own.made : own.name; own.isKept || !own.name.isEmpty())
+        writeName(name, !own.name.isEmpty(), own.isKept, writer);
+    writeRun(experiment.script, experiment.frames, *step, writer);
+    writer.block("branches", "[]", branchEntries(branches, experiment.script, *step));
+    return (writer.text() + '\n').toUtf8();
 }
 
 }

@@ -68,7 +68,7 @@ SceneKeeper::SceneKeeper(Session &session, const Document &document, QString fol
 
 SceneKeeper::~SceneKeeper()
 {
-    for (const auto &[name, script] : m_written) // one may have been saved since, or given up
+    for (const auto &[name, experiment] : m_written) // one may have been saved since, or given up
         m_due.insert(name);
     keepNow();
     if (m_own.isEmpty())
@@ -91,7 +91,8 @@ void SceneKeeper::note()
     const StepName name = m_document.name();
     const auto written = m_written.find(name);
     const bool isThere = written != m_written.end();
-    const bool isSame = isThere && sameScript(written->second, m_session.timeline().script());
+    const bool isSame = isThere && sameScript(written->second.script, m_session.timeline().script()) &&
+                        sameMarked(written->second.branches, m_session.branches());
     if (m_document.isChanged() ? isSame : !isThere)
         return;
     m_due.insert(name);
@@ -122,7 +123,7 @@ void SceneKeeper::writeOne(const StepName &name)
     }
     if (!takeFolder())
         return;
-    m_written.insert_or_assign(name, experiment->script);
+    m_written.insert_or_assign(name, *experiment);
     m_writer.start([this, file = fileOf(name), text] {
         const QString why = writeWhole(file, text);
         if (!why.isEmpty())

@@ -52,7 +52,7 @@ private:
     std::unique_ptr<QLockFile> m_lock;
     QTimer m_timer;
     std::set<StepName> m_due;
-    std::map<StepName, sim::Script> m_written;
+    std::map<StepName, Experiment> m_written;
     bool m_hasFailed = false;
     QThreadPool m_writer; ///< one thread: in order, and no picture waits for the disk
 };

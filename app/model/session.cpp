@@ -89,13 +89,14 @@ void Session::open(const Experiment &experiment)
 {
     sim::Timeline trial(experiment.script); // throws before anything has changed
     openStep(experiment.lesson, experiment.step);
-    start(experiment.script, {}, {});
+    start(experiment.script, {}, experiment.branches.renumbered(m_lastBranch));
     m_deeds.clear();
 }
 
 Experiment Session::experiment() const
 {
-    return {lesson().id, step().id, std::max<std::int64_t>(1, m_timeline->computed()), m_timeline->script()};
+    return {lesson().id, step().id, std::max<std::int64_t>(1, m_timeline->computed()), m_timeline->script(),
+            m_branches.marked()};
 }
 
 std::optional<Experiment> Session::left(const QString &lesson, const QString &step) const
@@ -103,7 +104,8 @@ std::optional<Experiment> Session::left(const QString &lesson, const QString &st
     const auto found = m_left.find(keyOf(lesson, step));
     if (found == m_left.end())
         return std::nullopt;
-    return Experiment{lesson, step, std::max<std::int64_t>(1, found->second.at.frame), found->second.script};
+    return Experiment{lesson, step, std::max<std::int64_t>(1, found->second.at.frame), found->second.script,
+                      found->second.branches.marked()};
 }
 
 void Session::leave()

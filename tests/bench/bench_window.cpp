@@ -3,8 +3,8 @@
 
 #include "app/model/lesson_library.h"
 #include "app/ui/window/main_window.h"
+#include "slow_events.h"
 
-#include <QApplication>
 #include <QElapsedTimer>
 #include <QSettings>
 #include <QTemporaryDir>
@@ -12,21 +12,12 @@
 #include <QThread>
 
 #include <algorithm>
-#include <ctime>
-#include <utility>
 
 using namespace app;
 
 namespace {
 
 constexpr qint64 givenUp = 60'000; ///< ms
-
-/// What something takes, in ms.
-struct Took
-{
-    double passed = 0.0; ///< by the clock
-    double work = 0.0;   ///< of processor time of this thread: what a busy machine does not add to
-};
 
 struct Stall
 {
@@ -35,73 +26,6 @@ struct Stall
     double firstPoints = 0.0; ///< ms
     double done = 0.0;        ///< ms
     std::size_t rows = 0;
-};
-
-/// Processor time of this thread in ms.
-double threadTime()
-{
-    timespec time{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
-}
-
-class Stopwatch
-{
-public:
-    Stopwatch() { m_clock.start(); }
-    Took took() const { return {static_cast<double>(m_clock.nsecsElapsed()) / 1e6, threadTime() - m_before}; }
-
-private:
-    QElapsedTimer m_clock;
-    double m_before = threadTime();
-};
-
-Took longer(Took a, Took b)
-{
-    return {std::max(a.passed, b.passed), std::max(a.work, b.work)};
-}
-
-/// Keeps in mind which events took the most work. An event that another one sends is part of that.
-class Application : public QApplication
-{
-public:
-    using QApplication::QApplication;
-
-    struct Delivery
-    {
-        Took took;
-        QString what;
-    };
-
-    bool notify(QObject *receiver, QEvent *event) override
-    {
-        if (m_isWithin)
-            return QApplication::notify(receiver, event);
-        m_isWithin = true;
-        // Both may be gone afterwards.
-        const char *const name = receiver->metaObject()->className();
-        const QEvent::Type type = event->type();
-        const Stopwatch watch;
-        const bool answer = QApplication::notify(receiver, event);
-        const Took took = watch.took();
-        m_isWithin = false;
-        if (took.work > leastWork)
-            m_slow.push_back({took, QString("%1 for %2").arg(QVariant::fromValue(type).toString(), name)});
-        return answer;
-    }
-
-    /// The three with the most work since the last call, the most first.
-    QList<Delivery> slowest()
-    {
-        std::sort(m_slow.begin(), m_slow.end(),
-                  [](const Delivery &a, const Delivery &b) { return a.took.work > b.took.work; });
-        return std::exchange(m_slow, {}).mid(0, 3);
-    }
-
-private:
-    static constexpr double leastWork = 1.0; ///< ms
-    bool m_isWithin = false;
-    QList<Delivery> m_slow;
 };
 
 bool hasPoints(const sim::Accuracy *accuracy)
@@ -144,7 +68,7 @@ Stall measure(Session &session, Theme &theme)
 
 int main(int count, char **arguments)
 {
-    Application application(count, arguments);
+    WatchedApplication application(count, arguments);
     const QTemporaryDir settings;
     QSettings::setDefaultFormat(QSettings::IniFormat);
     QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings.path());
@@ -167,7 +91,7 @@ int main(int count, char **arguments)
         out << step << ": first points after " << qRound(stall.firstPoints) << " ms, " << stall.rows
             << " rows after " << qRound(stall.done) << " ms; opening " << text(stall.opening)
             << ", longest turn " << text(stall.turn) << Qt::endl;
-        for (const Application::Delivery &one : application.slowest())
+        for (const WatchedApplication::Delivery &one : application.slowest())
             out << "  " << one.what << ": " << text(one.took) << Qt::endl;
     }
     return 0;
