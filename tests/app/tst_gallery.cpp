@@ -8,6 +8,8 @@
 #include <QTest>
 #include <QToolButton>
 
+#include <memory>
+
 using namespace app;
 
 namespace {
@@ -120,6 +122,18 @@ private slots:
         QVERIFY(bench.cards()[3]->hasFocus());
         QTest::keyClick(bench.cards()[3], Qt::Key_Space);
         QCOMPARE(bench.value("k"), 0.3);
+    }
+
+    void aPanelThatGoesTakesItsOpenGalleryAlong()
+    {
+        for (const int focused : {0, 3}) {
+            auto bench = std::make_unique<GalleryBench>();
+            bench->open();
+            bench->cards()[focused]->setFocus();
+            bench.reset();
+            QVERIFY(!QApplication::activePopupWidget());
+            QCoreApplication::processEvents();
+        }
     }
 
     void escapeClosesItAndChangesNothing()
