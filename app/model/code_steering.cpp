@@ -21,7 +21,6 @@ struct Text
 
 constexpr double slidersWay = 200.0; ///< px
 constexpr double choicesWay = 24.0;  ///< px
-constexpr double fineShare = 0.1;
 
 /// A number with the decimals that the parameter is shown with.
 double rounded(const lessons::Parameter &parameter, double value)
@@ -49,15 +48,14 @@ std::optional<sim::Cursor> runTarget(const CodeSection &section, const sim::Time
     }
 }
 
-double draggedValue(const lessons::Parameter &parameter, double from, int pixels, bool fine)
+double draggedValue(const lessons::Parameter &parameter, double from, double way)
 {
-    const double way = (fine ? fineShare : 1.0) * pixels;
     if (!parameter.choices.isEmpty())
         return std::clamp(from + std::round(way / choicesWay), parameter.min, parameter.max);
     double value = from + way / slidersWay * (parameter.sliderMax - parameter.sliderMin);
     if (parameter.scale == lessons::Scale::decades && from > 0.0 && parameter.sliderMin > 0.0)
         value = from * std::pow(parameter.sliderMax / parameter.sliderMin, way / slidersWay);
-    return pixels == 0 ? from : std::clamp(rounded(parameter, value), parameter.min, parameter.max);
+    return way == 0.0 ? from : std::clamp(rounded(parameter, value), parameter.min, parameter.max);
 }
 
 double typedValue(const lessons::Parameter &parameter, const QString &text)

@@ -10,9 +10,11 @@ namespace app {
 /// the next one. Empty for a section that no phase belongs to.
 std::optional<sim::Cursor> runTarget(const CodeSection &section, const sim::Timeline &timeline);
 
-/// The value of a number that was `from` when the mouse took hold of it, `pixels` farther to the right. 200 px are as
-/// much as its slider; `fine`: a tenth of that. Never out of its range; for a choice 24 px are one more.
-double draggedValue(const lessons::Parameter &parameter, double from, int pixels, bool fine);
+/// What a pixel counts of a drag that is to be fine.
+constexpr double finePixel = 0.1;
+/// The value of a number that was `from` when the mouse took hold of it, `way` px farther to the right. 200 px are as
+/// much as its slider. Never out of its range; for a choice 24 px are one more.
+double draggedValue(const lessons::Parameter &parameter, double from, double way);
 
 /// What somebody typed for a parameter: a number in its range, or the id of a choice.
 /// @throws Refusal

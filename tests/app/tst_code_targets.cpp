@@ -37,19 +37,19 @@ private slots:
     {
         lessons::Parameter one;
         one.min = -10.0, one.max = 20.0, one.sliderMin = 0.0, one.sliderMax = 10.0, one.decimals = 2;
-        QCOMPARE(draggedValue(one, 1.0, 100, false), 6.0);
-        QCOMPARE(draggedValue(one, 1.0, 100, true), 1.5);
-        QCOMPARE(draggedValue(one, 1.0, -100000, false), -10.0);
-        QCOMPARE(draggedValue(one, 1.0, 100000, false), 20.0);
-        QCOMPARE(draggedValue(one, 0.123456, 0, false), 0.123456);
+        QCOMPARE(draggedValue(one, 1.0, 100), 6.0);
+        QCOMPARE(draggedValue(one, 1.0, 100 * finePixel), 1.5);
+        QCOMPARE(draggedValue(one, 1.0, -100000), -10.0);
+        QCOMPARE(draggedValue(one, 1.0, 100000), 20.0);
+        QCOMPARE(draggedValue(one, 0.123456, 0), 0.123456);
         one.whole = true;
-        QCOMPARE(draggedValue(one, 3.0, 29, false), 4.0);
+        QCOMPARE(draggedValue(one, 3.0, 29), 4.0);
         one.whole = false, one.scale = lessons::Scale::decades, one.sliderMin = 0.1, one.sliderMax = 1000.0;
         one.max = 1e6;
-        QCOMPARE(draggedValue(one, 1.0, 50, false), 10.0);
+        QCOMPARE(draggedValue(one, 1.0, 50), 10.0);
         one.choices = {"a", "b", "c"}, one.min = 0.0, one.max = 2.0, one.scale = lessons::Scale::even;
-        QCOMPARE(draggedValue(one, 0.0, 25, false), 1.0);
-        QCOMPARE(draggedValue(one, 0.0, 500, false), 2.0);
+        QCOMPARE(draggedValue(one, 0.0, 25), 1.0);
+        QCOMPARE(draggedValue(one, 0.0, 500), 2.0);
     }
 
     void whatIsTypedIsTakenOrRefused_data()

@@ -64,7 +64,8 @@ void CodePanel::dragNumber(int pixels, bool fine)
     if (!parameter ||
         parameter->opens) // one that begins the run anew is typed, not dragged through all its values
         return;
-    m_session.setParameter(parameter->id, draggedValue(*parameter, m_drag->from, pixels, fine));
+    m_session.setParameter(parameter->id,
+                           draggedValue(*parameter, m_drag->from, (fine ? finePixel : 1.0) * pixels));
     for (std::size_t row = 0; row < m_view->rows().size(); ++row) {
         const CodeRow &its = m_view->rows()[row];
         if (its.kind == CodeRow::Kind::code && its.section == m_drag->spot.section &&
