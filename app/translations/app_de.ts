@@ -1540,6 +1540,34 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <source>the step %1 has its sticks in &quot;scene&quot;; move &quot;links&quot; there and call it &quot;sticks&quot;.</source>
         <translation>der Schritt %1 hat seine Stäbe in &quot;scene&quot;; verschiebe &quot;links&quot; dorthin und nenne es &quot;sticks&quot;.</translation>
     </message>
+    <message>
+        <source>&quot;name&quot; has %1 letters; it can have 1 to %2.</source>
+        <translation>&quot;name&quot; hat %1 Zeichen; erlaubt sind 1 bis %2.</translation>
+    </message>
+    <message>
+        <source>&quot;branches&quot; has %1 runs; it can have up to %2.</source>
+        <translation>&quot;branches&quot; hat %1 Läufe; erlaubt sind bis zu %2.</translation>
+    </message>
+    <message>
+        <source>the runs in &quot;branches&quot; have more than %1 events together; remove some.</source>
+        <translation>die Läufe in &quot;branches&quot; haben zusammen mehr als %1 Ereignisse; nimm einige heraus.</translation>
+    </message>
+    <message>
+        <source>a branch</source>
+        <translation>ein Zweig</translation>
+    </message>
+    <message>
+        <source>a text that tells it from others</source>
+        <translation>ein Text, der ihn von anderen unterscheidet</translation>
+    </message>
+    <message>
+        <source>frame %1 comes before the branch does, whose &quot;fork&quot; is %2; begin there or later.</source>
+        <translation>Bild %1 liegt vor dem Zweig, dessen &quot;fork&quot; %2 ist; beginne dort oder später.</translation>
+    </message>
+    <message>
+        <source>Not saved: there are more runs beside this one than a file can have: %1 with %2 events together. Delete some that you named or keep, in “Runs”.</source>
+        <translation>Nicht gespeichert: Neben diesem Lauf gibt es mehr, als eine Datei haben kann: %1 mit zusammen %2 Ereignissen. Lösche in „Läufe“ einige, die du benannt hast oder behältst.</translation>
+    </message>
 </context>
 <context>
     <name>ExperimentInput</name>
@@ -2777,6 +2805,10 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <source>New scene</source>
         <translation>Neue Szene</translation>
     </message>
+    <message>
+        <source>the order in which points move (%1), as here all move at once</source>
+        <translation>die Reihenfolge, in der sich Punkte bewegen (%1), denn hier bewegen sich alle zugleich</translation>
+    </message>
 </context>
 <context>
     <name>app::AccuracyPanel</name>
@@ -3388,14 +3420,6 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <translation>Wie schnell der Film läuft: 30 ist so schnell wie im Fenster</translation>
     </message>
     <message>
-        <source>Size</source>
-        <translation>Größe</translation>
-    </message>
-    <message>
-        <source>Width and height of the pictures, in pixels</source>
-        <translation>Breite und Höhe der Bilder, in Pixeln</translation>
-    </message>
-    <message>
         <source>&amp;First frame</source>
         <translation>&amp;Erstes Bild</translation>
     </message>
@@ -3406,10 +3430,6 @@ Klick klappt ein oder aus (Eingabe)</translation>
     <message>
         <source>Frames a &amp;second</source>
         <translation>Bilder pro &amp;Sekunde</translation>
-    </message>
-    <message>
-        <source>Si&amp;ze</source>
-        <translation>&amp;Größe</translation>
     </message>
     <message>
         <source>F&amp;ile</source>
@@ -3437,7 +3457,7 @@ Klick klappt ein oder aus (Eingabe)</translation>
     </message>
     <message>
         <source>&amp;Make the film</source>
-        <translation>Film &amp;erstellen</translation>
+        <translation>Film e&amp;rstellen</translation>
     </message>
     <message>
         <source>Make the film; the window can be used meanwhile</source>
@@ -3486,6 +3506,49 @@ Klick klappt ein oder aus (Eingabe)</translation>
     <message>
         <source>Close this page (Esc)</source>
         <translation>Diese Seite schließen (Esc)</translation>
+    </message>
+    <message>
+        <source>&amp;Width</source>
+        <translation>&amp;Breite</translation>
+    </message>
+</context>
+<context>
+    <name>app::FilmSize</name>
+    <message>
+        <source>Width in pixels</source>
+        <translation>Breite in Pixeln</translation>
+    </message>
+    <message>
+        <source>How wide the pictures are, %1 to %2 pixels</source>
+        <translation>Wie breit die Bilder sind, %1 bis %2 Pixel</translation>
+    </message>
+    <message>
+        <source>4 : 3</source>
+        <translation>4 : 3</translation>
+    </message>
+    <message>
+        <source>16 : 9</source>
+        <translation>16 : 9</translation>
+    </message>
+    <message>
+        <source>square</source>
+        <translation>quadratisch</translation>
+    </message>
+    <message>
+        <source>as the scene is</source>
+        <translation>wie die Szene</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>How wide the pictures are beside their height; the height follows the width</source>
+        <translation>Wie breit die Bilder im Verhältnis zu ihrer Höhe sind; die Höhe folgt der Breite</translation>
+    </message>
+    <message>
+        <source>Height: %1 pixels</source>
+        <translation>Höhe: %1 Pixel</translation>
     </message>
 </context>
 <context>

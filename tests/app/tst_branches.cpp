@@ -285,6 +285,38 @@ private slots:
         QVERIFY(world.session.timeline().ghost());
     }
 
+    void aSavedRunBringsItsBranchesBackBitForBit_data()
+    {
+        QTest::addColumn<std::int64_t>("fork");
+        QTest::newRow("from the start") << std::int64_t{0};
+        QTest::newRow("on the way") << std::int64_t{30};
+    }
+    void aSavedRunBringsItsBranchesBackBitForBit()
+    {
+        QFETCH(std::int64_t, fork);
+        World world;
+        world.fork(60, fork, "gravity", 0.75);
+        sim::Track left(*world.session.branches().all().back().script, 0);
+        left.seek({60, 0});
+        const sim::State old = left.now();
+        const sim::State own = world.straight(60);
+        world.session.renameBranch(world.newest(), "the light one");
+        const QByteArray text = experimentText(world.session.experiment(), world.session.library());
+        World later;
+        later.session.open(parseExperiment(text, "x.json", later.session.library()));
+        QCOMPARE(later.names(), QStringList{"the light one"});
+        QVERIFY(sim::sameBits(later.straight(60), own));
+        QCOMPARE(later.session.branches().all().front().end, 60);
+        later.session.goTo({60, 0});
+        later.session.goBackTo(later.newest());
+        QVERIFY(sim::sameBits(later.session.timeline().now(), old));
+        QVERIFY(sim::sameBits(later.straight(60), old));
+        // The name went with it, and is in the next file.
+        const QByteArray again = experimentText(later.session.experiment(), later.session.library());
+        QCOMPARE(parseExperiment(again, "x.json", later.session.library()).branches.own().name,
+                 QString("the light one"));
+    }
+
     void aFarBranchComesInSlicesAndCanBeStopped()
     {
         World world;

@@ -63,6 +63,7 @@ class FilesTest : public QObject
 private slots:
     void initTestCase();
     void theTitleHasAMarkWhileTheRunIsNotSaved();
+    void aRunThatIsKeptIsSavedAndOpenedWithTheFile();
     void goingOnToAnotherStepKeepsEachStepsFile();
     void newIsTheStepAsPublishedAndUndoBringsItBack();
     void openingAsksBeforeItTakesTheSceneAway();
@@ -120,6 +121,37 @@ void FilesTest::theTitleHasAMarkWhileTheRunIsNotSaved()
     QVERIFY(!bench.isMarked());
     QCOMPARE(readExperiment(m_folder.filePath("marked.json"), bench.library).script.input,
              bench.session.timeline().script().input);
+}
+
+void FilesTest::aRunThatIsKeptIsSavedAndOpenedWithTheFile()
+{
+    const QString path = m_folder.filePath("branches.json");
+    sim::State old;
+    {
+        Bench bench("multi_foot", "two_feet");
+        bench.session.goTo({50, 0});
+        old = bench.session.timeline().now();
+        bench.session.goTo({20, 0});
+        bench.drag("foot0", {40, 10});
+        QVERIFY(bench.window.saveFile(path));
+        QVERIFY(!bench.isMarked());
+        const int branch = bench.session.branches().all().front().id;
+        bench.session.keepBranch(branch, true); // so that the file is no longer all there is
+        QVERIFY(bench.isMarked());
+        bench.press(Qt::Key_Z, ctrl);
+        QVERIFY(!bench.isMarked());
+        bench.press(Qt::Key_Z, ctrlShift);
+        bench.press(Qt::Key_S, ctrl);
+        QVERIFY(!bench.isMarked());
+    }
+    Bench bench;
+    bench.window.openFile(path);
+    QVERIFY(!bench.isMarked());
+    QCOMPARE(bench.session.branches().all().size(), std::size_t(1));
+    bench.session.goTo({50, 0});
+    bench.session.goBackTo(bench.session.branches().all().front().id);
+    QVERIFY(sim::sameBits(bench.session.timeline().now(), old));
+    QVERIFY(bench.isMarked());
 }
 
 void FilesTest::goingOnToAnotherStepKeepsEachStepsFile()

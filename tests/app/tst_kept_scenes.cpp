@@ -48,6 +48,7 @@ private slots:
     void everyStepThatWasChangedIsKept();
     void whatIsSavedOrUndoneIsKeptNoLonger();
     void whatAKilledProgramLeftIsOfferedAndGoesOnWhereItWas();
+    void aRunThatIsNamedIsKeptAndComesBack();
     void whatIsForgottenIsNotOfferedAgain();
     void aClosedNoticeForgetsNothing();
     void whatWasLeftByClosingIsOfferedAsSuch();
@@ -162,6 +163,28 @@ void KeptScenesTest::whatAKilledProgramLeftIsOfferedAndGoesOnWhereItWas()
     // It is kept by the program that has it now, and by no other.
     QCOMPARE(scenesIn(folder.path()).size(), 1);
     QVERIFY(!QDir(folder.path() + "/of-another-program").exists());
+}
+
+void KeptScenesTest::aRunThatIsNamedIsKeptAndComesBack()
+{
+    const QTemporaryDir folder;
+    {
+        Bench bench;
+        bench.window.keepScenesIn(folder.path(), soon);
+        bench.session.goTo({40, 0});
+        bench.session.goTo({20, 0});
+        bench.session.setParameter("k", 0.3);
+        QTRY_COMPARE(scenesIn(folder.path()).size(), 1);
+        QVERIFY(readExperiment(scenesIn(folder.path()).front(), bench.library).branches.isEmpty());
+        bench.session.renameBranch(bench.session.branches().all().front().id, "first");
+        QTRY_VERIFY(!readExperiment(scenesIn(folder.path()).front(), bench.library).branches.isEmpty());
+    }
+    Bench next("multi_foot", "two_feet");
+    next.window.keepScenesIn(folder.path(), soon);
+    QVERIFY(next.answer("Open it"));
+    QCOMPARE(next.session.branches().all().size(), std::size_t(1));
+    QCOMPARE(next.session.branches().all().front().name, QString("first"));
+    QVERIFY(next.isMarked());
 }
 
 void KeptScenesTest::whatIsForgottenIsNotOfferedAgain()

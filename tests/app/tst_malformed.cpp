@@ -22,7 +22,7 @@ quint32 setting(const char *name, quint32 preset)
 class Spoiler
 {
 public:
-    explicit Spoiler(quint32 seed) : m_random(seed)
+    Spoiler(quint32 seed, std::vector<QByteArray> made) : m_random(seed), m_good(std::move(made))
     {
         const QDir folder(TEST_DATA "/published");
         for (const QString &name : folder.entryList({"*.json"})) {
@@ -111,6 +111,28 @@ private:
     std::vector<QByteArray> m_good;
 };
 
+/// Runs with others beside them, which the learner named or keeps: one that parts on the way, one that is another from
+/// the start on.
+std::vector<QByteArray> withBranches()
+{
+    std::vector<QByteArray> texts;
+    for (const char *step : {"two_feet", "any_number"}) {
+        Bench bench("multi_foot", step);
+        for (const std::int64_t frame : {0, 20}) {
+            bench.session.goTo({60, 0});
+            bench.session.goTo({frame, 0});
+            bench.drag(frame == 0 ? "foot1" : "foot0", {30, 10});
+            bench.session.setParameter("k", 0.3 + 0.01 * double(frame));
+            bench.session.endGesture();
+            bench.session.renameBranch(bench.session.branches().all().back().id,
+                                       QString("run %1").arg(frame));
+            bench.session.keepBranch(bench.session.branches().all().back().id, true);
+        }
+        texts.push_back(experimentText(bench.session.experiment(), bench.library));
+    }
+    return texts;
+}
+
 }
 
 class MalformedTest : public QObject
@@ -134,7 +156,9 @@ void MalformedTest::aSpoiledFileIsRefusedWithASentenceOrOpens()
 {
     const quint32 seed = setting("SPRINGSTEP_RANDOM_SEED", 1);
     const quint32 count = setting("SPRINGSTEP_RANDOM_COUNT", 500);
-    Spoiler spoiler(seed);
+    const std::vector<QByteArray> made = withBranches();
+    QVERIFY(made.front().contains("\"branches\"") && made.back().contains("\"fork\""));
+    Spoiler spoiler(seed, made);
     QVERIFY(spoiler.count() > 10);
     Bench bench("multi_foot", "two_feet");
     bench.session.setParameter("k", 0.31);
