@@ -4,10 +4,12 @@
 #include "window_bench.h"
 
 #include "app/ui/film/film_dialog.h"
+#include "app/ui/film/film_size.h"
 
 #include <QClipboard>
 #include <QComboBox>
 #include <QDir>
+#include <QLabel>
 #include <QLineEdit>
 #include <QProgressBar>
 #include <QSpinBox>
@@ -19,6 +21,13 @@ using namespace film_bench;
 using window_bench::Bench;
 
 namespace {
+
+QSpinBox &boxOf(const FilmDialog &dialog, const QString &name)
+{
+    const auto all = dialog.findChildren<QSpinBox *>();
+    return **std::find_if(all.begin(), all.end(),
+                          [&](const QSpinBox *one) { return one->accessibleName() == name; });
+}
 
 /// The field for the film's file.
 QLineEdit &fileOf(const FilmDialog &dialog)
@@ -37,6 +46,9 @@ class ExportTest : public QObject
 private slots:
     void initTestCase() { window_bench::keepSettingsIn(m_folder.path()); }
     void theDialogMakesAFilmWhileTheWindowGoesOn();
+    void aFilmIsAsWideAsIsTypedAndKeepsItsShape_data();
+    void aFilmIsAsWideAsIsTypedAndKeepsItsShape();
+    void aFilmCanHaveTheShapeOfTheScene();
     void aFilmThatIsStoppedLeavesNoFile();
     void aFolderThatIsNotThereIsSaid();
     void thePictureIsCopiedAndSaved();
@@ -62,15 +74,18 @@ void ExportTest::theDialogMakesAFilmWhileTheWindowGoesOn()
     FilmDialog &dialog = openDialog(bench);
     QVERIFY(dialog.isVisible() && !dialog.isModal());
     const QString path = m_folder.filePath("dialog.gif");
-    const auto boxes = dialog.findChildren<QSpinBox *>();
-    QCOMPARE(boxes.at(1)->value(), 40);
-    boxes.at(0)->setFocus();
-    boxes.at(0)->selectAll();
-    QTest::keyClicks(boxes.at(0), "5");
+    QCOMPARE(boxOf(dialog, "Last frame").value(), 40);
+    QSpinBox &first = boxOf(dialog, "First frame");
+    first.setFocus();
+    first.selectAll();
+    QTest::keyClicks(&first, "5");
     QLineEdit &file = fileOf(dialog);
     file.selectAll();
     QTest::keyClicks(&file, path);
-    dialog.findChild<QComboBox *>()->setCurrentIndex(0);
+    FilmSize &size = *dialog.findChild<FilmSize *>();
+    size.width().setFocus();
+    size.width().selectAll();
+    QTest::keyClicks(&size.width(), "320");
     QTest::keyClick(&file, Qt::Key_Return);
     QVERIFY(dialog.isMaking());
     bench.session.openStep("single_spring", "drag"); // whatever the window shows meanwhile
@@ -79,6 +94,50 @@ void ExportTest::theDialogMakesAFilmWhileTheWindowGoesOn()
     const Decoded film = decoded(path);
     QCOMPARE(film.pictures.size(), std::size_t(36));
     QCOMPARE(film.pictures.front().size(), QSize(320, 240));
+}
+
+void ExportTest::aFilmIsAsWideAsIsTypedAndKeepsItsShape_data()
+{
+    QTest::addColumn<QString>("typed");
+    QTest::addColumn<int>("shape");
+    QTest::addColumn<QSize>("size");
+    QTest::newRow("4 : 3") << "500" << 0 << QSize(500, 375);
+    QTest::newRow("16 : 9") << "1920" << 1 << QSize(1920, 1080);
+    QTest::newRow("a height between two pixels") << "1001" << 1 << QSize(1001, 563);
+    QTest::newRow("square") << "300" << 2 << QSize(300, 300);
+    QTest::newRow("too narrow") << "12" << 0 << QSize(200, 150);
+    QTest::newRow("too wide") << "9000" << 0 << QSize(900, 675); // the last digit is not taken
+}
+
+void ExportTest::aFilmIsAsWideAsIsTypedAndKeepsItsShape()
+{
+    QFETCH(QString, typed);
+    QFETCH(int, shape);
+    Bench bench;
+    FilmDialog &dialog = openDialog(bench);
+    FilmSize &size = *dialog.findChild<FilmSize *>();
+    QCOMPARE(size.size(), QSize(640, 480));
+    size.width().setFocus();
+    size.width().selectAll();
+    QTest::keyClicks(&size.width(), typed);
+    QTest::keyClick(&size.width(), Qt::Key_Tab);
+    auto &shapes = *size.findChild<QComboBox *>();
+    for (int i = 0; i < shape; ++i)
+        QTest::keyClick(&shapes, Qt::Key_Down);
+    QTEST(size.size(), "size");
+    const QString height = QString::number(size.size().height());
+    QCOMPARE(size.findChild<QLabel *>()->text(), "× " + height);
+}
+
+void ExportTest::aFilmCanHaveTheShapeOfTheScene()
+{
+    Bench bench;
+    FilmDialog &dialog = openDialog(bench);
+    FilmSize &size = *dialog.findChild<FilmSize *>();
+    size.findChild<QComboBox *>()->setCurrentIndex(3);
+    const QSize scene = bench.view.viewport()->size();
+    size.width().setValue(scene.width());
+    QCOMPARE(size.size(), scene);
 }
 
 void ExportTest::aFilmThatIsStoppedLeavesNoFile()

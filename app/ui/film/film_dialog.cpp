@@ -3,8 +3,8 @@
 #include "app/model/refusal.h"
 #include "app/model/sentences.h"
 #include "app/model/words.h"
+#include "app/ui/film/film_size.h"
 
-#include <QComboBox>
 #include <QDir>
 #include <QFileDialog>
 #include <QGridLayout>
@@ -91,13 +91,7 @@ QWidget *FilmDialog::fields()
     m_rate = frameBox(tr("Frames a second"), tr("How fast the film plays: 30 is as fast as the window does"));
     m_rate->setRange(1, static_cast<int>(mostGifRate));
     m_rate->setValue(usualRate);
-    m_size = new QComboBox(fields);
-    m_size->setAccessibleName(tr("Size"));
-    m_size->setToolTip(tr("Width and height of the pictures, in pixels"));
-    for (const QSize size :
-         {QSize(320, 240), QSize(480, 360), QSize(640, 480), QSize(800, 600), QSize(1280, 720)})
-        m_size->addItem(QStringLiteral("%1 × %2").arg(size.width()).arg(size.height()), size);
-    m_size->setCurrentIndex(2);
+    m_size = new FilmSize(*m_view.viewport(), fields);
     int row = 0;
     const auto add = [&](const QString &text, QWidget *field, QWidget *buddy) {
         grid->addWidget(label(text, buddy, fields), row, 0);
@@ -106,7 +100,7 @@ QWidget *FilmDialog::fields()
     add(tr("&First frame"), m_from, m_from);
     add(tr("&Last frame"), m_to, m_to);
     add(tr("Frames a &second"), m_rate, m_rate);
-    add(tr("Si&ze"), m_size, m_size);
+    add(tr("&Width"), m_size, &m_size->width());
     QWidget *file = fileRow();
     add(tr("F&ile"), file, m_file);
     grid->setColumnStretch(1, 1);
@@ -196,7 +190,7 @@ FilmPlan FilmDialog::plan() const
     FilmPlan plan;
     plan.experiment = m_session.experiment();
     plan.out = m_file->text();
-    plan.size = m_size->currentData().toSize();
+    plan.size = m_size->size();
     plan.scheme = m_theme.scheme();
     plan.extras = m_view.extras();
     plan.from = m_from->value();

@@ -5,7 +5,6 @@
 #include <QDialog>
 #include <QTimer>
 
-class QComboBox;
 class QLabel;
 class QLineEdit;
 class QProgressBar;
@@ -13,6 +12,8 @@ class QPushButton;
 class QSpinBox;
 
 namespace app {
+
+class FilmSize;
 
 /// Asks what film of the run to make, and makes it while the window goes on.
 class FilmDialog : public QDialog
@@ -49,7 +50,7 @@ private:
     QSpinBox *m_from;
     QSpinBox *m_to;
     QSpinBox *m_rate;
-    QComboBox *m_size;
+    FilmSize *m_size;
     QLineEdit *m_file;
     QWidget *m_fields; ///< all that is asked
     QProgressBar *m_progress;
