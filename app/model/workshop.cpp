@@ -32,13 +32,29 @@ sim::Values valuesOf(const lessons::Step &workshop, const lessons::Taken &taken)
     return values;
 }
 
-QString sentenceOf(const lessons::Taken &taken)
+/// The order in which the groups of a scene move, if there are several and `method` keeps it; empty: all move at once. What is
+/// built is one group.
+QStringList orderOf(const sim::Scene &scene, const sim::Method &method)
 {
-    if (taken.left.empty())
-        return Text::tr("This is your own copy of the scene: change what you like.");
+    const std::vector<std::string> needs = method.needs();
+    QStringList order;
+    if (scene.groups.size() > 1 && std::find(needs.begin(), needs.end(), "groups") != needs.end()) {
+        for (const sim::Group &group : scene.groups)
+            order << phrase(group.title);
+    }
+    return order;
+}
+
+QString sentenceOf(const lessons::Taken &taken, const QStringList &order)
+{
     QStringList names;
     for (const std::string &one : taken.left)
         names << phrase(one);
+    if (!order.isEmpty())
+        names << Text::tr("the order in which points move (%1), as here all move at once")
+                     .arg(order.join(QStringLiteral(", ")));
+    if (names.isEmpty())
+        return Text::tr("This is your own copy of the scene: change what you like.");
     return Text::tr("This is your own copy of the scene. What could not be taken along: %1.")
         .arg(names.join(QStringLiteral(", ")));
 }
@@ -78,7 +94,7 @@ TakenScene takenScene(const Session &session, const lessons::Step &workshop)
     TakenScene scene;
     scene.script = workshop.scriptWith(valuesOf(workshop, *taken), now.method);
     scene.script.step = now.step;
-    scene.sentence = sentenceOf(*taken);
+    scene.sentence = sentenceOf(*taken, orderOf(picture.segment->scene, *now.method));
     if (!fits(scene.script)) {
         scene.script = workshop.script();
         scene.script.values = valuesOf(workshop, *taken);

@@ -40,11 +40,14 @@ sim::Blueprint triangle()
     return plan;
 }
 
-/// The scene of a lesson's step, taken over after `frames` frames.
-TakenScene taken(const QString &lesson, const QString &step, std::int64_t frames = 0)
+/// The scene of a lesson's step, taken over after `frames` frames, with another method if one is given.
+TakenScene taken(const QString &lesson, const QString &step, std::int64_t frames = 0,
+                 const QString &method = {})
 {
     Session session(library());
     session.openStep(lesson, step);
+    if (!method.isEmpty())
+        session.setMethod(method);
     session.goTo({frames, 0});
     return takenScene(session, library().workshops.front().steps.front());
 }
@@ -321,6 +324,10 @@ private slots:
         QCOMPARE(taken("rigid_constraint", "ragdoll").sentence,
                  QString("This is your own copy of the scene. What could not be taken along: joint limits."));
         QCOMPARE(taken("multi_foot", "any_number").sentence,
+                 QString("This is your own copy of the scene. What could not be taken along: the order in "
+                         "which points "
+                         "move (feet, body), as here all move at once."));
+        QCOMPARE(taken("multi_foot", "any_number", 0, "semi_implicit_euler").sentence,
                  QString("This is your own copy of the scene: change what you like."));
         try {
             taken("swaying_tree", "wind");
