@@ -101,6 +101,7 @@ private slots:
     void anAnswerUnfolds_data();
     void anAnswerUnfolds();
     void theSummaryTellsWhatWasLearntAndWhatIsOpen();
+    void goingOnAfterTheLastStepShowsTheSummaryFirst();
     void theSummaryIsInTheList();
     void aLessonCanBeStartedOverAndTheTicksBroughtBack();
 };
@@ -300,6 +301,29 @@ void LearningAidsTest::theSummaryTellsWhatWasLearntAndWhatIsOpen()
     QVERIFY(text->toPlainText().contains("Next: Lesson two. The second."));
     bench.world.session.openStep("one", "second");
     QVERIFY(!bench.summary().isVisible() && bench.panel.narration().isVisible());
+}
+
+void LearningAidsTest::goingOnAfterTheLastStepShowsTheSummaryFirst()
+{
+    Bench bench;
+    const Session &session = bench.world.session;
+    bench.panel.goOn();
+    QCOMPARE(session.step().id, QString("second"));
+    bench.panel.goOn();
+    QVERIFY(bench.summary().isVisible());
+    QCOMPARE(session.step().id, QString("second"));
+    bench.panel.goBack();
+    QVERIFY(!bench.summary().isVisible());
+    QCOMPARE(session.step().id, QString("second"));
+    bench.panel.goOn();
+    bench.panel.goOn();
+    QVERIFY(!bench.summary().isVisible());
+    QCOMPARE(session.lesson().id, QString("two"));
+    bench.panel.goBack();
+    QCOMPARE(session.lesson().id, QString("one"));
+    bench.panel.hide(); // nobody would see the summary
+    bench.panel.goOn();
+    QCOMPARE(session.lesson().id, QString("two"));
 }
 
 void LearningAidsTest::theSummaryIsInTheList()

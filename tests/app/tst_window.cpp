@@ -2,6 +2,7 @@
 
 #include "app/model/experiment.h"
 #include "app/ui/panels/parameter_panel.h"
+#include "app/ui/panels/summary_page.h"
 #include "app/ui/scene/scene_view.h"
 #include "app/ui/time/timeline_strip.h"
 #include "app/ui/window/main_window.h"
@@ -202,7 +203,13 @@ void WindowTest::pageKeysWalkThroughAllStepsOfAllLessons()
             QVERIFY(!bench.window.grab().isNull());
             QTest::keyClick(&bench.view, Qt::Key_PageDown);
         }
+        QVERIFY(bench.window.findChild<SummaryPage *>()->isVisible());
+        QTest::keyClick(&bench.view, Qt::Key_PageDown);
     }
+    QVERIFY(bench.window.findChild<SummaryPage *>()->isVisible()); // nothing comes after the last one
+    QTest::keyClick(&bench.view, Qt::Key_PageUp);
+    QVERIFY(!bench.window.findChild<SummaryPage *>()->isVisible());
+    QVERIFY(!bench.session.following());
     QTest::keyClick(&bench.view, Qt::Key_PageUp);
     QVERIFY(bench.session.following());
 }

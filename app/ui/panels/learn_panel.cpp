@@ -76,6 +76,23 @@ void LearnPanel::showSummary(bool shown)
     shareHeight();
 }
 
+void LearnPanel::goOn()
+{
+    const bool isLast = &m_session.step() == &m_session.lesson().steps.back();
+    if (isVisible() && isLast && m_summary->isHidden())
+        showSummary(true);
+    else
+        m_session.openFollowing();
+}
+
+void LearnPanel::goBack()
+{
+    if (isVisible() && !m_summary->isHidden())
+        showSummary(false);
+    else
+        m_session.openPreceding();
+}
+
 void LearnPanel::showCount()
 {
     const LessonModel &lessons = m_list->lessons();

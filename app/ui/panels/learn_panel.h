@@ -26,6 +26,10 @@ public:
     Narration &narration() const { return *m_narration; }
     /// The summary of the open lesson in place of the step's text, or that again.
     void showSummary(bool shown);
+    /// To what comes next: the next step, after the last one of a lesson its summary, after that the next lesson. While this is
+    /// not seen there is no summary.
+    void goOn();
+    void goBack();
 
     QSize sizeHint() const override { return {280, 700}; }
     QSize minimumSizeHint() const override;

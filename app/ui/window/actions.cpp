@@ -3,6 +3,7 @@
 #include "app/ui/code/code_panel.h"
 #include "app/ui/effects/effects_panel.h"
 #include "app/ui/panels/help_page.h"
+#include "app/ui/panels/learn_panel.h"
 #include "app/ui/scene/scene_view.h"
 #include "app/ui/time/timeline_strip.h"
 #include "app/ui/time/transport_bar.h"
@@ -127,8 +128,8 @@ void MainWindow::makeTimeActions()
     makeBranchActions();
     m_run->addSeparator();
     const QString steps = tr("Steps");
-    add(tr("Ne&xt step"), {QKeySequence(Qt::Key_PageDown)}, steps, [this] { m_session.openFollowing(); });
-    add(tr("Pre&vious step"), {QKeySequence(Qt::Key_PageUp)}, steps, [this] { m_session.openPreceding(); });
+    add(tr("Ne&xt step"), {QKeySequence(Qt::Key_PageDown)}, steps, [this] { m_learn->goOn(); });
+    add(tr("Pre&vious step"), {QKeySequence(Qt::Key_PageUp)}, steps, [this] { m_learn->goBack(); });
 }
 
 void MainWindow::makeViewActions()
