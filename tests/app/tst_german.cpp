@@ -210,6 +210,8 @@ private slots:
     void nothingIsCut_data();
     void nothingIsCut();
     void theReasonsOfStabilityAreNotCut();
+    void theGalleriesOfPresetsAreNotCut();
+    void aWindowThatGoesTakesItsOpenGalleryAlong();
     void theChoiceOfALanguageIsRemembered();
     void cleanupTestCase() { m_shown.reset(); }
 
@@ -390,7 +392,59 @@ void GermanTest::theReasonsOfStabilityAreNotCut()
     german.session.openStep("multi_foot", "any_number");
     german.window.showStability(true);
     look("stability", &german.window);
+    for (const MapPlane plane : {MapPlane::step, MapPlane::damping}) {
+        german.window.showGrowthMap(plane);
+        look(plane == MapPlane::step ? "map of steps" : "map of damping", &german.window);
+    }
     QVERIFY2(cut.isEmpty(), qPrintable('\n' + cut.join('\n')));
+}
+
+void GermanTest::theGalleriesOfPresetsAreNotCut()
+{
+    m_shown.reset();
+    German german;
+    QStringList cut;
+    int galleries = 0;
+    for (const LessonEntry &lesson : german.library.lessons) {
+        for (const lessons::Step &step : lesson.steps) {
+            if (step.presetGallery.empty())
+                continue;
+            german.session.openStep(lesson.id, step.id);
+            settle();
+            german.window.findChild<QAbstractButton *>("presets")->click();
+            QWidget *gallery = QApplication::activePopupWidget();
+            QVERIFY2(gallery, qPrintable(step.id));
+            settle();
+            for (const QString &where : cutIn(*gallery))
+                cut << step.id + ' ' + where;
+            gallery->close();
+            ++galleries;
+        }
+    }
+    QVERIFY(galleries > 0);
+    QVERIFY2(cut.isEmpty(), qPrintable('\n' + cut.join('\n')));
+}
+
+void GermanTest::aWindowThatGoesTakesItsOpenGalleryAlong()
+{
+    m_shown.reset();
+    for (const bool painted : {false, true}) {
+        auto german = std::make_unique<German>();
+        for (const LessonEntry &lesson : german->library.lessons) {
+            for (const lessons::Step &step : lesson.steps) {
+                if (!step.presetGallery.empty())
+                    german->session.openStep(lesson.id, step.id);
+            }
+        }
+        settle();
+        german->window.findChild<QAbstractButton *>("presets")->click();
+        QVERIFY(QApplication::activePopupWidget());
+        if (painted)
+            QTest::qWait(100);
+        german.reset();
+        QVERIFY(!QApplication::activePopupWidget());
+        settle();
+    }
 }
 
 void GermanTest::theChoiceOfALanguageIsRemembered()

@@ -187,7 +187,7 @@ void StabilityPanel::refreshRemedies(const std::vector<sim::Remedy> &remedies)
 {
     if (!isVisible())
         return; // nobody reads them; and no child may come while children are hidden
-    // Beside a map they leave their outcomes to the tips: two in a row.
+    // Beside a map they leave their outcomes to the tips: as many in a row as there is room for.
     const bool isShort = m_watch.mapPlane().has_value();
     QStringList offered = {isShort ? QStringLiteral("short") : QString()};
     for (const sim::Remedy &one : remedies)
@@ -204,17 +204,46 @@ void StabilityPanel::refreshRemedies(const std::vector<sim::Remedy> &remedies)
         const int count = static_cast<int>(m_remedies.size());
         m_remedies.push_back(remedyButton(one));
         m_cells.push_back(m_remedies.back());
-        if (isShort) {
-            m_rows->addWidget(m_remedies.back(), 1 + count / 2, count % 2);
+        if (isShort)
             continue;
-        }
         auto *outcome = textLabel("caption", remedyOutcome(one), m_mends);
         m_cells.push_back(outcome);
         m_rows->addWidget(m_remedies.back(), 1 + count, 0, Qt::AlignLeft);
         m_rows->addWidget(outcome, 1 + count, 1);
     }
+    placeRemedies();
     for (QWidget *cell : m_cells)
         cell->show();
+}
+
+void StabilityPanel::placeRemedies()
+{
+    for (QHBoxLayout *row : m_shortRows) {
+        m_rows->removeItem(row);
+        delete row;
+    }
+    m_shortRows.clear();
+    if (m_offered.value(0).isEmpty())
+        return; // each has its outcome beside it
+    const int gap = m_rows->horizontalSpacing();
+    int room = 0;
+    for (QPushButton *button : m_remedies) {
+        const int needed = button->sizeHint().width() + gap;
+        if (m_shortRows.empty() || needed > room) {
+            m_shortRows.push_back(new QHBoxLayout);
+            m_shortRows.back()->setSpacing(gap);
+            m_rows->addLayout(m_shortRows.back(), static_cast<int>(m_shortRows.size()), 0, 1, 2);
+            room = width() - 2 * margin + gap;
+        }
+        m_shortRows.back()->addWidget(button);
+        room -= needed;
+    }
+}
+
+void StabilityPanel::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    placeRemedies();
 }
 
 void StabilityPanel::showMap(std::optional<MapPlane> plane)

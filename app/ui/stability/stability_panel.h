@@ -8,6 +8,7 @@
 #include <vector>
 
 class QGridLayout;
+class QHBoxLayout;
 class QLabel;
 class QPushButton;
 class QToolButton;
@@ -37,6 +38,7 @@ signals:
 protected:
     void showEvent(QShowEvent *event) override;
     void hideEvent(QHideEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
 
 private:
     QWidget *title();
@@ -48,6 +50,7 @@ private:
     void refresh();
     void refreshRemedies(const std::vector<sim::Remedy> &remedies);
     QPushButton *remedyButton(const sim::Remedy &remedy);
+    void placeRemedies();
     void refreshMap();
     QString whyNoMap() const;
 
@@ -62,6 +65,7 @@ private:
     QStringList m_offered; ///< what the rows say, so that they stay while it does
     std::vector<QWidget *> m_cells;
     std::vector<QPushButton *> m_remedies;
+    std::vector<QHBoxLayout *> m_shortRows; ///< of these, beside a map
     std::vector<QToolButton *> m_planes;
     QLabel *m_noMap = nullptr;
     GrowthPlot *m_plot = nullptr;
