@@ -1,5 +1,5 @@
 // What a long play costs with every panel open: how long a turn of the window's event loop ever takes, and what memory
-// grows beside the history: bench_play [--frames N] [--size WxH]... [LESSON/STEP[,PARAMETER=VALUE]...]...
+// grows beside the history: bench_play [--frames N] [--speed F] [--size WxH]... [LESSON/STEP[,PARAMETER=VALUE]...]...
 // It plays at twice the usual speed, 60 frames and 60 pictures a second, so that 36 000 frames are ten minutes. Panels
 // that are tabs of each other come to the front in turn. Times are processor time of this thread, so that a machine with
 // other things to do does not add to them, and what passed by the clock beside it.
@@ -47,6 +47,7 @@ struct Memory
     std::int64_t frame = 0;
     double resident = 0.0; ///< MiB
     double history = 0.0;  ///< MiB, of the kept states
+    std::size_t pictures = 0;
 };
 
 struct Play
@@ -124,7 +125,8 @@ QString said(const QList<WatchedApplication::Delivery> &deliveries)
     return parts.join(", ");
 }
 
-Play play(Session &session, Theme &theme, WatchedApplication &application, QSize size, std::int64_t frames)
+Play play(Session &session, Theme &theme, WatchedApplication &application, QSize size, std::int64_t frames,
+          double speed)
 {
     Play play;
     MainWindow window(session, theme);
@@ -133,7 +135,7 @@ Play play(Session &session, Theme &theme, WatchedApplication &application, QSize
     openPanels(window);
     play.window = window.size();
     play.memory.push_back(memoryNow(session));
-    session.setSpeed(2.0);
+    session.setSpeed(speed);
     session.play();
     std::int64_t turned = 0;
     std::int64_t noted = 0;
@@ -156,6 +158,7 @@ Play play(Session &session, Theme &theme, WatchedApplication &application, QSize
         if (now >= noted + frames / samplesOfMemory) {
             noted = now;
             play.memory.push_back(memoryNow(session));
+            play.memory.back().pictures = play.frames.size();
         }
         QThread::usleep(500);
     }
@@ -203,6 +206,16 @@ void print(const Play &play, QTextStream &out)
                    .arg(one.resident, 6, 'f', 1)
                    .arg(one.history, 6, 'f', 1)
                    .arg(one.resident - one.history, 6, 'f', 1);
+    out << "  work of a picture, from one of these to the next, in ms (median):";
+    for (std::size_t i = 1; i < play.memory.size() && play.memory[i].pictures > 0; ++i) {
+        const auto at = [&](std::size_t index) {
+            return work.begin() + static_cast<std::ptrdiff_t>(play.memory[index].pictures);
+        };
+        std::vector<double> part(at(i - 1), at(i));
+        std::sort(part.begin(), part.end());
+        out << ' ' << (part.empty() ? QString("none") : QString::number(part[part.size() / 2], 'f', 1));
+    }
+    out << '\n';
     for (const QString &line : play.slow.mid(0, 20))
         out << "  " << line << '\n';
     out << Qt::flush;
@@ -225,7 +238,8 @@ int main(int count, char **arguments)
     const QCommandLineOption frames("frames", "How many frames are played.", "N",
                                     QString::number(tenMinutes));
     const QCommandLineOption size("size", "How large the window is, in px.", "WxH");
-    given.addOptions({frames, size});
+    const QCommandLineOption speed("speed", "How many times the usual speed, up to 4.", "F", "2");
+    given.addOptions({frames, size, speed});
     given.process(application);
     const QStringList sizes = given.isSet(size) ? given.values(size) : QStringList{"1280x800", "1920x1080"};
     const QStringList steps = given.positionalArguments().isEmpty()
@@ -240,7 +254,9 @@ int main(int count, char **arguments)
         for (const QString &one : sizes) {
             open(session, step);
             out << step << ", " << one << Qt::endl;
-            print(play(session, theme, application, sizeOf(one), given.value(frames).toLongLong()), out);
+            print(play(session, theme, application, sizeOf(one), given.value(frames).toLongLong(),
+                       given.value(speed).toDouble()),
+                  out);
         }
     }
     return 0;
