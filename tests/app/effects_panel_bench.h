@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/model/code_listing.h"
 #include "app/model/effect_lines.h"
 #include "app/ui/effects/effect_list.h"
 #include "app/ui/effects/effects_panel.h"

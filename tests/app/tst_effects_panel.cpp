@@ -1,6 +1,5 @@
 // The ledger of effects: its words, and its switches driven as a learner drives them.
 
-#include "app/model/code_listing.h"
 #include "effects_panel_bench.h"
 
 using namespace app;

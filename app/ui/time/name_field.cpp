@@ -42,12 +42,12 @@ NameField::NameField(const QString &name, const Theme &theme, QWidget *parent)
 
 void NameField::popupAt(const QPoint &place)
 {
+    show(); // only now it knows how large its parts are
     adjustSize();
     const QScreen *screen = QGuiApplication::screenAt(place);
     const QRect room = (screen ? screen : QGuiApplication::primaryScreen())->availableGeometry();
     move(std::clamp(place.x(), room.left(), std::max(room.left(), room.right() - width())),
          std::clamp(place.y(), room.top(), std::max(room.top(), room.bottom() - height())));
-    show();
     m_edit->selectAll();
     m_edit->setFocus(Qt::PopupFocusReason);
 }
