@@ -16,10 +16,11 @@ namespace {
 constexpr qint64 sliceMilliseconds = 12;
 constexpr std::int64_t sliceSteps = 64;
 constexpr std::int64_t slicePoints =
-    100'000;                            ///< points times steps that are computed in one go, if that is less
-constexpr qint64 mostMilliseconds = 25; ///< of computing between two pictures while playing; drawing needs time, too
-constexpr int framesToJudge = 45;       ///< due while playing, after which a run that falls behind is said to
-constexpr double fallsBehind = 0.8;     ///< of what is due
+    100'000; ///< points times steps that are computed in one go, if that is less
+constexpr qint64 mostMilliseconds =
+    25; ///< of computing between two pictures while playing; drawing needs time, too
+constexpr int framesToJudge = 45;   ///< due while playing, after which a run that falls behind is said to
+constexpr double fallsBehind = 0.8; ///< of what is due
 
 /// How many frames later it is looked whether something to try is done by waiting. What sleeps is there at once; what does not
 /// yet is computed if its points are not too many.

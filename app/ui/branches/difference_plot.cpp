@@ -21,7 +21,6 @@ DifferencePlot::DifferencePlot(Session &session, const DifferenceCourse &course,
       m_name(new QCPItemText(this))
 {
     setObjectName("differencePlot");
-    setPlottingHint(QCP::phImmediateRefresh, false); // in the middle of a change others cannot be painted yet
     setAccessibleName(tr("Distance between the two runs over time"));
     for (QCPAxis *axis : {xAxis, yAxis})
         axis->setTicker(QSharedPointer<QCPAxisTicker>(new NumberTicker(5)));

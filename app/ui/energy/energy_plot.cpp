@@ -27,7 +27,6 @@ EnergyPlot::EnergyPlot(Session &session, const EnergyCourse &course, const Theme
     : CursorPlot(session, theme, parent), m_course(course)
 {
     setObjectName("energyPlot");
-    setPlottingHint(QCP::phImmediateRefresh, false); // in the middle of a change others cannot be painted yet
     setAccessibleName(tr("Energy over the last frames"));
     setAccessibleDescription(tr("A press or a drag goes to a frame, and the arrow keys go on by one"));
     xAxis->setTicker(QSharedPointer<QCPAxisTicker>(new NumberTicker(5)));

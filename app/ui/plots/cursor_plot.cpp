@@ -49,6 +49,7 @@ CursorPlot::CursorPlot(Session &session, const Theme &theme, QWidget *parent)
     installCursorAccess();
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
+    setPlottingHint(QCP::phImmediateRefresh, false); // in the middle of a change others cannot be painted yet
     setCursor(Qt::PointingHandCursor);
     setAntialiasedElements(QCP::aeAll);
     setNoAntialiasingOnDrag(false);

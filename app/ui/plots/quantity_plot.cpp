@@ -25,7 +25,6 @@ QuantityPlot::QuantityPlot(Session &session, const PlotCourse &course, const The
     : CursorPlot(session, theme, parent), m_course(course)
 {
     setObjectName("quantityPlot");
-    setPlottingHint(QCP::phImmediateRefresh, false); // it is painted together with all else that has changed
     addLayer(curveLayer, layer("main"), limAbove);
     layer(curveLayer)->setMode(QCPLayer::lmBuffered);
     xAxis->setTicker(QSharedPointer<QCPAxisTicker>(new NumberTicker(5)));
