@@ -3242,11 +3242,11 @@ Klick klappt ein oder aus (Eingabe)</translation>
     </message>
     <message>
         <source>frame %1: %2&#x2009;px apart</source>
-        <translation>Bild %1: %2 px auseinander</translation>
+        <translation>Bild %1: %2&#x2009;px auseinander</translation>
     </message>
     <message>
         <source>%1: %2&#x2009;px at frame %3</source>
-        <translation>%1: %2 px in Bild %3</translation>
+        <translation>%1: %2&#x2009;px in Bild %3</translation>
     </message>
 </context>
 <context>
