@@ -162,7 +162,7 @@ private slots:
         bench.action("movable").trigger();
         for (const QDockWidget *one : docks) {
             QVERIFY(one->features() & QDockWidget::DockWidgetMovable);
-            QVERIFY2(one->titleBarWidget()->sizeHint().height() > 20, qPrintable(one->objectName()));
+            QVERIFY2(one->titleBarWidget()->sizeHint().height() >= 16, qPrintable(one->objectName()));
         }
         bench.action("movable").trigger();
         for (const QDockWidget *one : docks)
