@@ -3054,11 +3054,11 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     </message>
     <message>
         <source>1 line new</source>
-        <translation>1 Zeile neu</translation>
+        <translation>1 neu</translation>
     </message>
     <message>
         <source>%1 lines new</source>
-        <translation>%1 Zeilen neu</translation>
+        <translation>%1 neu</translation>
     </message>
     <message>
         <source>%1 Enter takes it, Esc leaves it as it was.</source>
@@ -3135,10 +3135,6 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     <message>
         <source>Lines that only the step before has. Click to see them struck through where they were, or no longer (F8 in the code).</source>
         <translation>Zeilen, die nur der Schritt davor hat. Ein Klick zeigt sie durchgestrichen, wo sie standen, oder nicht mehr (F8 im Code).</translation>
-    </message>
-    <message>
-        <source>%1 gone</source>
-        <translation>%1 weg</translation>
     </message>
     <message>
         <source>1 line gone</source>
@@ -3386,8 +3382,8 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <translation>%1 nach rechts, %2 nach unten</translation>
     </message>
     <message>
-        <source>%1, of it drift %2</source>
-        <translation>%1, davon Drift %2</translation>
+        <source>%1 there, drift %2</source>
+        <translation>%1 da, Drift %2</translation>
     </message>
     <message>
         <source>%1: frame %2 is not counted</source>
@@ -4901,6 +4897,10 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>&amp;below the picture</source>
         <translation>&amp;unter das Bild</translation>
+    </message>
+    <message>
+        <source>Drag this panel to where it is to stand</source>
+        <translation>Ziehe diese Leiste dorthin, wo sie stehen soll</translation>
     </message>
 </context>
 <context>

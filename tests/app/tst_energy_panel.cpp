@@ -380,7 +380,11 @@ private slots:
         QEvent leave(QEvent::Leave);
         QApplication::sendEvent(&timeline, &leave);
         QVERIFY(!plot.hovered() && !quantity.hovered() && !timeline.pointed());
-        QCOMPARE(world.session.timeline().at().frame, 60);
+        hover(plot, {qRound(plot.xAxis->coordToPixel(20.0)), plot.height() / 2});
+        QVERIFY(timeline.pointed());
+        QCOMPARE(world.session.timeline().at().frame, 60); // nothing of this has moved time
+        world.session.openStep("one", "second");           // its frames are others
+        QVERIFY(!timeline.pointed() && !plot.hovered());
     }
 
     void thePileEndsWhereItShouldButForTheDrift()

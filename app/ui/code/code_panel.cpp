@@ -15,6 +15,7 @@ namespace app {
 
 namespace {
 
+constexpr int goneWidth = 36;               ///< px: three figures
 constexpr qint64 playingMilliseconds = 100; ///< between two sets of values while playing: no dancing numbers
 
 }
@@ -72,6 +73,7 @@ void CodePanel::makeActions()
         button->setFocusPolicy(Qt::TabFocus);
         row->addWidget(button);
     }
+    m_goneLines->setFixedWidth(goneWidth);
     connect(m_newLines, &QToolButton::clicked, m_view, &CodeView::showNextNew);
     connect(m_goneLines, &QToolButton::toggled, this, &CodePanel::showGoneLines);
     connect(m_goneLines, &QToolButton::clicked, m_view, &CodeView::showFirstGone);
@@ -186,7 +188,7 @@ void CodePanel::showNewLines()
     m_newLines->setAccessibleName(text);
     m_newLines->setVisible(count > 0);
     const int gone = m_listing.goneLines();
-    m_goneLines->setText(tr("%1 gone").arg(gone));
+    m_goneLines->setText(QStringLiteral("−%1").arg(gone)); // the title has little room
     m_goneLines->setAccessibleName(gone == 1 ? tr("1 line gone") : tr("%1 lines gone").arg(gone));
     m_goneLines->setVisible(gone > 0);
 }

@@ -239,7 +239,7 @@ QString EnergyPlot::readout(std::int64_t frame) const
     if (m_shows == Shows::momentum)
         return tr("%1 to the right, %2 down")
             .arg(energyNumber(balance->after.momentum.x), energyNumber(balance->after.momentum.y));
-    return tr("%1, of it drift %2")
+    return tr("%1 there, drift %2")
         .arg(energyNumber(balance->after.total() - m_lowest),
              signedEnergyNumber(balance->energy[Account::drift]));
 }

@@ -24,7 +24,7 @@ public:
     void refresh(const EnergyLines &lines);
     std::optional<std::int64_t> frameAt(QPointF place) const override;
     QString sentence() const override;
-    /// What there is at a frame, and what of it the method made; empty where that is not counted.
+    /// What there is at a frame, and the drift until then; of momentum its two parts. Empty where that is not counted.
     QString readout(std::int64_t frame) const;
 
     /// The plot as it is saved.

@@ -19,6 +19,14 @@ double discAt(const Canvas &canvas, int point)
     return canvas.shown.isHidden(point) ? 0.0 : canvas.camera.radius(canvas.shown.radius(point));
 }
 
+/// Where the disc of a point ends on the way to a place; the place itself if that lies within.
+QPointF edgeTowards(const Canvas &canvas, int point, QPointF place)
+{
+    const QLineF way(canvas.camera.at(canvas.shown.state().at(point)), place);
+    const double disc = discAt(canvas, point);
+    return way.length() > disc ? way.pointAt(disc / way.length()) : place;
+}
+
 /// All that one kind of link draws.
 struct Strokes
 {
@@ -31,7 +39,7 @@ void addMark(Strokes &strokes, const Canvas &canvas, const RestMark &mark)
 {
     const QPointF place = canvas.camera.at(mark.rest.place);
     const QPointF from = canvas.camera.at(canvas.shown.state().at(mark.rest.anchor));
-    const QLineF visible = canvas.cut(from, place);
+    const QLineF visible = canvas.cut(edgeTowards(canvas, mark.rest.anchor, place), place);
     if (!visible.isNull())
         strokes.shadows << visible;
     const double half = std::max(leastHalf, discAt(canvas, mark.rest.mover) + beyondDisc);

@@ -6,14 +6,45 @@
 #include <QAction>
 #include <QDockWidget>
 #include <QMenu>
+#include <QPainter>
 #include <QSettings>
 
 namespace app {
 
 namespace {
 
-constexpr int wide = 1600;       ///< px, from here on measuring has another arrangement
-const char *const lent = "lent"; ///< property of titles that a panel has only while it can be moved
+constexpr int wide = 1600; ///< px, from here on measuring has another arrangement
+
+/// What a panel is dragged by that has its title inside: a row of dots.
+class Grip : public QWidget
+{
+public:
+    Grip(const Theme &theme, QWidget *parent) : QWidget(parent), m_theme(theme)
+    {
+        setObjectName("grip");
+        setCursor(Qt::SizeAllCursor);
+        setToolTip(MainWindow::tr("Drag this panel to where it is to stand"));
+    }
+    QSize sizeHint() const override { return {60, height_}; }
+    QSize minimumSizeHint() const override { return sizeHint(); }
+
+protected:
+    void paintEvent(QPaintEvent *) override
+    {
+        QPainter painter(this);
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.fillRect(rect(), m_theme.tokens().panel);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(m_theme.tokens().ink3);
+        const QPointF middle = QRectF(rect()).center();
+        for (int i = -2; i <= 2; ++i)
+            painter.drawEllipse(middle + QPointF(8.0 * i, 0.0), 1.6, 1.6);
+    }
+
+private:
+    static constexpr int height_ = 16; ///< px
+    const Theme &m_theme;
+};
 
 }
 
@@ -104,13 +135,10 @@ void MainWindow::setPanelsMovable(bool movable)
         panel->setFeatures(movable ? QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable
                                    : QDockWidget::DockWidgetClosable);
         QWidget *title = panel->titleBarWidget();
-        if (movable == (qobject_cast<DockTitle *>(title) != nullptr))
+        const bool isGrip = title->objectName() == QLatin1String("grip");
+        if (qobject_cast<DockTitle *>(title) || isGrip == movable)
             continue;
-        if (!movable && !title->property(lent).toBool())
-            continue;
-        auto *other = movable ? new DockTitle(panel->windowTitle(), m_theme, this) : new QWidget(this);
-        other->setProperty(lent, movable);
-        panel->setTitleBarWidget(other);
+        panel->setTitleBarWidget(movable ? new Grip(m_theme, this) : new QWidget(this));
         title->deleteLater();
     }
 }

@@ -55,6 +55,7 @@ void MainWindow::joinCursors()
     connect(m_energy, &EnergyPanel::pointedAt, this, show);
     connect(m_branches, &BranchesPanel::pointedAt, this, show);
     connect(m_timeline, &TimelineStrip::pointedAt, this, show);
+    connect(&m_session, &Session::stepOpened, this, [show] { show(std::nullopt); });
 }
 
 void MainWindow::makePlotsAction()
