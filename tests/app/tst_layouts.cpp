@@ -179,6 +179,7 @@ private slots:
         auto *transport = bench.window.findChild<TransportBar *>();
         auto *scene = bench.window.findChild<SceneView *>();
         const int before = scene->height();
+        const int lessons = bench.dock("lessons").width(), code = bench.dock("code").width();
         QVERIFY(!transport->isAncestorOf(timeline));
         bench.key(Qt::Key_F11);
         for (const QDockWidget *one : bench.window.findChildren<QDockWidget *>())
@@ -200,6 +201,8 @@ private slots:
         QVERIFY(!transport->isAncestorOf(timeline));
         QCOMPARE(scene->height(), before);
         QVERIFY(!bench.dock("lessons").isHidden() && !bench.dock("code").isHidden());
+        QCOMPARE(bench.dock("lessons").width(), lessons);
+        QCOMPARE(bench.dock("code").width(), code);
     }
 
     void theParametersAboveTheSceneAreChangedByKeysAndMouse()

@@ -242,6 +242,7 @@ void TransportBar::takeIn(QWidget *widget)
 {
     m_middle = widget;
     m_layout->insertWidget(m_layout->indexOf(m_frame) + 1, widget, 1000);
+    updateGeometry();
     fit();
 }
 
@@ -249,6 +250,7 @@ void TransportBar::giveOut(QWidget *widget)
 {
     m_middle = nullptr;
     m_layout->removeWidget(widget);
+    updateGeometry();
     fit();
 }
 

@@ -12,6 +12,7 @@
 #include <QAction>
 #include <QBoxLayout>
 #include <QDockWidget>
+#include <QLayout>
 #include <QMenu>
 
 namespace app {
@@ -69,6 +70,9 @@ void MainWindow::leaveFocus()
     auto *column = static_cast<QBoxLayout *>(centralWidget()->layout());
     column->insertWidget(column->indexOf(m_transport) + 1, m_timeline);
     m_footfall->setMaximumHeight(QWIDGETSIZE_MAX);
+    column
+        ->activate(); // panels come back to the width that they had, beside a scene that needs no more than before
+    layout()->activate();
     restoreState(m_docksBeforeFocus);
     fitParameters();
 }
