@@ -169,14 +169,43 @@ private slots:
     {
         Bench bench;
         QVERIFY(bench.goTo(45));
-        const std::vector<Stance> first = stancesOf(bench.course, 0);
+        Stances stances;
+        stances.follow(bench.course, 2);
+        const std::vector<Stance> &first = stances.of(0);
         QCOMPARE(first.size(), std::size_t(3));
         QCOMPARE(first[0].from, std::int64_t(0));
         QCOMPARE(first[0].to, std::int64_t(stride - 1));
         QCOMPARE(first[0].slip, (stride - 1) * speed);
         QCOMPARE(first[2].from, std::int64_t(40));
         QCOMPARE(first[2].to, std::int64_t(45));
-        QCOMPARE(stancesOf(bench.course, 1).front().from, std::int64_t(stride));
+        QCOMPARE(stances.of(1).front().from, std::int64_t(stride));
+    }
+
+    void stancesThatAreReadAsTheyComeAreTheSame()
+    {
+        Bench bench;
+        Stances followed;
+        QObject::connect(&bench.course, &Course::changed, &bench.course,
+                         [&] { followed.follow(bench.course, 2); });
+        const auto same = [&] {
+            Stances fresh;
+            fresh.follow(bench.course, 2);
+            return !fresh.of(0).empty() && fresh.of(0) == followed.of(0) && fresh.of(1) == followed.of(1);
+        };
+        for (const std::int64_t frame : {1, 2, 7, 45, 46, 90}) {
+            QVERIFY(bench.goTo(frame));
+            QVERIFY(same());
+        }
+        bench.session.goTo({33, 0});
+        QVERIFY(same());
+        bench.session.setParameter("k", 0.5); // what comes after is another run
+        QVERIFY(same());
+        QVERIFY(bench.goTo(70));
+        QVERIFY(same());
+        bench.session.goTo({0, 0});
+        bench.session.setParameter("k", 0.25);
+        QVERIFY(bench.goTo(20));
+        QVERIFY(same());
     }
 
     void theFeetDiagramTellsWhoStandsAndGoesThere()

@@ -1,5 +1,5 @@
 // What a long play costs with every panel open: how long a turn of the window's event loop ever takes, and what memory
-// grows beside the history: bench_play [--frames N] [--speed F] [--size WxH]... [LESSON/STEP[,PARAMETER=VALUE]...]...
+// grows beside the history: bench_play [--from N] [--frames N] [--speed F] [--size WxH]... [LESSON/STEP[,PARAMETER=VALUE]...]...
 // It plays at twice the usual speed, 60 frames and 60 pictures a second, so that 36 000 frames are ten minutes. Panels
 // that are tabs of each other come to the front in turn. Times are processor time of this thread, so that a machine with
 // other things to do does not add to them, and what passed by the clock beside it.
@@ -11,6 +11,7 @@
 
 #include <QCommandLineParser>
 #include <QDockWidget>
+#include <QElapsedTimer>
 #include <QFile>
 #include <QSettings>
 #include <QTabBar>
@@ -30,7 +31,8 @@ namespace {
 constexpr std::int64_t tenMinutes = 10 * 60 * 60; ///< frames at twice the usual speed
 constexpr std::int64_t framesOfATab = 300;        ///< until the next tab comes to the front
 constexpr int samplesOfMemory = 12;
-constexpr double tooLong = 50.0; ///< ms
+constexpr double tooLong = 50.0;  ///< ms
+constexpr qint64 settling = 2000; ///< ms
 constexpr double mebi = 1 << 20;
 
 /// Resident memory of this program in MiB.
@@ -125,21 +127,42 @@ QString said(const QList<WatchedApplication::Delivery> &deliveries)
     return parts.join(", ");
 }
 
-Play play(Session &session, Theme &theme, WatchedApplication &application, QSize size, std::int64_t frames,
-          double speed)
+struct Plan
+{
+    QSize size; ///< of the window
+    std::int64_t from =
+        0; ///< the frame at which it begins to play: what was before is computed, and read by the panels
+    std::int64_t frames = 0; ///< the last one
+    double speed = 2.0;      ///< times the usual one
+};
+
+/// Goes to a frame, and waits until the panels have read what is before it.
+void goTo(Session &session, std::int64_t frame)
+{
+    session.goTo({frame, 0});
+    QElapsedTimer clock;
+    for (clock.start(); session.goingTo() || clock.elapsed() < settling; QThread::usleep(500)) {
+        if (session.goingTo())
+            clock.restart();
+        QApplication::processEvents();
+    }
+}
+
+Play play(Session &session, Theme &theme, WatchedApplication &application, const Plan &plan)
 {
     Play play;
     MainWindow window(session, theme);
-    window.resize(size);
+    window.resize(plan.size);
     window.show();
     openPanels(window);
     play.window = window.size();
+    goTo(session, plan.from);
     play.memory.push_back(memoryNow(session));
-    session.setSpeed(speed);
+    session.setSpeed(plan.speed);
     session.play();
-    std::int64_t turned = 0;
-    std::int64_t noted = 0;
-    while (session.timeline().computed() < frames && session.isPlaying() && !session.isResting()) {
+    std::int64_t turned = plan.from;
+    std::int64_t noted = plan.from;
+    while (session.timeline().computed() < plan.frames && session.isPlaying() && !session.isResting()) {
         const std::int64_t before = session.timeline().at().frame;
         const bool turns = before >= turned + framesOfATab;
         application.slowest();
@@ -155,7 +178,7 @@ Play play(Session &session, Theme &theme, WatchedApplication &application, QSize
         if (took.work > tooLong)
             play.slow << QString("frame %1%2: ").arg(now).arg(turns ? " (tabs)" : "") +
                              said(application.slowest());
-        if (now >= noted + frames / samplesOfMemory) {
+        if (now >= noted + (plan.frames - plan.from) / samplesOfMemory) {
             noted = now;
             play.memory.push_back(memoryNow(session));
             play.memory.back().pictures = play.frames.size();
@@ -239,7 +262,8 @@ int main(int count, char **arguments)
                                     QString::number(tenMinutes));
     const QCommandLineOption size("size", "How large the window is, in px.", "WxH");
     const QCommandLineOption speed("speed", "How many times the usual speed, up to 4.", "F", "2");
-    given.addOptions({frames, size, speed});
+    const QCommandLineOption from("from", "The frame at which it begins to play.", "N", "0");
+    given.addOptions({frames, size, speed, from});
     given.process(application);
     const QStringList sizes = given.isSet(size) ? given.values(size) : QStringList{"1280x800", "1920x1080"};
     const QStringList steps = given.positionalArguments().isEmpty()
@@ -254,9 +278,9 @@ int main(int count, char **arguments)
         for (const QString &one : sizes) {
             open(session, step);
             out << step << ", " << one << Qt::endl;
-            print(play(session, theme, application, sizeOf(one), given.value(frames).toLongLong(),
-                       given.value(speed).toDouble()),
-                  out);
+            const Plan plan{sizeOf(one), given.value(from).toLongLong(), given.value(frames).toLongLong(),
+                            given.value(speed).toDouble()};
+            print(play(session, theme, application, plan), out);
         }
     }
     return 0;

@@ -20,32 +20,14 @@ constexpr int tallRow = 14;
 constexpr int mostHeight = 84; ///< px for all rows
 constexpr int bottomMargin = 8;
 constexpr double widestUnnamed = 26.0; ///< px from which a stance has room for its slip
+constexpr double leastWidth = 1.5;     ///< px of a stance
+constexpr double leastSeen = 0.5;      ///< px of one that others do not cover
 
 QString pixels(double value)
 {
     return QLocale().toString(value, 'f', value < 10.0 ? 1 : 0);
 }
 
-}
-
-std::vector<Stance> stancesOf(const Course &course, std::size_t foot)
-{
-    std::vector<Stance> stances;
-    if (course.isEmpty())
-        return stances;
-    bool stood = false;
-    for (std::int64_t frame = course.first(); frame <= course.last(); frame += course.rowFrames()) {
-        const Sample *sample = course.at(frame);
-        const bool stands = foot < sample->stands.size() && sample->stands[foot];
-        if (stands && !stood)
-            stances.push_back({frame, frame, 0.0});
-        if (stands) {
-            stances.back().to = frame;
-            stances.back().slip += stood ? std::abs(sample->slips[foot]) : 0.0;
-        }
-        stood = stands;
-    }
-    return stances;
 }
 
 FootfallStrip::FootfallStrip(Session &session, const Course &course, TimelineStrip &timeline,
@@ -81,9 +63,7 @@ void FootfallStrip::open()
 
 void FootfallStrip::read()
 {
-    m_stances.clear();
-    for (std::size_t foot = 0; foot < m_names.size(); ++foot)
-        m_stances.push_back(stancesOf(m_course, foot));
+    m_stances.follow(m_course, m_names.size());
     update();
     say();
 }
@@ -107,7 +87,7 @@ int FootfallStrip::rowAt(int y) const
 
 const Stance *FootfallStrip::stanceAt(std::size_t foot, std::int64_t frame) const
 {
-    const std::vector<Stance> &stances = m_stances[foot];
+    const std::vector<Stance> &stances = m_stances.of(foot);
     const auto after = std::upper_bound(stances.begin(), stances.end(), frame,
                                         [](std::int64_t at, const Stance &one) { return at < one.from; });
     return after != stances.begin() && std::prev(after)->to >= frame ? &*std::prev(after) : nullptr;
@@ -130,23 +110,42 @@ void FootfallStrip::say()
         setAccessibleDescription(sentence());
 }
 
-void FootfallStrip::paintStance(QPainter &painter, const Stance &stance, double top,
-                                const QFontMetricsF &metrics) const
+void FootfallStrip::paintFoot(QPainter &painter, std::size_t foot, double top,
+                              const QFontMetricsF &metrics) const
 {
     const TimelineAxis &axis = m_timeline.axis();
-    // A row's state holds from its end on: a stance of one row is seen, too.
-    const double from = axis.xOf(stance.from - m_course.rowFrames() / 2);
-    const double to = std::max(axis.xOf(stance.to), from + 1.5);
     const double high = rowHeight() - (rowHeight() > 8 ? 3.0 : 1.0);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(m_theme.tokens().contact);
-    painter.drawRoundedRect(QRectF(from, top, to - from, high), std::min(3.0, high / 2),
-                            std::min(3.0, high / 2));
+    const double round = std::min(3.0, high / 2);
+    double painted = 0.0; ///< px, up to which the row is
+    for (const Stance &stance : m_stances.of(foot)) {
+        // A row's state holds from its end on: a stance of one row is seen, too.
+        const double from = axis.xOf(stance.from - m_course.rowFrames() / 2);
+        const double to = std::max(axis.xOf(stance.to), from + leastWidth);
+        if (to - painted < leastSeen)
+            continue; // in a long run thousands of them share a pixel
+        const QRectF bar(from, top, to - from, high);
+        if (bar.width() > 2.0 * round) {
+            painter.setPen(Qt::NoPen);
+            painter.setBrush(m_theme.tokens().contact);
+            painter.drawRoundedRect(bar, round, round);
+            paintSlip(painter, stance, bar, metrics);
+        } else {
+            painter.fillRect(bar, m_theme.tokens().contact);
+        }
+        painted = to;
+    }
+}
+
+void FootfallStrip::paintSlip(QPainter &painter, const Stance &stance, const QRectF &bar,
+                              const QFontMetricsF &metrics) const
+{
+    if (rowHeight() < tallRow || bar.width() < widestUnnamed)
+        return;
     const QString slip = pixels(stance.slip);
-    if (rowHeight() < tallRow || to - from < std::max(widestUnnamed, metrics.horizontalAdvance(slip) + 8.0))
+    if (bar.width() < metrics.horizontalAdvance(slip) + 8.0)
         return;
     painter.setPen(m_theme.tokens().panel);
-    painter.drawText(QRectF(from, top - 1.0, to - from, high + 2.0), Qt::AlignCenter, slip);
+    painter.drawText(bar.adjusted(0.0, -1.0, 0.0, 1.0), Qt::AlignCenter, slip);
 }
 
 void FootfallStrip::paintEvent(QPaintEvent *)
@@ -163,7 +162,7 @@ void FootfallStrip::paintEvent(QPaintEvent *)
     const QFont small = m_theme.mono(11);
     const QFontMetricsF metrics(small);
     painter.setFont(small);
-    for (std::size_t foot = 0; foot < m_stances.size(); ++foot) {
+    for (std::size_t foot = 0; foot < m_stances.feet(); ++foot) {
         const double top = titleHeight + static_cast<double>(foot) * rowHeight();
         const double middle = std::floor(top + rowHeight() / 2.0 - 1.0) + 0.5;
         painter.setPen(m_theme.tokens().line);
@@ -172,8 +171,7 @@ void FootfallStrip::paintEvent(QPaintEvent *)
             painter.setPen(m_theme.tokens().ink3);
             painter.drawText(QPointF(4.0, top + metrics.ascent() - 1.0), QString::number(foot));
         }
-        for (const Stance &stance : m_stances[foot])
-            paintStance(painter, stance, top, metrics);
+        paintFoot(painter, foot, top, metrics);
     }
     const double now = axis.xOf(m_timeline.frame());
     painter.setPen(QPen(m_theme.tokens().now, 2.0));

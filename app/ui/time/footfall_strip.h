@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/model/course.h"
+#include "app/model/stances.h"
 #include "app/ui/theme/theme.h"
 
 #include <QWidget>
@@ -8,17 +8,6 @@
 namespace app {
 
 class TimelineStrip;
-
-/// One time that a foot stands.
-struct Stance
-{
-    std::int64_t from = 0; ///< the first frame that it stands
-    std::int64_t to = 0;   ///< the last one
-    double slip = 0.0;     ///< px that it came sideways meanwhile, back and forth added up
-};
-
-/// The times that foot number `foot` stands, from the samples of `course`.
-std::vector<Stance> stancesOf(const Course &course, std::size_t foot);
 
 /// The feet diagram under the timeline: which foot stands when, and how far it slips. Has no height in steps without
 /// feet that stand.
@@ -48,7 +37,9 @@ private:
     int rowHeight() const;
     int rowAt(int y) const;
     const Stance *stanceAt(std::size_t foot, std::int64_t frame) const;
-    void paintStance(QPainter &painter, const Stance &stance, double top, const QFontMetricsF &metrics) const;
+    void paintFoot(QPainter &painter, std::size_t foot, double top, const QFontMetricsF &metrics) const;
+    void paintSlip(QPainter &painter, const Stance &stance, const QRectF &bar,
+                   const QFontMetricsF &metrics) const;
     QString tipAt(const QPoint &place) const;
 
     Session &m_session;
@@ -56,7 +47,7 @@ private:
     TimelineStrip &m_timeline;
     const Theme &m_theme;
     std::vector<QString> m_names;
-    std::vector<std::vector<Stance>> m_stances; ///< by foot
+    Stances m_stances;
 };
 
 }
