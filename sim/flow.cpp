@@ -59,11 +59,13 @@ std::vector<std::shared_ptr<const Type>> all(const Scene &scene, const std::vect
     return found;
 }
 
-bool hasRates(const Drag &drag, int points)
+bool hasRates(const Drag &drag, const std::vector<Points> &runs)
 {
-    for (int i = 0; i < points; ++i) {
-        if (!drag.rate(i))
-            return false;
+    for (const Points &run : runs) {
+        for (int i = run.first; i < run.end(); ++i) {
+            if (!drag.rate(i))
+                return false;
+        }
     }
     return true;
 }
@@ -112,7 +114,7 @@ void Flow::listEffects(const Scene &scene)
         const auto *driver = dynamic_cast<const Driver *>(effect.get());
         const auto *drag = dynamic_cast<const Drag *>(effect.get());
         if (dynamic_cast<const Force *>(effect.get()) || dynamic_cast<const Torque *>(effect.get()) ||
-            (driver && driver->pace() != Pace::once) || (drag && hasRates(*drag, scene.start.points())))
+            (driver && driver->pace() != Pace::once) || (drag && hasRates(*drag, m_runs)))
             m_effects.push_back(effect);
     }
 }
@@ -127,7 +129,7 @@ EffectPtr Flow::firstJump(const Scene &scene, Contacts contacts)
         const auto *drag = dynamic_cast<const Drag *>(effect.get());
         const bool contact = dynamic_cast<const Contact *>(effect.get());
         if (dynamic_cast<const Constraint *>(effect.get()) || (driver && driver->pace() == Pace::once) ||
-            (drag && !hasRates(*drag, everything.count)) || (contact && contacts == Contacts::doNotFit))
+            (drag && !hasRates(*drag, {everything})) || (contact && contacts == Contacts::doNotFit))
             return effect;
     }
     return nullptr;
