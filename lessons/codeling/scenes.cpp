@@ -16,6 +16,8 @@ using namespace lessons;
 
 namespace codeling {
 
+using sim::Points; // not that of lessons
+
 namespace motor {
 
 //! [motor]
