@@ -159,9 +159,9 @@ std::vector<std::vector<int>> matesOf(const sim::Blueprint &plan)
     return all;
 }
 
-bool hasClocks(const sim::Blueprint &plan)
+bool hasClocks(const sim::Blueprint &plan, const sim::Values &values)
 {
-    return has(plan, "breeze") ||
+    return (has(plan, "breeze") && values["gusts"] > 0.0) ||
            std::any_of(plan.feet.begin(), plan.feet.end(), [&](const sim::BuiltFoot &one) {
                return plan.gaits[static_cast<std::size_t>(one.gait)].speed != 0.0;
            });

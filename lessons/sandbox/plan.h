@@ -44,8 +44,8 @@ void setClocks(sim::Scene &scene, const sim::Blueprint &plan);
 std::vector<int> clockOf(const sim::Blueprint &plan);
 /// For each clock those of the other gait groups with feet on the same bodies: one creature.
 std::vector<std::vector<int>> matesOf(const sim::Blueprint &plan);
-/// Whether any clock turns.
-bool hasClocks(const sim::Blueprint &plan);
+/// Whether any clock turns that something goes by.
+bool hasClocks(const sim::Blueprint &plan, const sim::Values &values);
 
 sim::Room roomOf(const sim::Values &values);
 

@@ -90,7 +90,7 @@ Scene setUp(const Values &values)
         add<TurnRound>(scene, room,
             halfWidths(plan), clockOf(plan),
             matesOf(plan));
-    if (hasClocks(plan))
+    if (hasClocks(plan, values))
         add<GaitClock>(scene, clockOf(plan));
     return scene;
 }

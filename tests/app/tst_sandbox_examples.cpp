@@ -65,6 +65,30 @@ class SandboxExamples : public QObject
     Q_OBJECT
 
 private slots:
+    void steadyWindLetsASceneRest_data()
+    {
+        QTest::addColumn<double>("gusts");
+        QTest::newRow("steady") << 0.0;
+        QTest::newRow("in gusts") << 0.5;
+    }
+    void steadyWindLetsASceneRest()
+    {
+        QFETCH(double, gusts);
+        sim::Blueprint plan;
+        plan.points = {{"nail", {200, 100}, {}, 1.0, 5.0, true}, {"ball", {200, 160}, {}, 1.0, 10.0, false}};
+        plan.springs = {{0, 1, 0.2, 50.0}};
+        plan.effects = {"gravity", "breeze", "damping"};
+        sim::Script script = newExperiment("sandbox", "build", library()).script;
+        script.values.blueprint = std::make_shared<const sim::Blueprint>(plan);
+        script.values.set("wind", 0.3);
+        script.values.set("gusts", gusts);
+        script.values.set("damp", 0.8);
+        sim::Track track(std::move(script), std::size_t{1} << 20);
+        track.seek({longRun, 0});
+        QVERIFY(track.now().at(1).x > 201.0); // the wind has carried it
+        QCOMPARE(track.sleep() != nullptr, gusts == 0.0);
+    }
+
     void thereAreTen()
     {
         QCOMPARE(library().workshops.size(), std::size_t(1));
