@@ -2,6 +2,7 @@
 
 #include "app/ui/scene/scene_view.h"
 #include "app/ui/window/main_window.h"
+#include "tests/app/studies.h"
 
 #include <QApplication>
 #include <QtTest>
@@ -10,27 +11,6 @@
 namespace quick_bench {
 
 using namespace app;
-
-/// In place of a study that takes seconds: one row, and a reference 5 px from where the scene starts.
-inline sim::Accuracy quickStudy(const sim::Script &script, const sim::StudyPlan &plan,
-                                const sim::StudyProgress &)
-{
-    sim::Accuracy found;
-    found.span = found.horizon = plan.frames;
-    found.reference.disagreement = 2e-11;
-    const sim::State start = sim::sceneOf(script, script.values).start;
-    std::vector<sim::Vec2> places;
-    for (int i = 0; i < start.points(); ++i)
-        places.push_back(start.at(i) + sim::Vec2{3.0, 4.0});
-    found.reference.places.assign(static_cast<std::size_t>(plan.frames + 1), places);
-    sim::AccuracyRow row;
-    row.way = *plan.inUse;
-    row.outcome = sim::Outcome::measured;
-    row.error = 3.7;
-    row.nsPerFrame = 250.0;
-    found.rows = {row};
-    return found;
-}
 
 struct Bench
 {

@@ -11,6 +11,7 @@
 #include "app/ui/window/main_window.h"
 #include "branches_bench.h"
 #include "panels_bench.h"
+#include "studies.h"
 
 #include <QAccessible>
 #include <QAction>
@@ -24,13 +25,6 @@
 using namespace app;
 
 namespace {
-
-sim::Accuracy noStudy(const sim::Script &, const sim::StudyPlan &, const sim::StudyProgress &)
-{
-    return {};
-}
-
-void noCost(const CostSubject &, const sim::GoesOn &, const std::function<void(const sim::FrameCost &)> &) {}
 
 struct Bench
 {

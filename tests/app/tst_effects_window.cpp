@@ -5,6 +5,7 @@
 #include "app/ui/window/main_window.h"
 #include "effects_bench.h"
 #include "panels_bench.h"
+#include "studies.h"
 
 #include <QAction>
 #include <QDockWidget>
@@ -15,13 +16,6 @@
 using namespace app;
 
 namespace {
-
-sim::Accuracy noStudy(const sim::Script &, const sim::StudyPlan &, const sim::StudyProgress &)
-{
-    return {};
-}
-
-void noCost(const CostSubject &, const sim::GoesOn &, const std::function<void(const sim::FrameCost &)> &) {}
 
 struct Bench
 {

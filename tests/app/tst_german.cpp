@@ -7,6 +7,7 @@
 #include "drawn_text.h"
 #include "sim/methods/methods.h"
 #include "sim/pipeline.h"
+#include "studies.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
@@ -23,31 +24,6 @@ using namespace app;
 
 namespace {
 
-/// One method, measured; the study itself takes seconds and says nothing about the window.
-sim::Accuracy quickStudy(const sim::Script &script, const sim::StudyPlan &plan, const sim::StudyProgress &)
-{
-    sim::Accuracy found;
-    found.span = found.horizon = plan.frames;
-    found.reference.disagreement = 2e-11;
-    const sim::State start = sim::sceneOf(script, script.values).start;
-    std::vector<sim::Vec2> places;
-    for (int i = 0; i < start.points(); ++i)
-        places.push_back(start.at(i) + sim::Vec2{3.0, 4.0});
-    found.reference.places.assign(static_cast<std::size_t>(plan.frames + 1), places);
-    sim::AccuracyRow row;
-    row.way = *plan.inUse;
-    row.outcome = sim::Outcome::measured;
-    row.error = 3.7;
-    row.nsPerFrame = 250.0;
-    found.rows = {row};
-    return found;
-}
-
-/// Without times: to measure them takes seconds, too.
-void quickCost(const CostSubject &, const sim::GoesOn &, const std::function<void(const sim::FrameCost &)> &)
-{
-}
-
 /// The window, in German where nothing else is asked for.
 struct German
 {
@@ -55,7 +31,7 @@ struct German
     LessonLibrary library = LessonLibrary::load({LESSON_DIR}, &language);
     Theme theme{Scheme::light};
     Session session{library};
-    MainWindow window{session, theme, quickStudy, quickCost};
+    MainWindow window{session, theme, quickStudy, noCost};
 
     explicit German(QSize size = {1280, 800}, const QString &code = "de") : language(code)
     {

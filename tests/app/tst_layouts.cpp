@@ -8,6 +8,7 @@
 #include "app/ui/window/main_window.h"
 #include "app/ui/window/scene_card.h"
 #include "panels_bench.h"
+#include "studies.h"
 
 #include <QAbstractSpinBox>
 #include <QAction>
@@ -19,13 +20,6 @@
 using namespace app;
 
 namespace {
-
-sim::Accuracy noStudy(const sim::Script &, const sim::StudyPlan &, const sim::StudyProgress &)
-{
-    return {};
-}
-
-void noCost(const CostSubject &, const sim::GoesOn &, const std::function<void(const sim::FrameCost &)> &) {}
 
 struct Bench
 {

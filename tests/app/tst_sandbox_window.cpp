@@ -11,6 +11,7 @@
 #include "app/ui/scene/scene_view.h"
 #include "app/ui/window/main_window.h"
 #include "panels_bench.h"
+#include "studies.h"
 
 #include <QAction>
 #include <QCheckBox>
@@ -21,13 +22,6 @@
 using namespace app;
 
 namespace {
-
-sim::Accuracy noStudy(const sim::Script &, const sim::StudyPlan &, const sim::StudyProgress &)
-{
-    return {};
-}
-
-void noCost(const CostSubject &, const sim::GoesOn &, const std::function<void(const sim::FrameCost &)> &) {}
 
 struct Bench
 {
