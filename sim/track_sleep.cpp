@@ -61,11 +61,17 @@ void Track::fallAsleep()
     if (!again || !fits || nextInput(m_script, again->since).value_or(m_at.frame + 1) <= m_at.frame ||
         keepsAwake(m_segment->pipeline, m_now))
         return;
-    std::vector<std::shared_ptr<const State>> round = {std::make_shared<const State>(m_now)};
-    State state = m_now;
+    // The round that has just ended is the one that comes, too, unless something comes in: so input to come, which may
+    // be another one by then, is not in it.
+    std::vector<std::shared_ptr<const State>> round;
+    State state = *m_watch.mark();
     while (static_cast<std::int64_t>(round.size()) < rows) {
-        runRow(state, state.frame + rowFrames(), {});
-        round.push_back(std::make_shared<const State>(state));
+        auto later = std::make_shared<State>(state);
+        later->frame += rows * rowFrames();
+        later->evaluations += again->evaluations;
+        round.push_back(std::move(later));
+        if (static_cast<std::int64_t>(round.size()) < rows)
+            runRow(state, state.frame + rowFrames(), {});
     }
     m_history.add(Sleep(std::move(round), rowFrames(), again->evaluations));
 }

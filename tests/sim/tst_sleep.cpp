@@ -406,6 +406,46 @@ private slots:
         QVERIFY2(what.empty(), what.c_str());
     }
 
+    void inputInTheFirstRoundOfASleepIsNoPartOfIt_data()
+    {
+        QTest::addColumn<QString>("parameter");
+        QTest::newRow("another stiffness") << "k";
+        QTest::newRow("another scene, with more points") << "more";
+    }
+    void inputInTheFirstRoundOfASleepIsNoPartOfIt()
+    {
+        // As above: a round of 6 frames. What comes in within the first one, and is taken back, changes nothing.
+        QFETCH(QString, parameter);
+        support::Sample sample;
+        sample.values.set("k", 1.0);
+        sample.values.set("more", 0.0);
+        sample.build = [](const Values &values) {
+            Scene scene = support::pointsOf(1 + values.whole("more"));
+            scene.start.place(0, {16.0, 0.0});
+            scene.effects = {make_shared<PointSpring>(0, Vec2{0.0, 0.0}, values["k"])};
+            return scene;
+        };
+        const Script still = support::script(sample, "semi_implicit_euler");
+        Track alone(still, budget);
+        const std::int64_t from = sleepsFrom(alone, 200);
+        QVERIFY(from > 0);
+
+        Script script = still;
+        script.input = {{from + 3, Set{parameter.toStdString(), 2.0}}};
+        const std::string what = sleepDiffers(script, from + 100);
+        QVERIFY2(what.empty(), what.c_str());
+        Track track(script, budget);
+        track.seek({from + 20, 0});
+        track.seek({from, 0});
+        track.replaceInput({}, from + 3);
+        Track straight(still, 0, Sleeping::never);
+        for (std::int64_t frame = from; frame < from + 20; ++frame) {
+            track.seek({frame, 0});
+            straight.seek({frame, 0});
+            QVERIFY2(sameBits(track.now(), straight.now()), qPrintable(QString::number(frame)));
+        }
+    }
+
     void whatWasComputedIsCountedOn()
     {
         // A method that counts its own evaluations tells the same number asleep.
