@@ -53,6 +53,8 @@ class TestHardCases : public QObject
 
 private slots:
     void theCatalogueHasFortyCasesAndMore();
+    void whatIsKnownToBreakIsThere_data();
+    void whatIsKnownToBreakIsThere();
     void aCaseSaysWhatItIsAbout();
     void everyClaimHolds_data();
     void everyClaimHolds();
@@ -79,6 +81,41 @@ void TestHardCases::theCatalogueHasFortyCasesAndMore()
     QVERIFY(ids.size() >= 40);
     QCOMPARE(ids.size(), hardCases().size());
     QVERIFY(!findHardCase("no_such_case"));
+}
+
+void TestHardCases::whatIsKnownToBreakIsThere_data()
+{
+    QTest::addColumn<QStringList>("ids");
+    const auto row = [](const char *what, const QStringList &ids) { QTest::newRow(what) << ids; };
+    row("stiffness at the limit of a step",
+        {"stiffness_below_limit", "stiffness_at_limit", "stiffness_above_limit"});
+    row("stiffness far past it",
+        {"stiffness_1e3", "stiffness_1e6", "stiffness_1e9", "stiffness_1e9_undamped", "stiffness_jumps"});
+    row("all damping, none, and next to all", {"damp_0", "damp_1", "damp_1e-300"});
+    row("many feet on one body", {"feet_60", "feet_100", "feet_1000", "feet_10000"});
+    row("a pair that drives itself on", {"runaway_pair"});
+    row("points without a direction between them",
+        {"one_place", "on_one_line", "no_rest_length", "crowd_squeezed"});
+    row("a hand that jumps", {"grabbed_one_frame", "dragged_1e9", "dragged_1e9_stiff", "thrown_into_corner"});
+    row("no room", {"walls_closer_than_body"});
+    row("masses apart", {"masses_1_to_1e9", "masses_1_to_1e9_stiff"});
+    row("pulls and clocks out of all measure", {"gravity_1e6", "gait_pi", "gait_1e6"});
+    row("sticks that cannot be right", {"contradictory_triangle", "chain_stretched", "chain_heavy",
+                                        "stick_without_length", "stick_between_nails"});
+    row("codelings", {"tail_through_lead", "tail_in_lead", "target_1e9"});
+    row("wind without direction or distance",
+        {"wind_no_direction", "wind_no_distance", "wind_no_distance_published", "pointer_on_root"});
+    row("trees", {"branches_16_deep", "tree_without_end", "tree_stiff"});
+    row("steps", {"step_1e-6", "step_third", "step_100"});
+    row("long runs", {"ten_million_frames", "million_frames_at_rest"});
+    row("input that is no number", {"hand_not_a_number", "pointer_infinite", "parameter_infinite"});
+}
+
+void TestHardCases::whatIsKnownToBreakIsThere()
+{
+    QFETCH(QStringList, ids);
+    for (const QString &id : ids)
+        QVERIFY2(findHardCase(id.toStdString()), qPrintable(id));
 }
 
 void TestHardCases::aCaseSaysWhatItIsAbout()
