@@ -117,6 +117,8 @@ public:
     void setEffect(const QString &id, bool on);
     /// The parameter of the step that damps, if it has one.
     std::optional<sim::DampRange> damping() const;
+    /// The one that counts passes over sticks, if it has one.
+    std::optional<sim::PassRange> passes() const;
     void grab(const QString &body);
     void moveHand(sim::Vec2 to);
     void letGo();

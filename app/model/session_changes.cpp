@@ -107,17 +107,23 @@ void Session::use(const sim::MethodPtr &method, sim::StepSize step)
 
 std::optional<sim::DampRange> Session::damping() const
 {
-    for (const lessons::Parameter &one : step().parameters) {
-        if (one.role == lessons::Role::keptSpeed)
-            return sim::DampRange{one.id.toStdString(), one.min, std::pow(10.0, -one.decimals)};
-    }
-    return std::nullopt;
+    const lessons::Parameter *kept = step().parameterFor(lessons::Role::keptSpeed);
+    if (!kept)
+        return std::nullopt;
+    return sim::DampRange{kept->id.toStdString(), kept->min, std::pow(10.0, -kept->decimals)};
+}
+
+std::optional<sim::PassRange> Session::passes() const
+{
+    const lessons::Parameter *passes = step().parameterFor(lessons::Role::passes);
+    return passes ? std::optional(sim::PassRange{passes->id.toStdString(), passes->max}) : std::nullopt;
 }
 
 void Session::use(const sim::Remedy &remedy)
 {
     const std::optional<sim::Stop> &stop = m_timeline->stop();
-    if (stop && m_timeline->at().frame == stop->frame)
+    // What sticks are like comes from the whole way: passes changed from here on would not mend what is behind.
+    if ((stop && m_timeline->at().frame == stop->frame) || remedy.kind == sim::Remedy::Kind::morePasses)
         runAgain(remedy);
     else if (remedy.kind == sim::Remedy::Kind::moreDamping)
         setParameter(QString::fromStdString(remedy.parameter), remedy.value);
@@ -129,10 +135,9 @@ void Session::runAgain(const sim::Remedy &remedy)
 {
     pause();
     const std::int64_t frame = m_timeline->at().frame;
-    const QString damping = QString::fromStdString(remedy.parameter);
-    const QString was = remedy.kind == sim::Remedy::Kind::moreDamping
-                            ? written(damping, parameter(damping))
-                            : written(m_timeline->script(), *remedy.method);
+    const QString changed = QString::fromStdString(remedy.parameter);
+    const QString was = remedy.setsParameter() ? written(changed, parameter(changed))
+                                               : written(m_timeline->script(), *remedy.method);
     m_timeline->seek({}); // the way to that frame may be long: goTo() takes it in slices
     edit({tr("What mends"), was}, [&](sim::Timeline &timeline) {
         const sim::StepSize step = timeline.script().step;

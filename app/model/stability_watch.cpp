@@ -28,6 +28,14 @@ struct StabilityWatch::Subject
     sim::Script script;
     std::shared_ptr<const sim::Segment> segment;
     sim::State state;
+    std::int64_t frame = 0;
+};
+
+/// What to look for besides the limit, when somebody reads it.
+struct StabilityWatch::Offers
+{
+    std::optional<sim::DampRange> damping;
+    std::optional<sim::PassRange> passes;
 };
 
 StabilityWatch::StabilityWatch(Session &session, QObject *parent) : QObject(parent), m_session(session)
@@ -59,7 +67,8 @@ StabilityWatch::Subject StabilityWatch::subject() const
     std::shared_ptr<const sim::Segment> segment = track.next();
     sim::State state =
         m_session.timeline().hasPending() ? track.preview(segment) : m_session.timeline().now();
-    return {m_session.timeline().script(), std::move(segment), std::move(state)};
+    return {m_session.timeline().script(), std::move(segment), std::move(state),
+            m_session.timeline().at().frame};
 }
 
 void StabilityWatch::follow()
@@ -88,26 +97,39 @@ void StabilityWatch::forget()
     emit mapChanged();
 }
 
+StabilityReading StabilityWatch::readingOf(const Subject &about, const std::optional<Offers> &offers,
+                                           const std::shared_ptr<Job> &job)
+{
+    StabilityReading reading;
+    reading.segment = about.segment;
+    reading.method = about.script.method;
+    reading.step = about.script.step;
+    try {
+        reading.stability =
+            sim::stabilityOf(about.segment->scene, about.state, *about.script.method, about.script.step.h);
+        if (!offers || job->stop)
+            return reading;
+        reading.remedies = sim::remediesFor(about.script, about.segment->values, about.state,
+                                            reading.stability, offers->damping ? &*offers->damping : nullptr);
+        reading.sticks =
+            sim::adviseOnSticks(about.script, about.frame, offers->passes ? &*offers->passes : nullptr,
+                                [job] { return !job->stop; });
+    } catch (const sim::Error &) {
+        reading.stability.bound = sim::Bound::unknown; // no such scene: the session says why
+    }
+    return reading;
+}
+
 void StabilityWatch::read()
 {
     m_again = false;
     m_reads = std::make_shared<Job>();
-    m_pool.start([this, job = m_reads, about = subject(), detailed = m_detailed, damp = m_session.damping()] {
+    m_pool.start([this, job = m_reads, about = subject(),
+                  offers = m_detailed ? std::optional(Offers{m_session.damping(), m_session.passes()})
+                                      : std::nullopt] {
         QElapsedTimer clock;
         clock.start();
-        auto reading = std::make_shared<StabilityReading>();
-        reading->segment = about.segment;
-        reading->method = about.script.method;
-        reading->step = about.script.step;
-        try {
-            reading->stability = sim::stabilityOf(about.segment->scene, about.state, *about.script.method,
-                                                  about.script.step.h);
-            if (detailed && !job->stop)
-                reading->remedies = sim::remediesFor(about.script, about.segment->values, about.state,
-                                                     reading->stability, damp ? &*damp : nullptr);
-        } catch (const sim::Error &) {
-            reading->stability.bound = sim::Bound::unknown; // no such scene: the session says why
-        }
+        const auto reading = std::make_shared<const StabilityReading>(readingOf(about, offers, job));
         const int took = static_cast<int>(clock.elapsed());
         QMetaObject::invokeMethod(
             this, [this, job, reading, took] { take(job, reading, took); }, Qt::QueuedConnection);

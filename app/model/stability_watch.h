@@ -4,6 +4,7 @@
 #include "app/model/session.h"
 #include "sim/stability/growth_map.h"
 #include "sim/stability/remedies.h"
+#include "sim/stability/stick_fit.h"
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -21,7 +22,9 @@ struct StabilityReading
     std::shared_ptr<const sim::Segment> segment; ///< whose names and effects those are
     sim::MethodPtr method;
     sim::StepSize step;
-    std::vector<sim::Remedy> remedies; ///< looked for only while somebody reads them
+    // Looked for only while somebody reads them:
+    std::vector<sim::Remedy> remedies;
+    std::optional<sim::StickAdvice> sticks; ///< empty also where trials would take too long
 };
 
 /// What a learner has tried: a place on either map.
@@ -87,6 +90,10 @@ signals:
 private:
     struct Job; ///< one reading or map under way
     struct Subject;
+    struct Offers;
+
+    static StabilityReading readingOf(const Subject &about, const std::optional<Offers> &offers,
+                                      const std::shared_ptr<Job> &job);
 
     Subject subject() const;
     void follow();

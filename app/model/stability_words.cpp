@@ -190,9 +190,35 @@ QString leftOutWords(const StabilityReading &reading)
     const QString said =
         Text::tr("Not part of this: %1. They act by jumps, once a step, and have no stiffness.")
             .arg(names.join(QStringLiteral(", ")));
-    return hasSticks ? Text::tr("%1 Sticks that bear weight err less by smaller steps than by more passes.")
-                           .arg(said)
-                     : said;
+    const bool isMeasured = reading.sticks.has_value();
+    return hasSticks && !isMeasured
+               ? Text::tr("%1 Sticks that bear weight err less by smaller steps than by more passes.")
+                     .arg(said)
+               : said;
+}
+
+QString stickVerdict(const StabilityReading &reading)
+{
+    if (!reading.sticks)
+        return {};
+    const sim::StickFit &now = reading.sticks->now;
+    if (std::abs(now.error) <= sim::fitting)
+        return Text::tr("<b>Sticks fit.</b> None was more than %1\u2009px wrong in the last %2 frames.")
+            .arg(roughNumber(std::abs(now.error)))
+            .arg(sim::fitFrames);
+    const QString said =
+        now.error > 0.0
+            ? Text::tr("<b>Sticks are up to %1\u2009px too long:</b> %2 – %3 in the last %4 frames.")
+            : Text::tr("<b>Sticks are up to %1\u2009px too short:</b> %2 – %3 in the last %4 frames.");
+    const QString worst = said.arg(roughNumber(std::abs(now.error)), nameOf(reading, now.a).toHtmlEscaped(),
+                                   nameOf(reading, now.b).toHtmlEscaped())
+                              .arg(sim::fitFrames);
+    if (!reading.sticks->remedies.empty())
+        return worst;
+    return Text::tr(
+               "%1 Neither shorter steps nor more passes make that half as much: perhaps they cannot all "
+               "have their lengths at once.")
+        .arg(worst);
 }
 
 QString remedyLabel(const sim::Remedy &remedy)
@@ -205,6 +231,8 @@ QString remedyLabel(const sim::Remedy &remedy)
     case sim::Remedy::Kind::moreDamping:
         return Text::tr("&Damp more: %1 %2")
             .arg(QString::fromStdString(remedy.parameter), writtenNumber(remedy.value, 2));
+    case sim::Remedy::Kind::morePasses:
+        return Text::tr("Use %n &passes", nullptr, static_cast<int>(remedy.value));
     case sim::Remedy::Kind::holdingMethod:
     case sim::Remedy::Kind::boundlessMethod:
         break;
@@ -219,6 +247,8 @@ QString remedyTitle(const sim::Remedy &remedy)
 
 QString remedyOutcome(const sim::Remedy &remedy)
 {
+    if (remedy.stickError)
+        return Text::tr("then sticks are up to %1\u2009px wrong").arg(roughNumber(*remedy.stickError));
     if (remedy.kind != sim::Remedy::Kind::boundlessMethod)
         return Text::tr("then at %1").arg(percent(remedy.share));
     return remedy.step.adaptive() ? Text::tr("keeps its own steps") : Text::tr("has no such limit");

@@ -20,6 +20,9 @@ QString stabilityVerdict(const StabilityReading &reading);
 /// What acts here and is no part of it; empty where there is nothing.
 QString leftOutWords(const StabilityReading &reading);
 
+/// How well sticks fit, with <b> round what matters; empty where there are none, or nobody knows.
+QString stickVerdict(const StabilityReading &reading);
+
 /// "Use a step of 1/2\u2009frame".
 QString remedyTitle(const sim::Remedy &remedy);
 /// The same for a button: the letter after & is its key.

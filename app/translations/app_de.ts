@@ -2694,6 +2694,33 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <source>has no such limit</source>
         <translation>hat keine solche Grenze</translation>
     </message>
+    <message>
+        <source>&lt;b&gt;Sticks fit.&lt;/b&gt; None was more than %1&#x2009;px wrong in the last %2 frames.</source>
+        <translation>&lt;b&gt;Die Stäbe passen.&lt;/b&gt; Keiner war in den letzten %2 Bildern mehr als %1&#x2009;px falsch.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Sticks are up to %1&#x2009;px too long:&lt;/b&gt; %2 – %3 in the last %4 frames.</source>
+        <translation>&lt;b&gt;Stäbe sind bis zu %1&#x2009;px zu lang:&lt;/b&gt; %2 – %3 in den letzten %4 Bildern.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Sticks are up to %1&#x2009;px too short:&lt;/b&gt; %2 – %3 in the last %4 frames.</source>
+        <translation>&lt;b&gt;Stäbe sind bis zu %1&#x2009;px zu kurz:&lt;/b&gt; %2 – %3 in den letzten %4 Bildern.</translation>
+    </message>
+    <message>
+        <source>%1 Neither shorter steps nor more passes make that half as much: perhaps they cannot all have their lengths at once.</source>
+        <translation>%1 Weder kürzere Schritte noch mehr Durchgänge machen es halb so schlimm: Vielleicht können nicht alle zugleich ihre Länge haben.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Use %n &amp;passes</source>
+        <translation>
+            <numerusform>%n Du&amp;rchgang nehmen</numerusform>
+            <numerusform>%n Du&amp;rchgänge nehmen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>then sticks are up to %1&#x2009;px wrong</source>
+        <translation>dann sind Stäbe bis zu %1&#x2009;px falsch</translation>
+    </message>
 </context>
 <context>
     <name>StepWords</name>

@@ -2,6 +2,16 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>StabilityWords</name>
+    <message numerus="yes">
+        <source>Use %n &amp;passes</source>
+        <translation>
+            <numerusform>Use %n &amp;pass</numerusform>
+            <numerusform>Use %n &amp;passes</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>app::MainWindow</name>
     <message numerus="yes">
         <source>Copied: %n character(s), in one line.</source>

@@ -9,6 +9,7 @@ namespace lessons {
 enum class Role {
     none,
     keptSpeed, ///< the share of its speed that everything keeps each frame: less of it is more damping
+    passes,    ///< how often a step goes through a list of sticks: more of it leaves less error
 };
 
 /// How the slider's way is divided.

@@ -25,6 +25,15 @@ const Parameter *Step::parameter(const QString &wanted) const
     return nullptr;
 }
 
+const Parameter *Step::parameterFor(Role role) const
+{
+    for (const Parameter &parameter : parameters) {
+        if (parameter.role == role)
+            return &parameter;
+    }
+    return nullptr;
+}
+
 sim::Values Step::presets() const
 {
     sim::Values values;

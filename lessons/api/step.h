@@ -139,6 +139,8 @@ struct Step
     void addParameters(const std::vector<Parameter> &more);
 
     const Parameter *parameter(const QString &wanted) const;
+    /// The first with that role; null where there is none.
+    const Parameter *parameterFor(Role role) const;
     sim::Values presets() const;
     /// The run of this step that nobody has touched.
     sim::Script script() const;

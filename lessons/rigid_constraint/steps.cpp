@@ -81,7 +81,8 @@ Parameter iterations(double preset)
             50.0,
             0,
             {},
-            true};
+            true,
+            Role::passes};
 }
 
 Parameter friction()

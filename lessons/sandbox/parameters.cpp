@@ -90,7 +90,8 @@ Parameter iterations()
             50.0,
             0,
             {},
-            true};
+            true,
+            Role::passes};
 }
 
 }

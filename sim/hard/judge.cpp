@@ -1,7 +1,7 @@
 #include "sim/hard/judge.h"
 
 #include "sim/accuracy/run.h"
-#include "sim/effects/sticks.h"
+#include "sim/stability/stick_fit.h"
 
 #include <cmath>
 #include <sstream>
@@ -63,22 +63,14 @@ public:
 private:
     std::optional<Error> lookAtSticks(const Scene &scene, const State &state, const std::string &when) const
     {
-        for (const EffectPtr &effect : scene.effects) {
-            const auto *sticks = dynamic_cast<const Sticks *>(effect.get());
-            if (!sticks)
-                continue;
-            for (const Stick &one : sticks->list()) {
-                const double error = std::abs(length(state.at(one.a) - state.at(one.b)) - one.length);
-                const bool acts = state.feels(one.a) || state.feels(one.b);
-                if (acts && !(error <= *m_hard.stickError))
-                    return Error("hard-stick", {{"frame", when},
-                                                {"a", nameOf(scene, one.a)},
-                                                {"b", nameOf(scene, one.b)},
-                                                {"error", text(error)},
-                                                {"most", text(*m_hard.stickError)}});
-            }
-        }
-        return {};
+        const StickFit worst = worstStick(scene, state);
+        if (worst.a < 0 || std::abs(worst.error) <= *m_hard.stickError)
+            return {};
+        return Error("hard-stick", {{"frame", when},
+                                    {"a", nameOf(scene, worst.a)},
+                                    {"b", nameOf(scene, worst.b)},
+                                    {"error", text(std::abs(worst.error))},
+                                    {"most", text(*m_hard.stickError)}});
     }
 
     const HardCase &m_hard;

@@ -163,16 +163,21 @@ std::vector<MethodPtr> boundlessMethods()
 Script mended(const Script &script, const Remedy &remedy)
 {
     Script other = script;
-    if (remedy.kind != Remedy::Kind::moreDamping) {
+    if (!remedy.setsParameter()) {
         other.method = remedy.method;
         other.step = remedy.step;
         return other;
     }
-    other.values.set(remedy.parameter, std::min(other.values[remedy.parameter], remedy.value));
+    // What is kept of a speed is less where more is damped; of passes there are more.
+    const auto changed = [&](double value) {
+        return remedy.kind == Remedy::Kind::moreDamping ? std::min(value, remedy.value)
+                                                        : std::max(value, remedy.value);
+    };
+    other.values.set(remedy.parameter, changed(other.values[remedy.parameter]));
     for (Event &event : other.input) {
         Set *set = std::get_if<Set>(&event.what);
         if (set && set->parameter == remedy.parameter)
-            set->value = std::min(set->value, remedy.value);
+            set->value = changed(set->value);
     }
     return other;
 }

@@ -3,6 +3,7 @@
 #include "sim/script.h"
 #include "sim/stability/stability.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct Remedy
         smallerStep,     ///< the same method at `step`
         largerTolerance, ///< likewise
         moreDamping,     ///< `parameter` at `value`
+        morePasses,      ///< likewise
         holdingMethod,   ///< another method whose limit at the same step is far
         boundlessMethod, ///< another method, without such a limit
     };
@@ -26,13 +28,17 @@ struct Remedy
     std::string parameter;
     /// How many frames of a run with it were tried, and held; 0 where none were.
     std::int64_t heldFor = 0;
+    /// px: how wrong it leaves sticks; empty for what is not about sticks.
+    std::optional<double> stickError = {};
 
+    /// Whether it is a parameter that changes; else the method and its step.
+    bool setsParameter() const { return kind == Kind::moreDamping || kind == Kind::morePasses; }
     /// Another method or step.
     static Remedy of(Kind kind, const MethodPtr &method, StepSize step, double share = 0.0);
 };
 
 /// `script` with that change from its start on. All else, and all that a learner did, stays as it was; but where a
-/// parameter that damps was set to less damping on the way, it is set to that of the remedy.
+/// parameter was set to less of the same on the way (less damping, fewer passes), it is set to that of the remedy.
 Script mended(const Script &script, const Remedy &remedy);
 
 /// The parameter of a scene that slows its velocities, and where it may go: the smaller, the more damping.
@@ -41,6 +47,13 @@ struct DampRange
     std::string parameter;
     double least = 0.0;
     double grid = 0.01; ///< values that are looked at are multiples of it
+};
+
+/// The parameter of a scene that counts passes over its sticks in a step, and where it may go.
+struct PassRange
+{
+    std::string parameter;
+    double most = 0.0;
 };
 
 /// The steps shorter than `h` frames that are powers of two, down to 2^-12, the longest first.

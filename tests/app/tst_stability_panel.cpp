@@ -25,6 +25,8 @@ private slots:
     void inMeasureTheyTakeThePlaceOfAccuracy();
     void oneClickOnARemedyMends_data();
     void oneClickOnARemedyMends();
+    void oneClickMakesSticksFit_data();
+    void oneClickMakesSticksFit();
     void aScreenReaderHearsGaugeAndMap();
     void everyControlHasATip();
 };
@@ -154,6 +156,52 @@ void StabilityPanelTest::oneClickOnARemedyMends()
     bench.settle();
     QVERIFY(nearnessOf(bench.window.stability().reading()->stability) != Nearness::past);
     QVERIFY(!bench.panel.verdict().contains("grow by"));
+}
+
+void StabilityPanelTest::oneClickMakesSticksFit_data()
+{
+    QTest::addColumn<QString>("starts");
+    QTest::addRow("step") << "Use a step of";
+    QTest::addRow("passes") << "Use ";
+}
+
+void StabilityPanelTest::oneClickMakesSticksFit()
+{
+    QFETCH(QString, starts);
+    StabilityPanelBench bench("rigid_constraint", "ragdoll");
+    bench.session.setParameter("iterations", 1);
+    bench.session.grab("p0");
+    for (int frame = 1; frame <= 12; ++frame) {
+        bench.session.moveHand({270.0, 95.0 - 4.0 * frame});
+        bench.session.goTo({frame, 0});
+    }
+    bench.session.letGo();
+    bench.settle();
+    QTest::mouseClick(&bench.gauge, Qt::LeftButton);
+    QVERIFY(QTest::qWaitFor([&] { return !bench.panel.remedies().empty(); }));
+    bench.settle();
+    const auto isWanted = [&](QPushButton *button) {
+        return button->text().startsWith(starts) && (starts != "Use " || button->text().endsWith("passes"));
+    };
+    const auto buttons = bench.panel.remedies();
+    const auto wanted = std::find_if(buttons.begin(), buttons.end(), isWanted);
+    QVERIFY(wanted != buttons.end());
+    QVERIFY(bench.panel.verdict().contains("px too long") || bench.panel.verdict().contains("px too short"));
+    const sim::StickAdvice before = *bench.window.stability().reading()->sticks;
+    const auto at = static_cast<std::size_t>(wanted - buttons.begin());
+    const double promised = before.remedies.at(at).stickError.value();
+    QVERIFY(promised <= sim::fitting);
+    const std::int64_t frame = bench.session.timeline().at().frame;
+    QTest::mouseClick(*wanted, Qt::LeftButton);
+    QTRY_COMPARE(bench.session.timeline().at().frame, frame);
+    bench.settle();
+    QCOMPARE(std::abs(bench.window.stability().reading()->sticks.value().now.error), promised);
+    QVERIFY(bench.panel.verdict().contains("Sticks fit"));
+    QVERIFY(bench.panel.remedies().empty());
+    bench.session.undo();
+    QTRY_VERIFY(bench.panel.verdict().contains("px too long"));
+    bench.settle();
+    QCOMPARE(bench.window.stability().reading()->sticks.value().now.error, before.now.error);
 }
 
 void StabilityPanelTest::aScreenReaderHearsGaugeAndMap()

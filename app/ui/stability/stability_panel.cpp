@@ -164,7 +164,9 @@ void StabilityPanel::refresh()
     if (!reading)
         return;
     m_title->setCaption(gaugeWords(*reading));
-    const QString said = stabilityVerdict(*reading);
+    QString said = stabilityVerdict(*reading);
+    if (const QString sticks = stickVerdict(*reading); !sticks.isEmpty())
+        said += QStringLiteral("<br>") + sticks;
     if (said != m_verdict->text())
         m_verdict->setText(said);
     m_leftOut->setText(leftOutWords(*reading));
@@ -260,8 +262,12 @@ void StabilityPanel::refreshMap()
         m_planes[i]->setChecked(plane == its);
         m_planes[i]->setEnabled(m_watch.canMap(its) || plane == its);
     }
-    if (const StabilityReading *reading = m_watch.reading())
-        refreshRemedies(reading->remedies);
+    if (const StabilityReading *reading = m_watch.reading()) {
+        std::vector<sim::Remedy> all = reading->remedies;
+        if (reading->sticks)
+            all.insert(all.end(), reading->sticks->remedies.begin(), reading->sticks->remedies.end());
+        refreshRemedies(all);
+    }
     const bool can = m_watch.canMap(plane.value_or(MapPlane::step));
     m_noMap->setVisible(!can);
     m_noMap->setText(whyNoMap());
