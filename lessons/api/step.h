@@ -66,9 +66,9 @@ enum class Does {
 enum class Columns { placeAndVelocity, place, placeAndAngle };
 
 /// Whose the points and sticks of a scene are.
-enum class Points {
-    stepsOwn,
-    files, ///< a file's bodies p0, p1... are all the points there are, and its links all the sticks
+enum class PointsFrom {
+    step,
+    file,  ///< a file's bodies p0, p1... are all the points there are, and its links all the sticks
     scene, ///< a file's scene is all there is: Values::blueprint
 };
 
@@ -130,7 +130,7 @@ struct Step
     std::function<bool(const sim::Scene &, const sim::State &, const sim::Values &, int point)> stands;
     std::vector<Does> does = {Does::hand};
     Columns columns = Columns::placeAndVelocity;
-    Points points = Points::stepsOwn;
+    PointsFrom points = PointsFrom::step;
     QString method = QStringLiteral("published");
     double h = 1.0; ///< frames
 

@@ -125,7 +125,7 @@ Step stepOf(const char *id, const QString &title)
 {
     Step step = lessons::stepCalled("rigid_constraint", id, title);
     step.columns = Columns::place;
-    step.points = Points::files;
+    step.points = PointsFrom::file;
     return step;
 }
 

@@ -56,7 +56,7 @@ Step buildStep()
     step.scene = build::setUp;
     step.look = builtLook;
     step.method = "semi_implicit_euler";
-    step.points = Points::scene;
+    step.points = PointsFrom::scene;
     step.opening = [](sim::Script &script) {
         if (!script.values.blueprint)
             script.values.blueprint = firstPlan();

@@ -143,7 +143,7 @@ private:
             field("parameters", '{' + entries.join(", ") + '}');
     }
 
-    bool takesPoints() const { return m_known.step->points == lessons::Points::files; }
+    bool takesPoints() const { return m_known.step->points == lessons::PointsFrom::file; }
 
     void bodies()
     {

@@ -81,7 +81,7 @@ sim::Script readScript(const QJsonObject &file, const lessons::Step &step)
             body.v = pair(start, QStringLiteral("vx"), QStringLiteral("vy"));
         script.bodies[name.toStdString()] = body;
     }
-    if (step.points == lessons::Points::files && !bodies.isEmpty())
+    if (step.points == lessons::PointsFrom::file && !bodies.isEmpty())
         script.values.points = static_cast<int>(bodies.size());
     if (file.contains(QStringLiteral("links"))) {
         script.values.sticks.emplace();

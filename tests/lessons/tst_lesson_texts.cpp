@@ -56,7 +56,7 @@ private slots:
         QVERIFY(!all.contains(u'!'));
         QVERIFY2(!all.contains(QRegularExpression(u"\\d (px|rad|°|frames?)\\b"_qs)),
                  "a thin space belongs before a unit");
-        const bool isBuilt = step.points == lessons::Points::scene; // there the learner finds things to try
+        const bool isBuilt = step.points == lessons::PointsFrom::scene; // there the learner finds things to try
         QVERIFY(isBuilt || (step.tries.size() >= 2 && step.tries.size() <= 4));
     }
 
@@ -73,7 +73,7 @@ private slots:
     void everyStepSaysWhatIsLearnt_data() { addStepRows(); }
     void everyStepSaysWhatIsLearnt()
     {
-        if (stepOfRow().points == lessons::Points::scene)
+        if (stepOfRow().points == lessons::PointsFrom::scene)
             return; // what is learnt there, the learner decides
         const QString learnt = stepOfRow().learnt;
         QVERIFY(learnt.size() >= 30 && learnt.size() <= 160);
