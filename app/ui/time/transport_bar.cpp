@@ -63,6 +63,7 @@ TransportBar::TransportBar(Session &session, const Theme &theme, QWidget *parent
     connect(m_frame, &FrameCounter::resized, this, &TransportBar::fit);
     connect(m_speed, &SpeedButton::chosen, &session, &Session::setSpeed);
     connect(&session, &Session::moved, this, &TransportBar::follow);
+    connect(&session, &Session::glanceChanged, this, &TransportBar::showFrame);
     connect(&session, &Session::runChanged, this, &TransportBar::refresh);
     connect(&session, &Session::stepOpened, this, &TransportBar::refresh);
     connect(&session, &Session::playingChanged, this, &TransportBar::refresh);
@@ -169,6 +170,11 @@ void TransportBar::showFrame()
     const Position position = positionOf(m_session.timeline());
     QString detail = progressOf(position);
     QString brief = shortProgressOf(position);
+    if (m_session.isGlancing()) {
+        const QString frame = QString::number(m_session.shown().at().frame);
+        detail = tr("looking at frame %1").arg(frame);
+        brief = tr("at %1").arg(frame);
+    }
     if (const std::optional<std::int64_t> target = m_session.goingTo()) {
         detail = tr("going to %1… Esc stops").arg(*target);
         brief = tr("going to %1…").arg(*target);

@@ -256,6 +256,9 @@ bool MainWindow::eventFilter(QObject *watched, QEvent *event)
 {
     if (takesDrop(watched, *event))
         return true;
+    if (event->type() == QEvent::MouseButtonPress || event->type() == QEvent::ShortcutOverride ||
+        event->type() == QEvent::KeyPress)
+        m_session.endGlance(); // whoever does something does it where the run stands
     if (event->type() == QEvent::ShortcutOverride) {
         const QWidget *focus = QApplication::focusWidget();
         if (focus && focus->window() == this && needsKey(focus, *static_cast<QKeyEvent *>(event))) {
