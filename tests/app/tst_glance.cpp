@@ -258,6 +258,5 @@ private slots:
     }
 };
 
-Q_DECLARE_METATYPE(std::function<void(Session &)>)
 QTEST_MAIN(TestGlance)
 #include "tst_glance.moc"

@@ -16,6 +16,7 @@
 #include <QLabel>
 #include <QStatusBar>
 #include <QTemporaryDir>
+#include <QToolButton>
 #include <QtTest>
 
 using namespace app;
@@ -70,15 +71,17 @@ struct Bench : window_bench::Bench
         }
         qFatal("there is no phase %d", phase);
     }
+    /// Scrolls to a line and says where it is.
     QPointF onCode(const QString &part)
     {
-        CodeView &view = code.view();
-        for (std::size_t row = 0; row < view.rows().size(); ++row) {
-            if (view.rows()[row].kind == CodeRow::Kind::code && view.rows()[row].text.contains(part) &&
-                view.viewport()->rect().contains(view.rowRect(row).center()))
-                return view.rowRect(row).center();
+        CodeView &lines = code.view();
+        for (std::size_t row = 0; row < lines.rows().size(); ++row) {
+            if (lines.rows()[row].kind != CodeRow::Kind::code || !lines.rows()[row].text.contains(part))
+                continue;
+            lines.ensureLineVisible(static_cast<int>(row));
+            return lines.rowRect(row).center();
         }
-        qFatal("no line in sight says %s", qPrintable(part));
+        qFatal("no line says %s", qPrintable(part));
     }
     QuantityPlot &plot() { return window.plots().cards().front()->plot(); }
     QPointF places(std::int64_t frame, const char *body)
@@ -255,22 +258,22 @@ private slots:
     void aLineOfCodeMarksItsPhaseAndShowsItInsideAFrameOnly()
     {
         Bench bench;
-        bench.code.view().showPhases();
-        const QPointF line = bench.onCode("offset");
+        const QPointF line = bench.onCode("radialSpring(");
         const QImage strip = bench.timeline.grab().toImage();
         const std::vector<CodeChip> chips = bench.code.view().values();
         bench.hover(*bench.code.view().viewport(), line);
         QVERIFY(bench.session.marked() && !bench.session.isGlancing());
         QCOMPARE(bench.session.marked()->frame, stands);
-        QCOMPARE(bench.plot().hovered(), stands);
+        QVERIFY(!bench.plot().hovered()); // its cursor is there already
         QVERIFY(bench.timeline.grab().toImage() != strip);
         bench.park();
         QCOMPARE(bench.timeline.grab().toImage(), strip);
 
         bench.session.goTo({stands, 3});
         QCoreApplication::processEvents();
+        const QPointF inside = bench.onCode("radialSpring(");
         const Sight before(bench);
-        bench.hover(*bench.code.view().viewport(), bench.onCode("offset"));
+        bench.hover(*bench.code.view().viewport(), inside);
         QVERIFY(bench.session.isGlancing());
         QCOMPARE(bench.session.shown().at().frame, stands);
         QCOMPARE(bench.code.view().values(), before.chips); // what is under the mouse stays
@@ -280,11 +283,11 @@ private slots:
 
     void aTrailTellsWhenABodyWasThere()
     {
-        Bench bench;
+        Bench bench("walking_gait", "ground");
         const auto &marks = bench.view.shown().trail.marks();
         QVERIFY(marks.size() > 10);
         const auto body = bench.view.shown().picture.segment->scene.find("body");
-        const Trail::Mark mark = marks[2];
+        const Trail::Mark mark = marks[1];
         const sim::State now = bench.view.shown().state();
         const QImage before = bench.view.picture();
         const QPointF there(mark.position(body, 0), mark.position(body, 1));
@@ -299,6 +302,32 @@ private slots:
         bench.park();
         QVERIFY(!bench.session.marked());
         QCOMPARE(bench.view.picture(), before);
+    }
+
+    void noButtonMovesForALook_data()
+    {
+        QTest::addColumn<int>("width");
+        for (const int width : {1280, 1366, 1920})
+            QTest::addRow("%d px", width) << width;
+    }
+    void noButtonMovesForALook()
+    {
+        QFETCH(int, width);
+        Bench bench;
+        bench.window.resize(width, 900);
+        bench.settle();
+        const auto places = [&] {
+            QList<QRect> all;
+            for (const QWidget *one : bench.counter.parentWidget()->findChildren<QToolButton *>())
+                all << one->geometry();
+            return all;
+        };
+        const QList<QRect> before = places();
+        QVERIFY(before.size() > 5);
+        bench.hover(bench.timeline, bench.onTrack(20));
+        QVERIFY(bench.session.isGlancing());
+        QCoreApplication::processEvents();
+        QCOMPARE(places(), before);
     }
 
     void theCurvesOfTheBodyUnderTheMouseAreThicker()
@@ -322,6 +351,40 @@ private slots:
         QCOMPARE(bench.plot().hovered(), bench.session.marked()->frame);
         QVERIFY(!bench.session.isGlancing());
         bench.session.pause();
+    }
+
+    void measures()
+    {
+        for (const int creatures : {1, 800}) {
+            Bench bench("walking_gait", "company");
+            bench.session.setParameter("creatures", creatures);
+            bench.goTo(600);
+            QTest::qWait(3000);
+            qWarning() << "points" << bench.session.timeline().now().points();
+            QList<double> times;
+            int shown = 0;
+            for (int i = 0; i < 60; ++i) {
+                QElapsedTimer clock;
+                clock.start();
+                bench.hover(bench.timeline, bench.onTrack((i * 37) % 600));
+                QCoreApplication::processEvents();
+                times << double(clock.nsecsElapsed()) / 1e6;
+                shown += bench.session.isGlancing();
+            }
+            std::sort(times.begin(), times.end());
+            qWarning() << creatures << "shown" << shown << "ms: least" << times[0] << "median" << times[30]
+                       << "most" << times[59] << times[58] << times[57];
+            times.clear();
+            for (int i = 0; i < 30; ++i) {
+                QElapsedTimer clock;
+                clock.start();
+                bench.session.goTo({(i * 37) % 600, 0});
+                QCoreApplication::processEvents();
+                times << double(clock.nsecsElapsed()) / 1e6;
+            }
+            std::sort(times.begin(), times.end());
+            qWarning() << "scrub: median" << times[15] << "most" << times[29];
+        }
     }
 
 private:

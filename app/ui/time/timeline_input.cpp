@@ -106,7 +106,7 @@ int TimelineStrip::phaseBefore(sim::Cursor moment) const
 void TimelineStrip::showMarked()
 {
     const std::optional<sim::Cursor> &moment = m_session.marked();
-    setPointed(moment ? std::optional(moment->frame) : std::nullopt);
+    setPointed(moment && moment->phase == 0 ? std::optional(moment->frame) : std::nullopt);
     const int phase = moment ? phaseBefore(*moment) : -1;
     if (phase == m_marked)
         return;

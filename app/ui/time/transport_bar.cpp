@@ -171,9 +171,8 @@ void TransportBar::showFrame()
     QString detail = progressOf(position);
     QString brief = shortProgressOf(position);
     if (m_session.isGlancing()) {
-        const QString frame = QString::number(m_session.shown().at().frame);
-        detail = tr("looking at frame %1").arg(frame);
-        brief = tr("at %1").arg(frame);
+        showLook(position.frame);
+        return;
     }
     if (const std::optional<std::int64_t> target = m_session.goingTo()) {
         detail = tr("going to %1… Esc stops").arg(*target);
@@ -181,6 +180,21 @@ void TransportBar::showFrame()
     }
     const auto dotted = [](const QString &text) { return text.isEmpty() ? text : tr("· %1").arg(text); };
     m_frame->show(position.frame, dotted(detail), dotted(brief));
+}
+
+void TransportBar::showLook(std::int64_t stands)
+{
+    const Position look = positionOf(m_session.shown());
+    const QString full = look.isInside() ? tr("· looking: %1").arg(progressOf(look))
+                                         : tr("· looking at frame %1").arg(look.frame);
+    const QString brief =
+        look.isInside() ? tr("· %1").arg(shortProgressOf(look)) : tr("· at %1").arg(look.frame);
+    for (const QString &text : {full, brief, QString()}) {
+        m_frame->show(stands, text, text);
+        m_layout->invalidate();
+        if (m_layout->sizeHint().width() <= width())
+            return;
+    }
 }
 
 QString TransportBar::whyNoPast() const

@@ -56,7 +56,9 @@ void MainWindow::joinCursors()
     connect(m_scene, &SceneView::bodyPointedAt, m_plots, &PlotsPanel::setPointedBody);
     connect(&m_session, &Session::glanceChanged, this, [this] {
         const std::optional<sim::Cursor> &moment = m_session.marked();
-        const auto frame = moment ? std::optional(moment->frame) : std::nullopt;
+        // Inside a frame plots are no finer than the cursor that they have there already.
+        const bool isFrame = moment && moment->phase == 0;
+        const auto frame = isFrame ? std::optional(moment->frame) : std::nullopt;
         m_plots->setHovered(frame);
         m_energy->setHovered(frame);
         m_branches->setHovered(frame);
