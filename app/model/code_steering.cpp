@@ -48,6 +48,22 @@ std::optional<sim::Cursor> runTarget(const CodeSection &section, const sim::Time
     }
 }
 
+std::optional<sim::Cursor> momentOf(const CodeSection &section, const sim::Timeline &timeline)
+{
+    if (section.phases.empty())
+        return std::nullopt;
+    const sim::Cursor at = timeline.at();
+    const int perStep = timeline.track().next()->pipeline.phasesPerStep();
+    const int stepStart = at.phase > 0 ? (at.phase - 1) / perStep * perStep : 0;
+    int after = perStep;
+    for (int phase = 0; phase < perStep; ++phase) {
+        const bool isDone = stepStart + phase < at.phase;
+        if (section.has(phase) && (isDone || after == perStep))
+            after = phase + 1;
+    }
+    return sim::Cursor{at.frame, stepStart + after};
+}
+
 double draggedValue(const lessons::Parameter &parameter, double from, double way)
 {
     if (!parameter.choices.isEmpty())

@@ -10,6 +10,11 @@ namespace app {
 /// the next one. Empty for a section that no phase belongs to.
 std::optional<sim::Cursor> runTarget(const CodeSection &section, const sim::Timeline &timeline);
 
+/// The moment right after the phase of `section` in the step that is shown: the one under way, or between two frames the
+/// first of the next. Of several phases, after the one that was done last, or else the first. Empty for a section that no
+/// phase belongs to.
+std::optional<sim::Cursor> momentOf(const CodeSection &section, const sim::Timeline &timeline);
+
 /// What a pixel counts of a drag that is to be fine.
 constexpr double finePixel = 0.1;
 /// The value of a number that was `from` when the mouse took hold of it, `way` px farther to the right. 200 px are as

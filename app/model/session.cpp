@@ -20,7 +20,9 @@ Session::Session(const LessonLibrary &library, QObject *parent) : QObject(parent
 {
     m_deeds.setUndoLimit(mostDeeds);
     connect(&m_player, &Player::due, this, &Session::advance);
-    // The first who hears of it: whoever draws the moment draws the companion, too.
+    // The first who hear of it: whoever draws the moment draws no other one, and the companion, too.
+    for (const auto change : {&Session::moved, &Session::runChanged, &Session::playingChanged})
+        connect(this, change, this, &Session::lookNoMore);
     connect(this, &Session::moved, this, &Session::bringCompanionLater);
     watchBreakpoints();
     start(step().script(), {}, {});
@@ -120,6 +122,7 @@ void Session::leave()
 void Session::start(sim::Script script, sim::Cursor at, Branches branches)
 {
     auto timeline = std::make_unique<sim::Timeline>(std::move(script)); // throws before anything has changed
+    endGlance();
     m_goingTo.reset();
     m_holding = false;
     m_keys = {};

@@ -86,6 +86,19 @@ public:
     /// The step as it was when it was first opened: no input, presets, published start.
     void startAfresh();
 
+    // Looking: the mouse is at another moment than the run. Nothing of the run changes by it.
+    /// Marks a moment and shows it, until endGlance() or until anything changes. While the run plays or is on its way,
+    /// and where the moment takes long to be found again, it is marked only.
+    void glance(sim::Cursor at);
+    /// Marks a moment without showing it.
+    void mark(sim::Cursor at);
+    void endGlance();
+    /// The moment that is marked, if one is.
+    const std::optional<sim::Cursor> &marked() const { return m_marked; }
+    bool isGlancing() const { return m_look.has_value(); }
+    /// The run at the moment that is shown: timeline(), or a copy of it that stands where somebody looks.
+    const sim::Timeline &shown() const { return m_look ? *m_look : *m_timeline; }
+
     // Breakpoints of the open step: playing, frameForward() and runTo() stop at them
     Breakpoints &breakpoints() { return m_breakpoints; }
     const Breakpoints &breakpoints() const { return m_breakpoints; }
@@ -167,7 +180,7 @@ public:
     /// Stays where it is, if it is on its way to a moment; gives up a branch that is on its way.
     void stopGoing();
 
-    // What is shown
+    // What is shown, at the moment of shown()
     Picture picture() const;
     /// The old run at the cursor's frame, if there is one.
     std::optional<Picture> ghost() const;
@@ -190,7 +203,7 @@ public:
     /// Empty where finding out would take too long: in a crowd, far from a moment that is kept.
     std::vector<sim::Moment> moments() const;
     /// Inside a frame: the accelerations so far.
-    std::vector<sim::Gathered> gathered() const { return sim::gathered(m_timeline->track()); }
+    std::vector<sim::Gathered> gathered() const { return sim::gathered(shown().track()); }
 
 signals:
     /// Another step is open: everything is new.
@@ -199,6 +212,8 @@ signals:
     void runChanged();
     /// The cursor moved, or what is at it changed.
     void moved();
+    /// Another moment is marked, or shown, or none any more.
+    void glanceChanged();
     void playingChanged();
     void selectionChanged();
     /// Something for the status line.
@@ -256,6 +271,11 @@ private:
     /// A change: what was foreseen no longer holds, and time goes on if it waited.
     void wakeUp();
     bool isOver();
+    /// Whether a moment is there in some milliseconds, and nothing else is on its way.
+    bool canShow(sim::Cursor at) const;
+    void setMarked(sim::Cursor at, std::optional<sim::Timeline> look);
+    /// Something happens: ends the glance if there is one. What is only marked stays so.
+    void lookNoMore();
     /// While playing: waits if time alone shows nothing new and gets nothing done.
     void waitIfOver();
     /// Whether one of the things to try that are not done is done later if the learner does nothing.
@@ -330,6 +350,8 @@ private:
     std::optional<sim::Vec2> m_pointerDown; ///< where the learner has the pointer's button down
     std::optional<sim::Cursor> m_goingTo;
     bool m_stopsOnTheWay = false; ///< whether it looks out for breakpoints while it goes there
+    std::optional<sim::Cursor> m_marked;
+    std::optional<sim::Timeline> m_look; ///< a copy, at the moment that is looked at
     Breakpoints m_breakpoints;
     BreakWatch m_watch;
     std::optional<BreakHit> m_hit;

@@ -26,6 +26,7 @@ Session::Stand Session::stand() const
 
 void Session::edit(const Deed &deed, const Edit &edit)
 {
+    lookNoMore();
     m_goingTo.reset();
     Stand before = stand();
     const std::int64_t computed = m_timeline->computed();

@@ -50,8 +50,8 @@ std::shared_ptr<const lessons::Look> Session::lookOf(const sim::Script &script,
 
 Picture Session::picture() const
 {
-    const sim::Track &track = m_timeline->track();
-    if (!m_timeline->hasPending())
+    const sim::Track &track = shown().track();
+    if (!shown().hasPending())
         return pictureOf(track, track.shownPtr(), track.now());
     std::shared_ptr<const sim::Segment> segment;
     sim::State state = track.preview(segment);
@@ -60,7 +60,7 @@ Picture Session::picture() const
 
 bool Session::bringCompanion()
 {
-    m_companionIsThere = !m_companion || m_companion->follow(m_timeline->script(), m_timeline->at().frame);
+    m_companionIsThere = !m_companion || m_companion->follow(m_timeline->script(), shown().at().frame);
     return m_companionIsThere;
 }
 
@@ -79,7 +79,7 @@ std::optional<Picture> Session::companion() const
     const sim::Track *track = m_companion && m_companionIsThere ? m_companion->track() : nullptr;
     if (!track)
         return std::nullopt;
-    if (!m_timeline->hasPending())
+    if (!shown().hasPending())
         return pictureOf(*track, track->shownPtr(), track->now());
     std::shared_ptr<const sim::Segment> segment;
     sim::State state = track->preview(segment);
@@ -88,7 +88,7 @@ std::optional<Picture> Session::companion() const
 
 std::vector<sim::Moment> Session::moments() const
 {
-    const sim::Track &track = m_timeline->track();
+    const sim::Track &track = shown().track();
     const std::int64_t end = track.at().phase > 0 ? track.at().frame : track.at().frame - track.rowFrames();
     const std::int64_t rows = (end - track.knownBefore(std::max<std::int64_t>(0, end))) / track.rowFrames();
     if (rows * track.script().step.perRow * track.now().points() > mostComputedAgain)
@@ -104,13 +104,13 @@ QString Session::ownCaption() const
 
 QString Session::note() const
 {
-    return step().note ? step().note(m_timeline->track()) : QString();
+    return step().note ? step().note(shown().track()) : QString();
 }
 
 std::optional<Picture> Session::ghost() const
 {
-    const sim::Track *track = m_timeline->ghost();
-    if (!track || track->at().frame != m_timeline->at().frame)
+    const sim::Track *track = shown().ghost();
+    if (!track || track->at().frame != shown().at().frame)
         return std::nullopt;
     return pictureOf(*track, track->shownPtr(), track->now());
 }

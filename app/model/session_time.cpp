@@ -39,6 +39,7 @@ void Session::play()
 {
     if (isPlaying())
         return;
+    lookNoMore();
     m_goingTo.reset();
     m_due = m_played = 0;
     wakeUp();
@@ -48,6 +49,7 @@ void Session::play()
 
 void Session::pause()
 {
+    lookNoMore();
     m_goingTo.reset();
     if (!isPlaying())
         return;
@@ -91,6 +93,7 @@ void Session::phaseBack()
 
 void Session::goTo(sim::Cursor cursor)
 {
+    lookNoMore();
     m_goingTo = {std::max<std::int64_t>(0, cursor.frame), cursor.phase};
     m_stopsOnTheWay = false;
     wakeUp();

@@ -76,6 +76,7 @@ bool Session::opensAnew(const sim::Script &script) const
 
 void Session::restore(const Stand &to, const QString &left, Leaves leaves)
 {
+    lookNoMore();
     const Stand before = stand();
     if (sameScript(*to.script, *before.script)) {
         restoreBranches(to.branches);

@@ -3246,6 +3246,13 @@ Klick klappt ein oder aus (Eingabe)</translation>
     </message>
 </context>
 <context>
+    <name>app::CursorPlot</name>
+    <message>
+        <source>%1. Looking at %2</source>
+        <translation>%1. Ein Blick auf %2</translation>
+    </message>
+</context>
+<context>
     <name>app::DifferencePlot</name>
     <message>
         <source>Distance between the two runs over time</source>
@@ -4996,6 +5003,22 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <source>Drag this panel to where it is to stand</source>
         <translation>Ziehe diese Leiste dorthin, wo sie stehen soll</translation>
     </message>
+    <message>
+        <source>Point at timeline, phase, plot or trail</source>
+        <translation>Auf Zeitleiste, Phase, Diagramm oder Spur zeigen</translation>
+    </message>
+    <message>
+        <source>look at that moment; the run stays where it stands</source>
+        <translation>einen Blick auf diesen Moment werfen; der Lauf bleibt, wo er steht</translation>
+    </message>
+    <message>
+        <source>A look inside frame %1. The run stays where it is.</source>
+        <translation>Ein Blick in Bild %1 hinein. Der Lauf bleibt, wo er ist.</translation>
+    </message>
+    <message>
+        <source>A look at frame %1. The run stays at frame %2.</source>
+        <translation>Ein Blick auf Bild %1. Der Lauf bleibt bei Bild %2.</translation>
+    </message>
 </context>
 <context>
     <name>app::MeasurePanel</name>
@@ -5756,6 +5779,14 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <source>frame %1 = %2&#x2009;s</source>
         <translation>Bild %1 = %2&#x2009;s</translation>
     </message>
+    <message>
+        <source>Only a look: this is frame %1.</source>
+        <translation>Nur ein Blick: Das ist Bild %1.</translation>
+    </message>
+    <message>
+        <source>Only a look. %1</source>
+        <translation>Nur ein Blick. %1</translation>
+    </message>
 </context>
 <context>
     <name>app::Session</name>
@@ -6192,6 +6223,10 @@ Eingabe fügt es hinzu.</translation>
         <source>Left and Right: one frame. With Shift: one phase. Home: frame 0. End: the last computed frame. Menu: the other runs.</source>
         <translation>Links und Rechts: ein Bild. Mit Umschalt: eine Phase. Pos1: Bild 0. Ende: das letzte berechnete Bild. Menü: die anderen Läufe.</translation>
     </message>
+    <message>
+        <source>%1. Looking at: %2</source>
+        <translation>%1. Ein Blick auf: %2</translation>
+    </message>
 </context>
 <context>
     <name>app::Tour</name>
@@ -6345,6 +6380,18 @@ Eingabe fügt es hinzu.</translation>
     <message>
         <source>Go back in time and change something: the run as it was stays, and is found here.</source>
         <translation>Geh in der Zeit zurück und ändere etwas: Der Lauf, wie er war, bleibt und ist hier zu finden.</translation>
+    </message>
+    <message>
+        <source>· looking: %1</source>
+        <translation>· Blick: %1</translation>
+    </message>
+    <message>
+        <source>· looking at frame %1</source>
+        <translation>· Blick auf Bild %1</translation>
+    </message>
+    <message>
+        <source>· at %1</source>
+        <translation>· bei %1</translation>
     </message>
 </context>
 <context>

@@ -33,6 +33,25 @@ private slots:
         QCOMPARE(at(5, 5, move), (sim::Cursor{6, 0}));
     }
 
+    void aLineIsAboutTheMomentAfterItsPhase()
+    {
+        const lessons::Step &step = stepOf("multi_foot", "any_number");
+        sim::Timeline run = runOf(step);
+        const CodeListing listing = listingOf(step, run);
+        const CodeSection &springs = listing.sections[2], &move = listing.sections[4];
+        QVERIFY(!momentOf(listing.sections[0], run));
+        QVERIFY(!momentOf(listing.sections[1], run));
+        const auto at = [&](int phase, const CodeSection &section) {
+            run.seek({5, phase});
+            return *momentOf(section, run);
+        };
+        QCOMPARE(at(0, springs), (sim::Cursor{5, 1}));
+        QCOMPARE(at(0, move), (sim::Cursor{5, 3}));
+        QCOMPARE(at(2, springs), (sim::Cursor{5, 1})); // those of the feet, which are done
+        QCOMPARE(at(4, springs), (sim::Cursor{5, 4})); // those of the body
+        QCOMPARE(at(4, move), (sim::Cursor{5, 3}));
+    }
+
     void aDragGoesAsFarAsTheSlider()
     {
         lessons::Parameter one;

@@ -131,8 +131,14 @@ void DifferencePlot::paintHovered(QPainter &painter, std::int64_t frame) const
     const QPointF dot = placeOf(*there);
     paintHoveredLine(painter, dot.x());
     paintHoveredDot(painter, dot);
-    paintTag(painter, dot,
-             tr("frame %1: %2\u2009px apart").arg(there->frame).arg(roughNumber(there->distance)));
+    paintTag(painter, dot, hoveredText(frame));
+}
+
+QString DifferencePlot::hoveredText(std::int64_t frame) const
+{
+    const Difference *there = nearest(frame);
+    return there ? tr("frame %1: %2\u2009px apart").arg(there->frame).arg(roughNumber(there->distance))
+                 : QString();
 }
 
 QString DifferencePlot::sentence() const

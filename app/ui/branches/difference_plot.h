@@ -25,6 +25,7 @@ public:
 protected:
     void paintMarks(QPainter &painter) const override;
     void paintHovered(QPainter &painter, std::int64_t frame) const override;
+    QString hoveredText(std::int64_t frame) const override;
 
 private:
     void dress();

@@ -40,6 +40,7 @@ CodePanel::CodePanel(Session &session, const Theme &theme, QWidget *parent)
     connect(&session, &Session::moved, this, &CodePanel::follow);
     connect(&session, &Session::playingChanged, this, &CodePanel::follow);
     connect(&session, &Session::selectionChanged, this, &CodePanel::follow);
+    connect(&session, &Session::glanceChanged, this, &CodePanel::followGlance);
     rebuild();
 }
 
@@ -98,9 +99,27 @@ void CodePanel::showEvent(QShowEvent *event)
     follow();
 }
 
+void CodePanel::followGlance()
+{
+    if (!m_session.marked())
+        m_looks = false;
+    // What is under the mouse, or typed over, stays as it is.
+    if (m_looks || m_editor || (!m_session.isGlancing() && !m_top))
+        return;
+    if (!m_top)
+        m_top = m_view->firstVisibleLine();
+    follow();
+    if (m_session.isGlancing())
+        return;
+    m_view->setFirstVisibleLine(*m_top);
+    m_top.reset();
+}
+
 void CodePanel::follow()
 {
-    const bool same = m_session.timeline().track().shownPtr() == m_segment &&
+    if (m_looks && m_session.isGlancing())
+        return;
+    const bool same = m_session.shown().track().shownPtr() == m_segment &&
                       m_session.timeline().script().method == m_method && &m_session.step() == m_step;
     if (!same)
         rebuild();
@@ -114,7 +133,7 @@ void CodePanel::follow()
 
 void CodePanel::rebuild()
 {
-    m_segment = m_session.timeline().track().shownPtr();
+    m_segment = m_session.shown().track().shownPtr();
     m_method = m_session.timeline().script().method;
     m_step = &m_session.step();
     CodeListing listing = listingOf(*m_step, *m_segment, *m_method);
@@ -144,24 +163,32 @@ std::optional<CodeListing> CodePanel::listingBefore() const
 void CodePanel::refresh()
 {
     m_refreshed.start();
-    const sim::Timeline &timeline = m_session.timeline();
+    const sim::Timeline &timeline = m_session.shown();
     std::vector<CodeChip> values = chipsOf(m_listing, m_session.moments(), *m_segment, point());
     std::vector<SectionMark> marks = marksOf(m_listing, timeline, values, point());
-    const bool inside = timeline.at().phase > 0;
     const std::vector<CodeChip> parameters = parameterChips(m_listing, *m_step, timeline.values());
     values.insert(values.end(), parameters.begin(), parameters.end());
     m_view->setValues(std::move(values), std::move(marks));
+    if (m_session.isGlancing())
+        m_view->scrollToNow();
+    else
+        showStand();
+    showCard();
+}
+
+void CodePanel::showStand()
+{
+    const sim::Timeline &timeline = m_session.timeline();
     if (!m_begun && timeline.at() != sim::Cursor{})
         m_view->showPhases();
     m_begun = m_begun || timeline.at() != sim::Cursor{};
-    if (inside && !m_session.isPlaying())
+    if (timeline.at().phase > 0 && !m_session.isPlaying())
         m_view->showNow();
     if (const std::optional<BreakHit> &hit = m_session.stoppedBy()) {
         const Breakpoint *stop = m_session.breakpoints().find(hit->id);
         if (stop && stop->place)
             m_view->showPlace(*stop->place);
     }
-    showCard();
 }
 
 int CodePanel::point() const

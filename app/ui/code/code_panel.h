@@ -81,9 +81,13 @@ private:
     void showCard();
     QString whose(const CodeSymbol &symbol) const;
     void applyTheme();
+    void pointAt(std::optional<std::size_t> row);
+    void followGlance();
     void follow();
     void rebuild();
     void refresh();
+    /// Scrolls to where the run stands.
+    void showStand();
     void showCaption();
     void showNewLines();
     void showGoneLines(bool shown);
@@ -109,6 +113,8 @@ private:
     sim::MethodPtr m_method;
     const lessons::Step *m_step = nullptr;
     bool m_begun = false;      ///< whether the values have left frame 0 since the code is on show
+    bool m_looks = false;      ///< whether the moment that is marked is that of the line under the mouse
+    std::optional<int> m_top;  ///< the first line in sight before somebody looked at another moment
     QElapsedTimer m_refreshed; ///< since the values were last shown
     QString m_caption;
 };

@@ -26,6 +26,7 @@ void CodePanel::connectView()
         menu->setAttribute(Qt::WA_DeleteOnClose);
         menu->popup(place);
     });
+    connect(m_view, &CodeView::rowPointedAt, this, &CodePanel::pointAt);
     connect(m_stops, &StopList::chosen, m_view, &CodeView::showPlace);
     connect(&m_session.breakpoints(), &Breakpoints::changed, this, &CodePanel::showBreakpoints);
     showBreakpoints();
@@ -71,6 +72,25 @@ void CodePanel::runTo(std::size_t row)
         return;
     }
     m_session.runTo(*target);
+}
+
+/// Between two frames a line only marks its phase: who crosses the code would else be in and out of the next frame with
+/// every line. Inside a frame, where phases are what it is about, it shows what there is after that one.
+void CodePanel::pointAt(std::optional<std::size_t> row)
+{
+    std::optional<sim::Cursor> moment;
+    if (row && *row < m_view->rows().size() && !m_session.isPlaying())
+        moment = momentOf(m_listing.sections[m_view->rows()[*row].section], m_session.timeline());
+    if (!moment) {
+        if (m_looks)
+            m_session.endGlance();
+        return;
+    }
+    m_looks = true;
+    if (m_session.timeline().at().phase > 0)
+        m_session.glance(*moment);
+    else
+        m_session.mark(*moment);
 }
 
 QMenu *CodePanel::menuFor(std::size_t row)

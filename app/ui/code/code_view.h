@@ -58,6 +58,8 @@ public:
 
     /// Scrolls, if need be, to the section of the phase that was done last.
     void showNow();
+    /// The same, and the keyboard stays where it is. Returns the row of the section's heading, if there is one.
+    std::optional<std::size_t> scrollToNow();
     /// Scrolls from the top, if the view is there, to what runs in every frame.
     void showPhases();
     /// Goes to the next lines that are new, and selects them; after the last ones to the first.
@@ -98,6 +100,8 @@ signals:
     void symbolAsked(std::size_t row, qsizetype column);
     /// Nobody asks any more.
     void symbolDropped();
+    /// The mouse is on a row, or on none any more.
+    void rowPointedAt(std::optional<std::size_t> row);
     /// A menu is asked for at a place of the screen, about a row.
     void menuAsked(const QPoint &place, std::size_t row);
 
@@ -153,6 +157,7 @@ private:
     const ParameterSpot *spotAt(const QPoint &position) const;
     const ParameterSpot *spotOf(std::size_t row, qsizetype column) const;
     void forgetWord(const QPoint &position);
+    void setPointed(std::optional<std::size_t> row);
     void underlineSpots();
     void scrollTo(std::size_t first, std::size_t row);
     QFont inPoints(QFont font, double pixels) const;
@@ -194,6 +199,7 @@ private:
     std::optional<QPoint> m_pressed; ///< where the mouse went down on a line
     std::optional<QPoint> m_taken;   ///< where it took hold of a number
     std::optional<std::pair<std::size_t, qsizetype>> m_asked; ///< the word that the mouse asked for
+    std::optional<std::size_t> m_pointed;                     ///< the row that it is on
 };
 
 }

@@ -54,6 +54,14 @@ void CodeView::scrollTo(std::size_t first, std::size_t row)
 
 void CodeView::showNow()
 {
+    if (const std::optional<std::size_t> heading = scrollToNow()) {
+        m_row = *heading;
+        m_word.reset();
+    }
+}
+
+std::optional<std::size_t> CodeView::scrollToNow()
+{
     for (std::size_t section = 0; section < m_marks.size(); ++section) {
         if (m_marks[section].when != When::now)
             continue;
@@ -66,11 +74,11 @@ void CodeView::showNow()
             last = row;
             now = isResult(m_rows[row]) ? row : now;
         }
-        m_row = heading;
-        m_word.reset();
         const bool fits = static_cast<long>(last - heading) < send(*this, SCI_LINESONSCREEN);
         scrollTo(heading, fits ? last : now);
+        return heading;
     }
+    return std::nullopt;
 }
 
 void CodeView::showPhases()

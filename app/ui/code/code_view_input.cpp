@@ -141,6 +141,7 @@ void CodeView::mouseMoveEvent(QMouseEvent *event)
         return;
     }
     const auto row = rowAt(event->pos());
+    setPointed(event->buttons() == Qt::NoButton ? row : std::nullopt);
     if (row && event->buttons() == Qt::NoButton) {
         const bool isLine = line(m_rows[*row]);
         if (isLine && !isInMargin(event->pos()) && spotAt(event->pos())) {
@@ -153,6 +154,14 @@ void CodeView::mouseMoveEvent(QMouseEvent *event)
         }
     }
     QsciScintilla::mouseMoveEvent(event);
+}
+
+void CodeView::setPointed(std::optional<std::size_t> row)
+{
+    if (row == m_pointed)
+        return;
+    m_pointed = row;
+    emit rowPointedAt(row);
 }
 
 void CodeView::mouseReleaseEvent(QMouseEvent *event)
@@ -266,8 +275,10 @@ QString CodeView::tipAt(const QPoint &position) const
 
 bool CodeView::viewportEvent(QEvent *event)
 {
-    if (event->type() == QEvent::Leave)
+    if (event->type() == QEvent::Leave) {
         forgetWord({-1, -1});
+        setPointed(std::nullopt);
+    }
     if (event->type() != QEvent::ToolTip)
         return QsciScintilla::viewportEvent(event);
     const auto *help = static_cast<QHelpEvent *>(event);

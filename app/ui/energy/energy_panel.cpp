@@ -55,6 +55,7 @@ EnergyPanel::EnergyPanel(Session &session, const Theme &theme, QWidget *parent)
     connect(&m_course, &EnergyCourse::changed, this, &EnergyPanel::refresh);
     connect(&session, &Session::moved, this, &EnergyPanel::refresh);
     connect(&session, &Session::playingChanged, this, &EnergyPanel::refresh);
+    connect(&session, &Session::glanceChanged, this, &EnergyPanel::followGlance);
     connect(&theme, &Theme::changed, this, &EnergyPanel::refresh);
 }
 
@@ -159,12 +160,25 @@ void EnergyPanel::refreshNow()
         return;
     }
     const EnergyLines lines(m_course);
-    const std::int64_t frame = m_session.timeline().at().frame;
+    showLedger(lines);
+    m_plot->refresh(lines);
+}
+
+void EnergyPanel::followGlance()
+{
+    const bool changes = m_isElsewhere || m_session.isGlancing();
+    if (isSeen() && changes && m_pages->currentWidget() == m_ledger)
+        showLedger(EnergyLines(m_course));
+}
+
+void EnergyPanel::showLedger(const EnergyLines &lines)
+{
+    m_isElsewhere = m_session.isGlancing();
+    const std::int64_t frame = m_session.shown().at().frame;
     m_title->setCaption(m_course.at(frame) ? tr("frame %1 to %2").arg(m_course.start()).arg(frame)
                                            : tr("counting…"));
     m_unit->setText(unit());
     m_list->setLines(m_view == energy ? lines.energyAt(frame) : lines.momentumAt(frame), unit());
-    m_plot->refresh(lines);
 }
 
 void EnergyPanel::setCovered(bool covered)

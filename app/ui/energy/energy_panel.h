@@ -57,6 +57,8 @@ private:
     QWidget *ledger();
     void refresh();
     void refreshNow();
+    void showLedger(const EnergyLines &lines);
+    void followGlance();
     bool isSeen() const { return isVisible() && !m_isCovered; }
     void watch();
     QString unit() const;
@@ -76,6 +78,7 @@ private:
     QElapsedTimer m_sinceRefresh;
     QTimer m_later;
     bool m_isCovered = false;
+    bool m_isElsewhere = false; ///< whether the ledger is of a moment that somebody looks at
 };
 
 }

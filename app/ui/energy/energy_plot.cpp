@@ -228,7 +228,12 @@ void EnergyPlot::paintHovered(QPainter &painter, std::int64_t frame) const
         paintHoveredDot(painter, dot);
         highest.setY(std::min(highest.y(), dot.y()));
     }
-    paintTag(painter, highest, tr("frame %1: %2").arg(frame).arg(readout(frame)));
+    paintTag(painter, highest, hoveredText(frame));
+}
+
+QString EnergyPlot::hoveredText(std::int64_t frame) const
+{
+    return marked(frame).empty() ? QString() : tr("frame %1: %2").arg(frame).arg(readout(frame));
 }
 
 QString EnergyPlot::readout(std::int64_t frame) const

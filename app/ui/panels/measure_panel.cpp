@@ -29,6 +29,7 @@ MeasurePanel::MeasurePanel(Session &session, const Course &course, const Theme &
     connect(&session, &Session::stepOpened, this, &MeasurePanel::open);
     connect(&session, &Session::moved, this, &MeasurePanel::refresh);
     connect(&session, &Session::playingChanged, this, &MeasurePanel::refreshNow);
+    connect(&session, &Session::glanceChanged, this, &MeasurePanel::refreshNow);
     connect(&course, &Course::changed, this, &MeasurePanel::refresh);
     connect(&theme, &Theme::changed, this, &MeasurePanel::refreshNow);
     open();

@@ -66,7 +66,7 @@ QString MeasureRow::number() const
 
 void MeasureRow::refresh()
 {
-    m_value = valueAt(m_session.timeline().at().frame);
+    m_value = valueAt(m_session.shown().at().frame);
     setAccessibleDescription(QStringLiteral("%1 %2. %3").arg(number(), m_measure.unit, m_measure.help));
     update();
 }
@@ -111,11 +111,19 @@ void MeasureRow::paintCourse(QPainter &painter, const QRectF &area) const
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(m_theme.tokens().ink2, 1.5));
     painter.drawPath(path);
-    if (std::isfinite(m_value)) {
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(m_theme.tokens().now);
-        painter.drawEllipse(QPointF(xOf(at), yOf(m_value)), 3.0, 3.0);
-    }
+    const auto dot = [&](std::int64_t frame) {
+        const double value = valueAt(frame);
+        if (std::isfinite(value) && frame >= start && frame <= end)
+            painter.drawEllipse(QPointF(xOf(frame), yOf(value)), 3.0, 3.0);
+    };
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(m_theme.tokens().now);
+    dot(at);
+    if (!m_session.isGlancing())
+        return;
+    painter.setPen(QPen(m_theme.tokens().ink2, 1.5));
+    painter.setBrush(m_theme.tokens().panel);
+    dot(m_session.shown().at().frame);
 }
 
 void MeasureRow::paintEvent(QPaintEvent *)

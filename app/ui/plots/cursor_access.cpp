@@ -18,7 +18,7 @@ public:
     {
         if (kind == QAccessible::Name)
             return m_plot->title();
-        return kind == QAccessible::Value ? m_plot->sentence() : QAccessibleWidget::text(kind);
+        return kind == QAccessible::Value ? m_plot->fullSentence() : QAccessibleWidget::text(kind);
     }
 
 private:

@@ -63,6 +63,12 @@ void CursorPlot::setHovered(std::optional<std::int64_t> frame)
     update();
 }
 
+QString CursorPlot::fullSentence() const
+{
+    const QString looked = m_hovered ? hoveredText(*m_hovered) : QString();
+    return looked.isEmpty() ? sentence() : tr("%1. Looking at %2").arg(sentence(), looked);
+}
+
 bool CursorPlot::wantsKey(int key) const
 {
     return isArrow(key);

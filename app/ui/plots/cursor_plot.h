@@ -25,6 +25,8 @@ public:
     virtual QString title() const { return accessibleName(); }
     /// All of it, with the numbers at the cursor.
     virtual QString sentence() const = 0;
+    /// The same, with the frame that is looked at and its numbers, if there is one.
+    QString fullSentence() const;
     /// The frame at a place, if the plot has one there.
     virtual std::optional<std::int64_t> frameAt(QPointF place) const = 0;
     /// The plot as it is seen, without focus and second cursor.
@@ -39,6 +41,8 @@ protected:
     virtual void paintMarks(QPainter &painter) const = 0;
     /// The second cursor.
     virtual void paintHovered(QPainter &painter, std::int64_t frame) const = 0;
+    /// What stands beside it; empty where the plot has nothing there.
+    virtual QString hoveredText(std::int64_t frame) const = 0;
     /// Whether a key without Ctrl or Alt is for the plot rather than for the window.
     virtual bool wantsKey(int key) const;
 

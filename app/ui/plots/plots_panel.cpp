@@ -286,6 +286,12 @@ void PlotsPanel::setHovered(std::optional<std::int64_t> frame)
         card->plot().setHovered(frame);
 }
 
+void PlotsPanel::setPointedBody(const QString &body)
+{
+    for (PlotCard *card : m_cards)
+        card->plot().setPointedBody(body);
+}
+
 void PlotsPanel::zoom(int steps)
 {
     std::int64_t rows = m_course.mostRows();

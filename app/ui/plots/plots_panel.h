@@ -48,6 +48,9 @@ public:
     /// The second cursor of all plots: where the mouse points in one of them, or elsewhere.
     void setHovered(std::optional<std::int64_t> frame);
 
+    /// The curves of this body are drawn thicker; of none if it is empty.
+    void setPointedBody(const QString &body);
+
     /// Room for the first two plots: the others are scrolled to.
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return {260, 170}; }

@@ -14,6 +14,7 @@ namespace app {
 namespace {
 
 constexpr double curveWidth = 1.8;  ///< px
+constexpr double thickWidth = 3.4;  ///< px
 constexpr double paleFuture = 0.35; ///< how much of its colour a curve has after the cursor
 const QMargins besideTime(54, 22, 14, 24);
 const QMargins besideQuantity(54, 22, 16, 42); ///< with a name below the axis
@@ -59,7 +60,28 @@ void QuantityPlot::dress()
     setBackground(t.panel);
     dressAxis(*xAxis, m_theme);
     dressAxis(*yAxis, m_theme);
-    QPen pen(t.body, curveWidth, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
+    dressCurves();
+    m_axesAreOld = true;
+    update();
+}
+
+void QuantityPlot::setPointedBody(const QString &body)
+{
+    const auto isOfIt = [&](const Quantity &one) {
+        return !body.isEmpty() && m_course.bound(one).body == body;
+    };
+    const bool isThick = isOfIt(m_spec.up) || isOfIt(m_spec.across);
+    if (isThick == std::exchange(m_isThick, isThick))
+        return;
+    dressCurves();
+    layer(curveLayer)->replot();
+    ++m_curvesPainted;
+}
+
+void QuantityPlot::dressCurves()
+{
+    const Tokens &t = m_theme.tokens();
+    QPen pen(t.body, m_isThick ? thickWidth : curveWidth, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
     setPen(m_past, pen);
     QColor pale = t.body;
     pale.setAlphaF(static_cast<float>(paleFuture));
@@ -68,8 +90,6 @@ void QuantityPlot::dress()
     QPen dashed(t.ghost, 1.5, Qt::CustomDashLine, Qt::FlatCap);
     dashed.setDashPattern({3.0, 3.0});
     setPen(m_ghost, dashed);
-    m_axesAreOld = true;
-    update();
 }
 
 void QuantityPlot::setSpec(const PlotSpec &spec)

@@ -17,6 +17,9 @@ public:
 
     void setSpec(const PlotSpec &spec);
     const PlotSpec &spec() const { return m_spec; }
+    /// The curve is drawn thicker while somebody points at its body.
+    void setPointedBody(const QString &body);
+    bool isThick() const { return m_isThick; }
     /// Draws what has changed. `now`: the numbers at the cursor, by the course's columns.
     void refresh(const std::vector<double> &now);
 
@@ -45,6 +48,7 @@ signals:
 protected:
     void paintMarks(QPainter &painter) const override;
     void paintHovered(QPainter &painter, std::int64_t frame) const override;
+    QString hoveredText(std::int64_t frame) const override;
     bool wantsKey(int key) const override;
     void resizeEvent(QResizeEvent *event) override;
     void wheelEvent(QWheelEvent *event) override;
@@ -60,6 +64,7 @@ private:
     Curve makeCurve();
     void setPen(const Curve &curve, const QPen &pen);
     void dress();
+    void dressCurves();
     QString whyEmpty() const;
     bool fitAxes();
     void fitAxis(QCPAxis &axis, PlotRange &range, std::size_t column);
@@ -90,6 +95,7 @@ private:
     quint64 m_drawn = 0;         ///< the course's revision that the curves are from
     std::int64_t m_drawnAt = -1; ///< the frame at which they change
     bool m_axesAreOld = true;
+    bool m_isThick = false;
     int m_curvesPainted = 0;
     int m_axesPainted = 0;
     double m_wheel = 0.0; ///< what is left of a notch

@@ -64,22 +64,29 @@ void QuantityPlot::paintNow(QPainter &painter) const
     paintDot(painter, place(isAgainstTime ? frame : m_nowAcross, m_nowUp));
 }
 
-void QuantityPlot::paintHovered(QPainter &painter, std::int64_t frame) const
+QString QuantityPlot::hoveredText(std::int64_t frame) const
 {
     const Samples &run = m_course.run();
     if (!m_empty.isEmpty() || run.isEmpty() || m_up >= run.columns() || m_across >= run.columns())
-        return;
+        return {};
     const std::size_t bucket = run.bucketNear(frame);
+    return tr("frame %1: %2")
+        .arg(run.frameOf(bucket))
+        .arg(readout(run.at(bucket, m_up).first, run.at(bucket, m_across).first));
+}
+
+void QuantityPlot::paintHovered(QPainter &painter, std::int64_t frame) const
+{
+    const QString text = hoveredText(frame);
+    if (text.isEmpty())
+        return;
     const QPointF dot = placeOf(frame);
     if (!std::isfinite(dot.x()))
         return;
     if (m_spec.isAgainstTime())
         paintHoveredLine(painter, dot.x());
     paintHoveredDot(painter, dot);
-    paintTag(painter, dot,
-             tr("frame %1: %2")
-                 .arg(run.frameOf(bucket))
-                 .arg(readout(run.at(bucket, m_up).first, run.at(bucket, m_across).first)));
+    paintTag(painter, dot, text);
 }
 
 void QuantityPlot::paintEmpty(QPainter &painter) const

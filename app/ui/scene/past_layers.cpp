@@ -38,26 +38,28 @@ void OnionLayer::draw(const Canvas &canvas) const
         drawOutlines(canvas, {shown.look(), state},
                      {color, 1.2, false, faded(canvas.tokens().body, alpha * 0.22)});
     }
+    if (!shown.past || shown.past->state.points() != shown.points())
+        return;
+    if (shown.past->look->tree)
+        m_tree.drawOutline(canvas, shown.past->look, shown.past->state, canvas.tokens().ink2);
+    drawOutlines(canvas, {*shown.past->look, shown.past->state}, {canvas.tokens().ink2, 1.8, false});
 }
 
 void TrailLayer::draw(const Canvas &canvas) const
 {
     const Shown &shown = canvas.shown;
     const std::deque<Trail::Mark> &marks = shown.trail.marks();
-    if (!shown.extras.trails || marks.size() < 2 || marks.back().position.rows() != shown.points())
+    const std::vector<int> points = trailed(shown);
+    if (points.empty())
         return;
-    bool anyBody = false;
-    for (int i = 0; i < shown.points(); ++i)
-        anyBody |= shown.isBody(i);
     for (std::size_t k = 1; k < marks.size(); ++k) {
         const double age = static_cast<double>(marks.back().frame - marks[k].frame) / Trail::length;
         canvas.painter.setPen(solid(faded(canvas.tokens().body, 0.05 + 0.3 * (1.0 - age)), 2.0));
-        for (int i = 0; i < shown.points(); ++i) {
+        for (const int i : points) {
             const auto place = [&](const Trail::Mark &mark) {
                 return canvas.camera.at({mark.position(i, 0), mark.position(i, 1)});
             };
-            if (shown.isBody(i) || (!anyBody && !shown.isHidden(i)))
-                canvas.painter.drawLine(canvas.cut(place(marks[k - 1]), place(marks[k])));
+            canvas.painter.drawLine(canvas.cut(place(marks[k - 1]), place(marks[k])));
         }
     }
 }

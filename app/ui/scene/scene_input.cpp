@@ -2,6 +2,7 @@
 
 #include "app/ui/scene/arrow_key.h"
 #include "app/ui/scene/body_text.h"
+#include "app/ui/scene/past_spot.h"
 #include "app/ui/scene/scene_view.h"
 
 #include <QFocusEvent>
@@ -86,8 +87,32 @@ void SceneView::mouseMoveEvent(QMouseEvent *event)
     } else if (m_panFrom) {
         pan(m_pointer - *m_panFrom);
         m_panFrom = m_pointer;
+    } else if (event->buttons() == Qt::NoButton) {
+        lookBack();
     }
     updateCursor();
+}
+
+void SceneView::lookBack()
+{
+    const int point = Hand::bodyAt(m_shown, camera(), m_pointer);
+    pointAt(point < 0 ? QString() : nameOf(point));
+    const std::optional<std::int64_t> frame =
+        point < 0 && !m_session.isPlaying() ? pastFrameAt(m_shown, camera(), m_pointer) : std::nullopt;
+    if (frame) {
+        m_looksBack = true;
+        m_session.glance({*frame, 0});
+    } else if (m_looksBack) {
+        m_session.endGlance();
+    }
+}
+
+void SceneView::pointAt(const QString &body)
+{
+    if (body == m_pointed)
+        return;
+    m_pointed = body;
+    emit bodyPointedAt(body);
 }
 
 void SceneView::mouseReleaseEvent(QMouseEvent *event)
@@ -221,6 +246,9 @@ bool SceneView::viewportEvent(QEvent *event)
 {
     if (event->type() == QEvent::Leave) {
         m_pointer = {-1.0, -1.0};
+        pointAt({});
+        if (m_looksBack)
+            m_session.endGlance();
     } else if (event->type() == QEvent::NativeGesture) {
         pinch(*static_cast<QNativeGestureEvent *>(event));
         return true;

@@ -66,6 +66,7 @@ SceneView::SceneView(Session &session, const Theme &theme, QWidget *parent)
 
     connect(&session, &Session::stepOpened, this, &SceneView::open);
     connect(&session, &Session::moved, this, &SceneView::refresh);
+    connect(&session, &Session::glanceChanged, this, &SceneView::followGlance);
     connect(&session, &Session::runChanged, this, &SceneView::refresh);
     connect(&session, &Session::selectionChanged, this, &SceneView::refresh);
     connect(&session, &Session::playingChanged, this, &SceneView::refresh);
@@ -102,22 +103,15 @@ void SceneView::open()
 
 void SceneView::refresh()
 {
-    const sim::Timeline &timeline = m_session.timeline();
-    m_shown.picture = m_session.picture();
-    m_shown.ghost = m_session.ghost();
-    if (m_shown.ghost && !differ(*m_shown.ghost, m_shown.picture))
-        m_shown.ghost.reset();
-    m_shown.ghostName = m_session.ghostName();
-    takePulls();
-    m_shown.caption = frameCaption(timeline);
-    if (m_shown.caption.isEmpty())
-        m_shown.caption = m_session.note();
-    m_shown.trail.follow(timeline);
-    takeOnion();
-    takeReference();
-    takeCompanion();
-    if (m_atHome && m_shown.look().stage != m_stage)
-        showHome(); // the scene has another size now
+    if (m_looksBack && m_session.isGlancing())
+        return;
+    takeMoment();
+    if (!m_session.isGlancing()) { // what was stays that of the run
+        m_shown.trail.follow(m_session.timeline());
+        takeOnion();
+        if (m_atHome && m_shown.look().stage != m_stage)
+            showHome(); // the scene has another size now
+    }
     m_shown.selected = m_shown.picture.segment->scene.find(m_session.selected().toStdString());
     measureArrows(m_shown, m_session.isPlaying());
     if (!m_session.isPlaying())
@@ -127,9 +121,59 @@ void SceneView::refresh()
     viewport()->update();
 }
 
+void SceneView::takeMoment()
+{
+    m_shown.picture = m_session.picture();
+    m_shown.ghost = m_session.ghost();
+    if (m_shown.ghost && !differ(*m_shown.ghost, m_shown.picture))
+        m_shown.ghost.reset();
+    m_shown.ghostName = m_session.ghostName();
+    takePulls();
+    takeCaption();
+    takeReference();
+    takeCompanion();
+}
+
+void SceneView::takeCaption()
+{
+    m_shown.caption = frameCaption(m_session.shown());
+    if (m_session.isGlancing())
+        m_shown.caption = m_shown.caption.isEmpty()
+                              ? tr("Only a look: this is frame %1.").arg(m_session.shown().at().frame)
+                              : tr("Only a look. %1").arg(m_shown.caption);
+    else if (m_shown.caption.isEmpty())
+        m_shown.caption = m_session.note();
+}
+
+void SceneView::followGlance()
+{
+    const bool glances = m_session.isGlancing();
+    const bool wasElsewhere = m_place || m_shown.past;
+    if (!m_session.marked())
+        m_looksBack = false;
+    m_shown.past.reset();
+    if (!glances && !wasElsewhere)
+        return;
+    if (glances && m_looksBack) {
+        m_shown.past = m_session.picture();
+        takeCaption();
+        describe();
+        viewport()->update();
+        return;
+    }
+    if (glances && !m_place)
+        m_place = QPoint(horizontalScrollBar()->value(), verticalScrollBar()->value());
+    refresh();
+    if (glances || !m_place)
+        return;
+    horizontalScrollBar()->setValue(m_place->x());
+    verticalScrollBar()->setValue(m_place->y());
+    m_place.reset();
+}
+
 void SceneView::takePulls()
 {
-    const sim::Timeline &timeline = m_session.timeline();
+    const sim::Timeline &timeline = m_session.shown();
     m_shown.pullsAreAll = m_shown.extras.pulls && timeline.at().phase == 0;
     m_shown.gathered = m_shown.pullsAreAll ? sim::pullsNow(timeline.track()) : m_session.gathered();
     m_shown.clock =
@@ -211,7 +255,7 @@ void SceneView::attach(const AccuracyStudy &study)
 void SceneView::takeReference()
 {
     m_shown.reference.reset();
-    const sim::Cursor at = m_session.timeline().at();
+    const sim::Cursor at = m_session.shown().at();
     if (m_study && m_study->isWatched() && m_study->accuracy() && at.phase == 0)
         m_shown.reference = referencePlaces(m_shown, *m_study->accuracy(), at.frame);
     if (!m_shown.reference || !m_shown.extras.reference)

@@ -59,6 +59,8 @@ signals:
     void zoomChanged(double percent);
     /// A step shows other extras than the one before.
     void extrasChanged();
+    /// The mouse is on a body, or on none any more: then the name is empty.
+    void bodyPointedAt(const QString &body);
 
 protected:
     void drawBackground(QPainter *painter, const QRectF &rect) override;
@@ -80,6 +82,13 @@ private:
     void open();
     void refresh();
     void describe();
+    void followGlance();
+    void takeMoment();
+    void takeCaption();
+    /// The moment of the trail or the skins that the mouse is at is looked at: the figure stays, and what it was then is
+    /// drawn where it was.
+    void lookBack();
+    void pointAt(const QString &body);
     void takeExtrasOfStep();
     void takeOnion();
     void takePulls();
@@ -127,6 +136,9 @@ private:
     std::optional<QPointF> m_panFrom;
     std::optional<Ruler::End> m_ruled; ///< the end of the ruler that the pointer moves
     QPointF m_pointer{-1.0, -1.0};
+    QString m_pointed;             ///< the body that the mouse is on
+    bool m_looksBack = false;      ///< whether the moment that is looked at is that under the mouse
+    std::optional<QPoint> m_place; ///< what the scroll bars stood at before somebody looked elsewhere
 };
 
 }

@@ -51,6 +51,21 @@ double fastest(const Shown &shown)
 
 }
 
+std::vector<int> trailed(const Shown &shown)
+{
+    const std::deque<Trail::Mark> &marks = shown.trail.marks();
+    if (!shown.extras.trails || marks.size() < 2 || marks.back().position.rows() != shown.points())
+        return {};
+    std::vector<int> bodies, all;
+    for (int i = 0; i < shown.points(); ++i) {
+        if (shown.isBody(i))
+            bodies.push_back(i);
+        if (!shown.isHidden(i))
+            all.push_back(i);
+    }
+    return bodies.empty() ? all : bodies;
+}
+
 sim::Vec2 Shown::sumOnSelected() const
 {
     sim::Vec2 sum;

@@ -58,6 +58,7 @@ struct Shown
     QString name;    ///< who the figure is, where there are two; stands over its stage
     sim::Vec2 shift; ///< px: how far the picture is moved from where its points are
     Trail trail;
+    std::optional<Picture> past;   ///< the moment that the mouse points at in trail or skins
     std::vector<sim::State> onion; ///< earlier moments, the latest first; empty unless they are shown
     Extras extras;
     Ruler ruler;
@@ -88,6 +89,9 @@ struct Shown
     sim::Vec2 sumOnSelected() const;
     bool hasSum() const { return selected >= 0 && gathered.size() > 1; }
 };
+
+/// The points whose trail is drawn: the bodies, or all where there are none.
+std::vector<int> trailed(const Shown &shown);
 
 /// What the sum of the pulls is called.
 QString sumWords(const Shown &shown);

@@ -64,8 +64,12 @@ void TimelineStrip::mousePressEvent(QMouseEvent *event)
 void TimelineStrip::mouseMoveEvent(QMouseEvent *event)
 {
     if (!m_scrubbing) {
-        setHovered(m_phases.phaseAt(event->position()));
-        emit pointedAt(trackFrameAt(event->position()));
+        const int phase = m_phases.phaseAt(event->position());
+        setHovered(phase);
+        if (phase >= 0 && !m_session.isPlaying())
+            m_session.glance({frame(), m_position.phaseAfter(phase)});
+        else
+            emit pointedAt(trackFrameAt(event->position()));
         return;
     }
     const std::int64_t frame = m_axis.frameAt(event->position().x());
@@ -91,6 +95,23 @@ std::optional<std::int64_t> TimelineStrip::trackFrameAt(const QPointF &place) co
     if (!isOnTrack(place) || m_axis.frameAt(place.x()) > m_view.computed)
         return std::nullopt;
     return m_axis.frameAt(place.x());
+}
+
+int TimelineStrip::phaseBefore(sim::Cursor moment) const
+{
+    const int phase = moment.phase - 1 - m_position.step * m_position.phases;
+    return moment.frame == frame() && phase >= 0 && phase < m_position.phases ? phase : -1;
+}
+
+void TimelineStrip::showMarked()
+{
+    const std::optional<sim::Cursor> &moment = m_session.marked();
+    setPointed(moment && moment->phase == 0 ? std::optional(moment->frame) : std::nullopt);
+    const int phase = moment ? phaseBefore(*moment) : -1;
+    if (phase == m_marked)
+        return;
+    m_marked = phase;
+    update(0, TimelinePlaces::strip, width(), height() - TimelinePlaces::strip);
 }
 
 void TimelineStrip::setPointed(std::optional<std::int64_t> frame)

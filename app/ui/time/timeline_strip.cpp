@@ -37,6 +37,7 @@ TimelineStrip::TimelineStrip(Session &session, const Theme &theme, QWidget *pare
     connect(&session, &Session::runChanged, this, &TimelineStrip::refresh);
     connect(&session, &Session::playingChanged, this, &TimelineStrip::refresh);
     connect(&session, &Session::moved, this, &TimelineStrip::follow);
+    connect(&session, &Session::glanceChanged, this, &TimelineStrip::showMarked);
     connect(&theme, &Theme::changed, this, &TimelineStrip::refresh);
     startNew();
 }
@@ -61,7 +62,9 @@ void TimelineStrip::setForm(Form form)
 
 QString TimelineStrip::sentence() const
 {
-    return sentenceOf(m_session.timeline());
+    const QString stands = sentenceOf(m_session.timeline());
+    return m_session.isGlancing() ? tr("%1. Looking at: %2").arg(stands, sentenceOf(m_session.shown()))
+                                  : stands;
 }
 
 void TimelineStrip::startNew()
@@ -139,7 +142,7 @@ void TimelineStrip::paintEvent(QPaintEvent *event)
     if (m_pointed)
         paintPointed(painter, m_axis, *m_pointed, m_theme);
     if (m_form == Form::whole && event->region().intersects(stripArea(m_axis).toAlignedRect()))
-        m_phases.paint(painter, m_theme, m_view.playing, m_hovered);
+        m_phases.paint(painter, m_theme, m_view.playing, m_hovered < 0 ? m_marked : m_hovered);
     if (hasFocus() && m_byKeyboard) {
         constexpr double half = FocusRing::width / 2.0;
         painter.setPen(QPen(m_theme.tokens().ink, FocusRing::width));

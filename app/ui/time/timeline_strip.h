@@ -75,6 +75,9 @@ private:
     void showRuns(std::vector<int> branches, const QPoint &onScreen);
     QString hintOf(const Fork &fork) const;
     void setHovered(int phase);
+    void showMarked();
+    /// The phase of the strip after which a moment is; -1 for none.
+    int phaseBefore(sim::Cursor moment) const;
     /// The computed frame under a place; nothing where there is none.
     std::optional<std::int64_t> trackFrameAt(const QPointF &place) const;
     void runTo(int phase);
@@ -90,6 +93,7 @@ private:
     std::shared_ptr<const sim::Segment> m_segment; ///< whose phases are shown
     int m_hovered = -1;                            ///< the phase that the mouse is on
     std::optional<std::int64_t> m_pointed;         ///< the frame that it is on
+    int m_marked = -1;                             ///< the phase that is marked elsewhere
     Form m_form = Form::whole;
     int m_wheel = 0; ///< what is left of a notch
     bool m_scrubbing = false;

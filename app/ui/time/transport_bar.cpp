@@ -63,6 +63,7 @@ TransportBar::TransportBar(Session &session, const Theme &theme, QWidget *parent
     connect(m_frame, &FrameCounter::resized, this, &TransportBar::fit);
     connect(m_speed, &SpeedButton::chosen, &session, &Session::setSpeed);
     connect(&session, &Session::moved, this, &TransportBar::follow);
+    connect(&session, &Session::glanceChanged, this, &TransportBar::showFrame);
     connect(&session, &Session::runChanged, this, &TransportBar::refresh);
     connect(&session, &Session::stepOpened, this, &TransportBar::refresh);
     connect(&session, &Session::playingChanged, this, &TransportBar::refresh);
@@ -169,12 +170,31 @@ void TransportBar::showFrame()
     const Position position = positionOf(m_session.timeline());
     QString detail = progressOf(position);
     QString brief = shortProgressOf(position);
+    if (m_session.isGlancing()) {
+        showLook(position.frame);
+        return;
+    }
     if (const std::optional<std::int64_t> target = m_session.goingTo()) {
         detail = tr("going to %1… Esc stops").arg(*target);
         brief = tr("going to %1…").arg(*target);
     }
     const auto dotted = [](const QString &text) { return text.isEmpty() ? text : tr("· %1").arg(text); };
     m_frame->show(position.frame, dotted(detail), dotted(brief));
+}
+
+void TransportBar::showLook(std::int64_t stands)
+{
+    const Position look = positionOf(m_session.shown());
+    const QString full = look.isInside() ? tr("· looking: %1").arg(progressOf(look))
+                                         : tr("· looking at frame %1").arg(look.frame);
+    const QString brief =
+        look.isInside() ? tr("· %1").arg(shortProgressOf(look)) : tr("· at %1").arg(look.frame);
+    for (const QString &text : {full, brief, QString()}) {
+        m_frame->show(stands, text, text);
+        m_layout->invalidate();
+        if (m_layout->sizeHint().width() <= width())
+            return;
+    }
 }
 
 QString TransportBar::whyNoPast() const

@@ -60,6 +60,8 @@ private:
     void refresh();
     void follow();
     void showFrame();
+    /// What is looked at, in as many words as there is room for: no button moves for it.
+    void showLook(std::int64_t stands);
     void showButtons();
     void showRuns();
     void showPlay();

@@ -215,6 +215,8 @@ void MainWindow::showHelp()
         m_helpPage->addGesture(tr("Picture"), tr("Esc"), tr("let go"));
         m_helpPage->addGesture(tr("Time"), tr("Drag the timeline"), tr("go anywhere in time"));
         m_helpPage->addGesture(tr("Time"), tr("Click a phase"), tr("run to it"));
+        m_helpPage->addGesture(tr("Time"), tr("Point at timeline, phase, plot or trail"),
+                               tr("look at that moment; the run stays where it stands"));
         m_helpPage->addGesture(tr("Time"), tr("Alt and the underlined letter"),
                                tr("where a run has stopped by itself: use what mends it"));
         m_helpPage->addGesture(tr("Experiments"), tr("Drop a file on the window"), tr("open it"));
@@ -256,6 +258,9 @@ bool MainWindow::eventFilter(QObject *watched, QEvent *event)
 {
     if (takesDrop(watched, *event))
         return true;
+    if (event->type() == QEvent::MouseButtonPress || event->type() == QEvent::ShortcutOverride ||
+        event->type() == QEvent::KeyPress)
+        m_session.endGlance(); // whoever does something does it where the run stands
     if (event->type() == QEvent::ShortcutOverride) {
         const QWidget *focus = QApplication::focusWidget();
         if (focus && focus->window() == this && needsKey(focus, *static_cast<QKeyEvent *>(event))) {

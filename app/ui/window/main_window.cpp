@@ -142,7 +142,13 @@ void MainWindow::showStatus()
     const sim::Track &track = m_session.timeline().track();
     const sim::Cursor at = track.at();
     QString text;
-    if (!m_said.isEmpty()) {
+    if (m_session.isGlancing()) {
+        text = m_session.shown().at().phase > 0
+                   ? tr("A look inside frame %1. The run stays where it is.").arg(at.frame)
+                   : tr("A look at frame %1. The run stays at frame %2.")
+                         .arg(m_session.shown().at().frame)
+                         .arg(at.frame);
+    } else if (!m_said.isEmpty()) {
         text = m_said.toHtmlEscaped();
     } else if (m_session.stoppedBy() && !m_session.isPlaying()) {
         text = m_session.stoppedBy()->sentence.toHtmlEscaped();

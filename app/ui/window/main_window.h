@@ -161,7 +161,7 @@ private:
     void makeBranchActions();
     void makePlots();
     void makePlotsAction();
-    /// Where the mouse is in a plot, or on the timeline, is marked in all of them.
+    /// Where the mouse is in a plot, or on the timeline, is the moment that all show, as long as it is there.
     void joinCursors();
     void arrangePlots();
     bool hasRoomForPlots() const;

@@ -5,6 +5,7 @@
 #include "app/ui/measure/accuracy_panel.h"
 #include "app/ui/plots/plot_export.h"
 #include "app/ui/plots/plots_panel.h"
+#include "app/ui/scene/scene_view.h"
 #include "app/ui/time/timeline_strip.h"
 #include "app/ui/window/main_window.h"
 #include "app/ui/window/notice.h"
@@ -45,17 +46,24 @@ void MainWindow::makePlots()
 
 void MainWindow::joinCursors()
 {
-    const auto show = [this](std::optional<std::int64_t> frame) {
+    const auto point = [this](std::optional<std::int64_t> frame) {
+        frame ? m_session.glance({*frame, 0}) : m_session.endGlance();
+    };
+    connect(m_plots, &PlotsPanel::pointedAt, this, point);
+    connect(m_energy, &EnergyPanel::pointedAt, this, point);
+    connect(m_branches, &BranchesPanel::pointedAt, this, point);
+    connect(m_timeline, &TimelineStrip::pointedAt, this, point);
+    connect(m_scene, &SceneView::bodyPointedAt, m_plots, &PlotsPanel::setPointedBody);
+    connect(&m_session, &Session::glanceChanged, this, [this] {
+        const std::optional<sim::Cursor> &moment = m_session.marked();
+        // Inside a frame plots are no finer than the cursor that they have there already.
+        const bool isFrame = moment && moment->phase == 0;
+        const auto frame = isFrame ? std::optional(moment->frame) : std::nullopt;
         m_plots->setHovered(frame);
         m_energy->setHovered(frame);
         m_branches->setHovered(frame);
-        m_timeline->setPointed(frame);
-    };
-    connect(m_plots, &PlotsPanel::pointedAt, this, show);
-    connect(m_energy, &EnergyPanel::pointedAt, this, show);
-    connect(m_branches, &BranchesPanel::pointedAt, this, show);
-    connect(m_timeline, &TimelineStrip::pointedAt, this, show);
-    connect(&m_session, &Session::stepOpened, this, [show] { show(std::nullopt); });
+        showStatus();
+    });
 }
 
 void MainWindow::makePlotsAction()

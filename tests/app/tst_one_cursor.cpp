@@ -1,0 +1,395 @@
+// One cursor for picture, code, values, plots and timeline: where the mouse is in one of them is seen in all others.
+
+#include "window_bench.h"
+
+#include "app/ui/code/code_panel.h"
+#include "app/ui/code/code_view.h"
+#include "app/ui/energy/energy_panel.h"
+#include "app/ui/energy/energy_plot.h"
+#include "app/ui/panels/measure_row.h"
+#include "app/ui/plots/plot_card.h"
+#include "app/ui/plots/plots_panel.h"
+#include "app/ui/time/frame_counter.h"
+#include "app/ui/time/timeline_strip.h"
+
+#include <QAccessible>
+#include <QLabel>
+#include <QStatusBar>
+#include <QTemporaryDir>
+#include <QToolButton>
+#include <QtTest>
+
+using namespace app;
+
+namespace {
+
+constexpr std::int64_t stands = 60;
+
+/// The whole window on a run of 80 frames that stands at frame 60.
+struct Bench : window_bench::Bench
+{
+    explicit Bench(const char *lesson = "multi_foot", const char *step = "two_feet")
+        : window_bench::Bench(lesson, step)
+    {
+        window.resize(1920, 1080);
+        window.showEnergy(true);
+        goTo(80);
+        for (std::int64_t frame = stands - 15; frame <= stands; ++frame)
+            goTo(frame); // one after the other: they leave a trail
+        settle();
+        park();
+    }
+    void goTo(std::int64_t frame)
+    {
+        session.goTo({frame, 0});
+        QVERIFY(QTest::qWaitFor([&] { return !session.goingTo(); }));
+    }
+    void settle()
+    {
+        QVERIFY(
+            QTest::qWaitFor([&] { return window.plots().isSettled() && energy.course().last() >= stands; }));
+        QCoreApplication::processEvents();
+    }
+    void hover(QWidget &widget, QPointF place) { QTest::mouseMove(&widget, place.toPoint()); }
+    /// The mouse goes to where nothing is.
+    void park()
+    {
+        QTest::mouseMove(window.statusBar(), {3, 3});
+        QCoreApplication::processEvents();
+    }
+    QPointF onPlot(double frame) { return {plot().xAxis->coordToPixel(frame), plot().height() / 2.0}; }
+    QPointF onEnergy(double frame)
+    {
+        return {energy.plot().xAxis->coordToPixel(frame), energy.plot().height() / 2.0};
+    }
+    QPointF onTrack(std::int64_t frame) { return {timeline.axis().xOf(frame), 25.0}; }
+    QPointF onPhase(int phase)
+    {
+        for (int x = 0; x < timeline.width(); ++x) {
+            if (timeline.phases().phaseAt({double(x), TimelinePlaces::strip + 14.0}) == phase)
+                return {x + 8.0, TimelinePlaces::strip + 14.0};
+        }
+        qFatal("there is no phase %d", phase);
+    }
+    /// Scrolls to a line and says where it is.
+    QPointF onCode(const QString &part)
+    {
+        CodeView &lines = code.view();
+        for (std::size_t row = 0; row < lines.rows().size(); ++row) {
+            if (lines.rows()[row].kind != CodeRow::Kind::code || !lines.rows()[row].text.contains(part))
+                continue;
+            lines.ensureLineVisible(static_cast<int>(row));
+            return lines.rowRect(row).center();
+        }
+        qFatal("no line says %s", qPrintable(part));
+    }
+    QuantityPlot &plot() { return window.plots().cards().front()->plot(); }
+    QPointF places(std::int64_t frame, const char *body)
+    {
+        sim::Track track(session.timeline().script(), 0);
+        track.seek({frame, 0});
+        const sim::Vec2 at = track.now().at(track.shown().scene.find(body));
+        return {at.x, at.y};
+    }
+    QPointF shown(const char *body)
+    {
+        const Picture &picture = view.shown().picture;
+        const sim::Vec2 at = picture.state.at(picture.segment->scene.find(body));
+        return {at.x, at.y};
+    }
+    QString status() { return window.statusBar()->findChild<QLabel *>()->text(); }
+    QString spoken(QWidget &widget, QAccessible::Text kind)
+    {
+        return QAccessible::queryAccessibleInterface(&widget)->text(kind);
+    }
+
+    EnergyPanel &energy = *window.findChild<EnergyPanel *>();
+    TimelineStrip &timeline = *window.findChild<TimelineStrip *>();
+    CodePanel &code = *window.findChild<CodePanel *>();
+    FrameCounter &counter = *window.findChild<FrameCounter *>();
+};
+
+/// All that a learner sees and that a look must give back.
+struct Sight
+{
+    explicit Sight(Bench &bench)
+        : picture(bench.view.picture()), chips(bench.code.view().values()),
+          line(bench.code.view().firstVisibleLine()), status(bench.status()), counter(bench.counter.text()),
+          timeline(bench.timeline.grab().toImage()), plot(bench.plot().grab().toImage()),
+          code(bench.code.view().viewport()->grab().toImage())
+    {
+        for (const MeasureRow *row : bench.window.findChildren<MeasureRow *>())
+            numbers << row->number();
+        for (const EnergyLine &one : bench.energy.lines())
+            numbers << one.number;
+    }
+    friend bool operator==(const Sight &, const Sight &) = default;
+
+    QImage picture;
+    std::vector<CodeChip> chips;
+    int line;
+    QString status, counter;
+    QImage timeline, plot, code;
+    QStringList numbers;
+};
+
+}
+
+class TestOneCursor : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        QStandardPaths::setTestModeEnabled(true);
+        QCoreApplication::setOrganizationName("springstep-test");
+        QCoreApplication::setApplicationName("one_cursor");
+        QVERIFY(m_settings.isValid());
+        window_bench::keepSettingsIn(m_settings.path());
+    }
+
+    void whereTheMouseIsInAPlotOrOnTheTimelineIsShownEverywhere_data()
+    {
+        QTest::addColumn<int>("where");
+        QTest::newRow("a plot") << 0;
+        QTest::newRow("the plot of energy") << 1;
+        QTest::newRow("the timeline") << 2;
+    }
+    void whereTheMouseIsInAPlotOrOnTheTimelineIsShownEverywhere()
+    {
+        QFETCH(int, where);
+        Bench bench;
+        const Sight before(bench);
+        const std::pair<QWidget *, QPointF> targets[] = {{&bench.plot(), bench.onPlot(20.0)},
+                                                         {&bench.energy.plot(), bench.onEnergy(20.0)},
+                                                         {&bench.timeline, bench.onTrack(20)}};
+        bench.hover(*targets[where].first, targets[where].second);
+        QVERIFY(bench.session.isGlancing());
+        const std::int64_t frame = bench.session.shown().at().frame;
+        QVERIFY(std::abs(frame - 20) <= 1);
+        QVERIFY(QLineF(bench.shown("foot0"), bench.places(frame, "foot0")).length() < 1e-9);
+        QVERIFY(QLineF(bench.shown("foot0"), bench.places(stands, "foot0")).length() > 1e-3);
+        QCOMPARE(bench.plot().hovered(), frame);
+        QCOMPARE(bench.energy.plot().hovered(), frame);
+        QCOMPARE(bench.timeline.pointed(), frame);
+        QVERIFY(bench.code.view().values() != before.chips);
+        QVERIFY(Sight(bench).numbers != before.numbers);
+        const QString said = QString("frame %1").arg(frame);
+        QVERIFY2(bench.status().contains(said), qPrintable(bench.status()));
+        QVERIFY2(bench.view.caption().contains(said), qPrintable(bench.view.caption()));
+        QVERIFY2(bench.counter.text().contains(said), qPrintable(bench.counter.text()));
+        QVERIFY(bench.counter.text().contains("60"));
+        QCOMPARE(bench.session.timeline().at(), (sim::Cursor{stands, 0}));
+        bench.park();
+        const Sight after(bench);
+        QCOMPARE(after.picture, before.picture);
+        QCOMPARE(after.timeline, before.timeline);
+        QCOMPARE(after.plot, before.plot);
+        QCOMPARE(after.code, before.code);
+        QVERIFY(after == before);
+    }
+
+    void whoCannotSeeItHearsWhatIsLookedAt()
+    {
+        Bench bench;
+        bench.hover(bench.plot(), bench.onPlot(20.0));
+        const QString frame = QString("frame %1").arg(bench.session.shown().at().frame);
+        const auto says = [&](QWidget &widget, QAccessible::Text kind) {
+            const QString text = bench.spoken(widget, kind);
+            return text.contains(frame, Qt::CaseInsensitive) ? QString() : text;
+        };
+        QCOMPARE(says(bench.plot(), QAccessible::Value), QString());
+        QCOMPARE(says(bench.energy.plot(), QAccessible::Value), QString());
+        QCOMPARE(says(bench.timeline, QAccessible::Value), QString());
+        QCOMPARE(says(bench.view, QAccessible::Description), QString());
+        QCOMPARE(says(bench.counter, QAccessible::Name), QString());
+    }
+
+    void aPressGoesThere()
+    {
+        Bench bench;
+        bench.hover(bench.plot(), bench.onPlot(20.0));
+        QTest::mouseClick(&bench.plot(), Qt::LeftButton, {}, bench.onPlot(20.0).toPoint());
+        QVERIFY(!bench.session.isGlancing());
+        QCOMPARE(bench.session.timeline().at().frame, 20);
+        QVERIFY(QLineF(bench.shown("foot0"), bench.places(20, "foot0")).length() < 1e-9);
+    }
+
+    void aKeyCarriesABodyFromWhereTheRunStands()
+    {
+        Bench bench;
+        bench.session.select("foot0");
+        const QPointF from = bench.shown("foot0");
+        bench.hover(bench.plot(), bench.onPlot(20.0));
+        QVERIFY(bench.shown("foot0") != from);
+        bench.view.setFocus();
+        bench.press(Qt::Key_Right, Qt::AltModifier);
+        QVERIFY(!bench.session.isGlancing());
+        QVERIFY(QLineF(bench.shown("foot0"), from + QPointF(10.0, 0.0)).length() < 1e-9);
+        QCOMPARE(bench.session.timeline().at().frame, stands);
+    }
+
+    void theCursorThatKeysMoveTakesAllWithIt()
+    {
+        Bench bench;
+        bench.plot().setFocus();
+        QTest::keyClick(&bench.plot(), Qt::Key_Left);
+        QCOMPARE(bench.session.timeline().at().frame, stands - 1);
+        QVERIFY(QLineF(bench.shown("foot0"), bench.places(stands - 1, "foot0")).length() < 1e-9);
+        QCOMPARE(bench.timeline.frame(), stands - 1);
+        QVERIFY(bench.spoken(bench.plot(), QAccessible::Value).contains("frame 59"));
+    }
+
+    void aPhaseUnderTheMouseShowsWhatThereIsAfterIt()
+    {
+        Bench bench;
+        const Sight before(bench);
+        bench.hover(bench.timeline, bench.onPhase(1));
+        QVERIFY(bench.session.isGlancing());
+        QCOMPARE(bench.session.shown().at(), (sim::Cursor{stands, 2}));
+        QVERIFY2(bench.view.caption().contains("Inside frame 60"), qPrintable(bench.view.caption()));
+        QVERIFY(bench.code.view().values() != before.chips);
+        bench.park();
+        QVERIFY(Sight(bench) == before);
+        QCOMPARE(bench.session.timeline().at(), (sim::Cursor{stands, 0}));
+    }
+
+    void aLineOfCodeMarksItsPhaseAndShowsItInsideAFrameOnly()
+    {
+        Bench bench;
+        const QPointF line = bench.onCode("radialSpring(");
+        const QImage strip = bench.timeline.grab().toImage();
+        const std::vector<CodeChip> chips = bench.code.view().values();
+        bench.hover(*bench.code.view().viewport(), line);
+        QVERIFY(bench.session.marked() && !bench.session.isGlancing());
+        QCOMPARE(bench.session.marked()->frame, stands);
+        QVERIFY(!bench.plot().hovered()); // its cursor is there already
+        QVERIFY(bench.timeline.grab().toImage() != strip);
+        bench.park();
+        QCOMPARE(bench.timeline.grab().toImage(), strip);
+
+        bench.session.goTo({stands, 3});
+        QCoreApplication::processEvents();
+        const QPointF inside = bench.onCode("radialSpring(");
+        const Sight before(bench);
+        bench.hover(*bench.code.view().viewport(), inside);
+        QVERIFY(bench.session.isGlancing());
+        QCOMPARE(bench.session.shown().at().frame, stands);
+        QCOMPARE(bench.code.view().values(), before.chips); // what is under the mouse stays
+        bench.park();
+        QVERIFY(Sight(bench) == before);
+    }
+
+    void aTrailTellsWhenABodyWasThere()
+    {
+        Bench bench("walking_gait", "ground");
+        const auto &marks = bench.view.shown().trail.marks();
+        QVERIFY(marks.size() > 10);
+        const auto body = bench.view.shown().picture.segment->scene.find("body");
+        const Trail::Mark mark = marks[1];
+        const sim::State now = bench.view.shown().state();
+        const QImage before = bench.view.picture();
+        const QPointF there(mark.position(body, 0), mark.position(body, 1));
+        bench.hover(*bench.view.viewport(), bench.view.mapFromScene(there));
+        QCOMPARE(bench.session.marked(), (sim::Cursor{mark.frame, 0}));
+        QCOMPARE(bench.timeline.pointed(), mark.frame);
+        QCOMPARE(bench.plot().hovered(), mark.frame);
+        QVERIFY(sim::sameBits(bench.view.shown().state(), now)); // the figure stays under the hand
+        QVERIFY(bench.view.shown().past);
+        QCOMPARE(bench.view.shown().past->state.frame, mark.frame);
+        QVERIFY(bench.view.picture() != before);
+        bench.park();
+        QVERIFY(!bench.session.marked());
+        QCOMPARE(bench.view.picture(), before);
+    }
+
+    void noButtonMovesForALook_data()
+    {
+        QTest::addColumn<int>("width");
+        for (const int width : {1280, 1366, 1920})
+            QTest::addRow("%d px", width) << width;
+    }
+    void noButtonMovesForALook()
+    {
+        QFETCH(int, width);
+        Bench bench;
+        bench.window.resize(width, 900);
+        bench.settle();
+        const auto places = [&] {
+            QList<QRect> all;
+            for (const QWidget *one : bench.counter.parentWidget()->findChildren<QToolButton *>())
+                all << one->geometry();
+            return all;
+        };
+        const QList<QRect> before = places();
+        QVERIFY(before.size() > 5);
+        bench.hover(bench.timeline, bench.onTrack(20));
+        QVERIFY(bench.session.isGlancing());
+        QCoreApplication::processEvents();
+        QCOMPARE(places(), before);
+    }
+
+    void theCurvesOfTheBodyUnderTheMouseAreThicker()
+    {
+        Bench bench;
+        const QString body = bench.session.selected();
+        const QPointF at = bench.shown(qPrintable(body));
+        QVERIFY(!bench.plot().isThick());
+        bench.hover(*bench.view.viewport(), bench.view.mapFromScene(at));
+        QVERIFY(bench.plot().isThick());
+        QVERIFY(!bench.session.marked()); // it is where it is
+        bench.park();
+        QVERIFY(!bench.plot().isThick());
+    }
+
+    void whileTheRunPlaysTheMouseOnlyMarks()
+    {
+        Bench bench;
+        bench.session.play();
+        bench.hover(bench.plot(), bench.onPlot(20.0));
+        QCOMPARE(bench.plot().hovered(), bench.session.marked()->frame);
+        QVERIFY(!bench.session.isGlancing());
+        bench.session.pause();
+    }
+
+    void measures()
+    {
+        for (const int creatures : {1, 800}) {
+            Bench bench("walking_gait", "company");
+            bench.session.setParameter("creatures", creatures);
+            bench.goTo(600);
+            QTest::qWait(3000);
+            qWarning() << "points" << bench.session.timeline().now().points();
+            QList<double> times;
+            int shown = 0;
+            for (int i = 0; i < 60; ++i) {
+                QElapsedTimer clock;
+                clock.start();
+                bench.hover(bench.timeline, bench.onTrack((i * 37) % 600));
+                QCoreApplication::processEvents();
+                times << double(clock.nsecsElapsed()) / 1e6;
+                shown += bench.session.isGlancing();
+            }
+            std::sort(times.begin(), times.end());
+            qWarning() << creatures << "shown" << shown << "ms: least" << times[0] << "median" << times[30]
+                       << "most" << times[59] << times[58] << times[57];
+            times.clear();
+            for (int i = 0; i < 30; ++i) {
+                QElapsedTimer clock;
+                clock.start();
+                bench.session.goTo({(i * 37) % 600, 0});
+                QCoreApplication::processEvents();
+                times << double(clock.nsecsElapsed()) / 1e6;
+            }
+            std::sort(times.begin(), times.end());
+            qWarning() << "scrub: median" << times[15] << "most" << times[29];
+        }
+    }
+
+private:
+    QTemporaryDir m_settings;
+};
+
+QTEST_MAIN(TestOneCursor)
+#include "tst_one_cursor.moc"
