@@ -111,13 +111,28 @@ void doSomething(Timeline &timeline, Dice &dice)
         replaceSomething(timeline, dice);
 }
 
+void takeBackSomething(Timeline &timeline, Dice &dice)
+{
+    std::vector<Event> input = timeline.script().input;
+    if (!input.empty())
+        input.erase(input.begin() + dice.whole(0, int(input.size()) - 1));
+    timeline.replaceInput(std::move(input));
+}
+
+void startElsewhere(Timeline &timeline, Vec2 place)
+{
+    Script script = timeline.script();
+    script.bodies["body"] = {place, {}};
+    timeline.replace(std::move(script));
+}
+
 /// The same for rounds().
 void disturbRounds(Timeline &timeline, Dice &dice)
 {
     const Vec2 place = {double(dice.whole(50, 150)), double(dice.whole(150, 250))};
     const double what = dice.real(0, 1);
     if (what < 0.45)
-        timeline.seek({dice.whole(0, 200), dice.chance(0.8) ? 0 : dice.whole(0, 6)});
+        timeline.seek({dice.whole(0, dice.chance(0.7) ? 20 : 200), dice.chance(0.8) ? 0 : dice.whole(0, 6)});
     else if (what < 0.55)
         dice.chance(0.5) ? timeline.stepRow() : timeline.stepRowBack();
     else if (what < 0.65)
@@ -126,17 +141,12 @@ void disturbRounds(Timeline &timeline, Dice &dice)
         timeline.hand(Move{place});
     else if (what < 0.85)
         timeline.hand(Release{});
-    else if (what < 0.95)
+    else if (what < 0.92)
         dice.chance(0.5) ? timeline.set("k", dice.whole(1, 3)) : timeline.set("points", dice.whole(1, 4));
+    else if (what < 0.97)
+        takeBackSomething(timeline, dice);
     else
-        timeline.replace([&] {
-            Script script = timeline.script();
-            if (dice.chance(0.5) && !script.input.empty())
-                script.input.erase(script.input.begin() + dice.whole(0, int(script.input.size()) - 1));
-            else
-                script.bodies["body"] = {place, {}};
-            return script;
-        }());
+        startElsewhere(timeline, place);
 }
 
 }
