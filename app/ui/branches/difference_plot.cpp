@@ -135,6 +135,12 @@ void DifferencePlot::paintHovered(QPainter &painter, std::int64_t frame) const
              tr("frame %1: %2\u2009px apart").arg(there->frame).arg(roughNumber(there->distance)));
 }
 
+PlotPicture DifferencePlot::picture()
+{
+    return {tr("%1, px").arg(accessibleName()), accessibleName(), size(),
+            [this](QCPPainter &painter) { paintPicture(painter); }};
+}
+
 QString DifferencePlot::sentence() const
 {
     const std::int64_t frame = m_session.timeline().at().frame;
