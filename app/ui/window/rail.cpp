@@ -22,7 +22,7 @@ constexpr const char *ending =
 
 void MainWindow::makeRailAction()
 {
-    m_railAction = action(tr("Lessons as a narrow stri&p"), {QKeySequence("Ctrl+Shift+1")}, tr("Window"));
+    m_railAction = action(tr("Lessons &as a narrow strip"), {QKeySequence("Ctrl+Shift+1")}, tr("Window"));
     m_railAction->setObjectName("lessonRail");
     m_railAction->setToolTip(tr("The marks of the lessons alone, and more room for the rest (Ctrl+Shift+1)"));
     m_railAction->setCheckable(true);
