@@ -1135,6 +1135,21 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     </message>
 </context>
 <context>
+    <name>DifferenceTable</name>
+    <message>
+        <source>frame</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>distance [px]</source>
+        <translation>Abstand [px]</translation>
+    </message>
+    <message>
+        <source>body</source>
+        <translation>Körper</translation>
+    </message>
+</context>
+<context>
     <name>DifferenceWords</name>
     <message>
         <source>The other run is being computed again…</source>
@@ -1758,6 +1773,17 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     <message>
         <source>%1&#x202f;px</source>
         <translation>%1&#x202f;px</translation>
+    </message>
+</context>
+<context>
+    <name>GrowthTable</name>
+    <message>
+        <source>step [frames]</source>
+        <translation>Schritt [Bilder]</translation>
+    </message>
+    <message>
+        <source>growth [a frame]</source>
+        <translation>Wachstum [je Bild]</translation>
     </message>
 </context>
 <context>
@@ -3278,6 +3304,10 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <source>%1: %2&#x2009;px at frame %3</source>
         <translation>%1: %2&#x2009;px in Bild %3</translation>
     </message>
+    <message>
+        <source>%1, px</source>
+        <translation>%1, px</translation>
+    </message>
 </context>
 <context>
     <name>app::EffectHeads</name>
@@ -3851,6 +3881,14 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <source>%1 of %2 steps</source>
         <translation>%1 von %2 Schritten</translation>
     </message>
+    <message>
+        <source>Fold the lessons to a narrow strip (Ctrl+Shift+1)</source>
+        <translation>Die Lektionen zu einem schmalen Streifen falten (Strg+Umschalt+1)</translation>
+    </message>
+    <message>
+        <source>Fold the lessons to a narrow strip</source>
+        <translation>Die Lektionen zu einem schmalen Streifen falten</translation>
+    </message>
 </context>
 <context>
     <name>app::LessonList</name>
@@ -3896,6 +3934,25 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>%1: what you learnt</source>
         <translation>%1: was du gelernt hast</translation>
+    </message>
+</context>
+<context>
+    <name>app::LessonRail</name>
+    <message>
+        <source>Show the lessons with their texts</source>
+        <translation>Die Lektionen mit ihren Texten zeigen</translation>
+    </message>
+    <message>
+        <source>Show the lessons with their texts (Ctrl+Shift+1)</source>
+        <translation>Die Lektionen mit ihren Texten zeigen (Strg+Umschalt+1)</translation>
+    </message>
+    <message>
+        <source>Previous step</source>
+        <translation>Vorheriger Schritt</translation>
+    </message>
+    <message>
+        <source>Next step</source>
+        <translation>Nächster Schritt</translation>
     </message>
 </context>
 <context>
@@ -4035,10 +4092,6 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>&amp;Code and parameters</source>
         <translation>&amp;Code und Parameter</translation>
-    </message>
-    <message>
-        <source>Where energy and momentum went, below the picture (Ctrl+3)</source>
-        <translation>Wohin Energie und Impuls gingen, unter der Szene (Strg+3)</translation>
     </message>
     <message>
         <source>What each effect of the scene costs, with a switch for each (Ctrl+4)</source>
@@ -4483,10 +4536,6 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>Less mo&amp;vement</source>
         <translation>&amp;Weniger Bewegung</translation>
-    </message>
-    <message>
-        <source>Panels come and go at once; only the scene moves</source>
-        <translation>Leisten kommen und gehen sofort; nur die Szene bewegt sich</translation>
     </message>
     <message>
         <source>&amp;High contrast</source>
@@ -5018,6 +5067,22 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>A look at frame %1. The run stays at frame %2.</source>
         <translation>Ein Blick auf Bild %1. Der Lauf bleibt bei Bild %2.</translation>
+    </message>
+    <message>
+        <source>Where energy and momentum went (Ctrl+3)</source>
+        <translation>Wohin Energie und Impuls gingen (Strg+3)</translation>
+    </message>
+    <message>
+        <source>Panels and menus come and go at once, wind is drawn still; only what is computed moves</source>
+        <translation>Leisten und Menüs kommen und gehen sofort, Wind wird als Standbild gezeichnet; nur was berechnet wird, bewegt sich</translation>
+    </message>
+    <message>
+        <source>Lessons &amp;as a narrow strip</source>
+        <translation>Lektionen &amp;als schmaler Streifen</translation>
+    </message>
+    <message>
+        <source>The marks of the lessons alone, and more room for the rest (Ctrl+Shift+1)</source>
+        <translation>Nur die Zeichen der Lektionen, und mehr Platz für den Rest (Strg+Umschalt+1)</translation>
     </message>
 </context>
 <context>

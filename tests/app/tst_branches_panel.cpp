@@ -4,6 +4,7 @@
 #include "app/ui/branches/branches_panel.h"
 #include "app/ui/branches/difference_plot.h"
 #include "app/ui/energy/energy_panel.h"
+#include "app/ui/plots/plot_export.h"
 #include "app/ui/time/name_field.h"
 #include "app/ui/time/runs_menu.h"
 #include "app/ui/time/timeline_strip.h"
@@ -19,8 +20,11 @@
 #include <QDockWidget>
 #include <QLineEdit>
 #include <QScreen>
+#include <QTemporaryDir>
 #include <QToolButton>
 #include <QtTest>
+
+#include <cmath>
 
 using namespace app;
 
@@ -241,6 +245,38 @@ private slots:
         QTRY_VERIFY(bench.panel().sentence().startsWith("No difference up to frame 80"));
         QTest::keyClick(&bench.window, Qt::Key_B, Qt::ControlModifier | Qt::ShiftModifier);
         QVERIFY(!bench.panel().isVisible());
+    }
+
+    void theDifferenceIsSavedAsPictureAndNumbers()
+    {
+        Bench bench;
+        bench.window.showBranches(true);
+        PlotExport &exports = bench.panel().exports();
+        QSignalSpy said(&exports, &PlotExport::said);
+        QSignalSpy failed(&exports, &PlotExport::failed);
+        const QTemporaryDir folder;
+        exports.saveNumbers(folder.filePath("none.csv")); // nothing is compared yet
+        QCOMPARE(failed.count(), 1);
+        bench.fork(100, 60, 0.75);
+        QVERIFY(!QFile::exists(folder.filePath("none.csv")));
+        bench.session().goTo({90, 0});
+        QTRY_COMPARE(bench.panel().course().samples().size(), std::size_t(31));
+        for (const char *name : {"a.png", "a.svg", "a.pdf"})
+            QVERIFY(exports.savePicture(folder.filePath(name)) &&
+                    QFileInfo(folder.filePath(name)).size() > 2000);
+        exports.saveNumbers(folder.filePath("a.csv"));
+        QCOMPARE(said.count(), 4);
+        QFile file(folder.filePath("a.csv"));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QStringList lines = QString::fromUtf8(file.readAll()).trimmed().split('\n');
+        QCOMPARE(lines.size(), 32);
+        QCOMPARE(lines[0], QString("\"frame\",\"distance [px]\",\"body\""));
+        const sim::State now = bench.session().timeline().track().stateAt(90);
+        const sim::State before = bench.session().timeline().ghost()->stateAt(90);
+        const QStringList last = lines[31].split(',');
+        QCOMPARE(last[0].toInt(), 90);
+        QCOMPARE(last[1].toDouble(), std::hypot(now.at(0).x - before.at(0).x, now.at(0).y - before.at(0).y));
+        QCOMPARE(last[2], QString("\"foot\""));
     }
 
     void aPressInThePlotGoesToItsFrame()

@@ -448,7 +448,9 @@ private slots:
         action->trigger();
         QVERIFY(!energy->isVisible());
         window.setMode(MainWindow::Mode::measure);
-        QVERIFY(!energy->isVisible());
+        QVERIFY(energy->visibleRegion().isEmpty()); // a tab behind accuracy
+        QTest::keyClick(&window, Qt::Key_3, Qt::ControlModifier);
+        QTRY_VERIFY(!energy->visibleRegion().isEmpty());
         window.setMode(MainWindow::Mode::learn);
         window.resize(1920, 1080);
         window.setMode(MainWindow::Mode::measure);

@@ -1,9 +1,13 @@
 // The map of growth, in the window, driven as a learner drives it.
 
+#include "app/ui/plots/plot_export.h"
 #include "stability_panel_bench.h"
 
 #include <QAccessible>
+#include <QImage>
 #include <QLabel>
+#include <QMenu>
+#include <QTemporaryDir>
 
 using namespace app;
 
@@ -36,6 +40,7 @@ private slots:
     void whereThereIsNoMapItSaysSo_data();
     void whereThereIsNoMapItSaysSo();
     void theWindowMayCloseWhileTheMapIsOpen();
+    void theMapIsSavedAsPictureAndNumbers();
 };
 
 void GrowthMapTest::initTestCase()
@@ -233,6 +238,41 @@ void GrowthMapTest::theWindowMayCloseWhileTheMapIsOpen()
     bench.window.close();
     QCoreApplication::processEvents();
     QVERIFY(!bench.window.stability().isMapping());
+}
+
+void GrowthMapTest::theMapIsSavedAsPictureAndNumbers()
+{
+    StabilityPanelBench bench;
+    auto *menu = bench.panel.findChild<QToolButton *>("plotMenu");
+    QVERIFY(!menu->isVisible()); // there is no map yet
+    GrowthPlot &plot = openMap(bench, 0);
+    QVERIFY(menu->isVisible());
+    QCOMPARE(menu->menu()->actions().size(), 3);
+    const QTemporaryDir folder;
+    const std::pair<const char *, const char *> forms[] = {
+        {"a.png", "\x89PNG"}, {"a.svg", "<?xml"}, {"a.pdf", "%PDF"}};
+    for (const auto &[name, begins] : forms) {
+        QVERIFY(bench.panel.exports().savePicture(folder.filePath(name)));
+        QFile file(folder.filePath(name));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QVERIFY2(file.readAll().startsWith(begins), name);
+    }
+    QImage image(folder.filePath("a.png"));
+    QCOMPARE(image.width(), 2 * plot.width()); // twice as sharp as the screen
+    const QPointF grown = 2.0 * plot.onScreen({9.0, 0.9, 2.0}) + QPointF(0.0, 2.0 * 32.0);
+    QVERIFY(isNear(image.pixelColor(grown.toPoint()), colourAt(plot, plot.onScreen({9.0, 0.9, 2.0}))));
+    bench.panel.exports().saveNumbers(folder.filePath("a.csv"));
+    QFile file(folder.filePath("a.csv"));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QStringList lines = QString::fromUtf8(file.readAll()).trimmed().split('\n');
+    const sim::GrowthMap &map = *bench.window.stability().map();
+    QCOMPARE(lines[0], QString("\"k\",\"step [frames]\",\"growth [a frame]\""));
+    QCOMPARE(lines.size(), qsizetype(1 + map.x.values.size() * map.y.values.size()));
+    const std::size_t column = map.x.values.size() - 1, row = 2;
+    const QStringList place = lines[qsizetype(1 + row * map.x.values.size() + column)].split(',');
+    QCOMPARE(place[0].toDouble(), map.x.values[column]);
+    QCOMPARE(place[1].toDouble(), map.y.values[row]);
+    QCOMPARE(place[2].toDouble(), map.at(column, row));
 }
 
 QTEST_MAIN(GrowthMapTest)

@@ -1,9 +1,12 @@
 // The whole window without a mouse, and how the learner wants it to look.
 
 #include "app/model/session.h"
+#include "app/ui/panels/learn_panel.h"
+#include "app/ui/panels/parameter_panel.h"
 #include "app/ui/scene/scene_view.h"
 #include "app/ui/window/appearance.h"
 #include "app/ui/window/main_window.h"
+#include "app/ui/window/notice.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
@@ -141,7 +144,8 @@ private slots:
     void textHasItsContrast();
     void theSizeChosenHoldsFromTheNextStartOn();
     void whatThePictureShowsIsRemembered();
-    void lessMotionStopsThePanels();
+    void lessMotionStopsWhatOnlyDecorates();
+    void escapeClosesANoticeFromWithinAFieldThatHasNoUseForIt();
 
 private:
     QTemporaryDir m_folder;
@@ -227,29 +231,34 @@ void KeyboardTest::theSceneAloneIsOneKeyAwayAndBack()
 void KeyboardTest::panelsGiveWayOnASmallScreen_data()
 {
     QTest::addColumn<QSize>("room");
-    QTest::addColumn<bool>("lessons");
+    QTest::addColumn<bool>("rail");
     QTest::addColumn<bool>("code");
-    QTest::newRow("1920 x 1080") << QSize(1920, 1080) << true << true;
-    QTest::newRow("1280 x 800") << QSize(1280, 800) << true << true;
-    QTest::newRow("1920 x 1080 at 200 %") << QSize(960, 540) << false << true;
-    QTest::newRow("1280 x 800 at 150 %") << QSize(853, 533) << false << true;
-    QTest::newRow("as small as can be") << QSize(800, 500) << false << true;
+    QTest::newRow("1920 x 1080") << QSize(1920, 1080) << false << true;
+    QTest::newRow("1280 x 800") << QSize(1280, 800) << false << true;
+    QTest::newRow("1920 x 1080 at 200 %") << QSize(960, 540) << true << true;
+    QTest::newRow("1280 x 800 at 150 %") << QSize(853, 533) << true << true;
+    QTest::newRow("as small as can be") << QSize(800, 500) << true << true;
 }
 
 void KeyboardTest::panelsGiveWayOnASmallScreen()
 {
     QFETCH(const QSize, room);
-    QFETCH(const bool, lessons);
+    QFETCH(const bool, rail);
     QFETCH(const bool, code);
     Bench bench;
+    const auto isRail = [&bench] {
+        return bench.window.findChild<LearnPanel *>()->form() == LearnPanel::Form::rail;
+    };
     bench.window.fitInto(room);
     QCoreApplication::processEvents();
-    QCOMPARE(bench.docksSeen().contains("lessons"), lessons);
+    QCOMPARE(isRail(), rail);
     QCOMPARE(bench.docksSeen().contains("code"), code);
     QVERIFY2(bench.window.width() <= room.width() && bench.window.height() <= room.height(),
              qPrintable(QString("%1 x %2").arg(bench.window.width()).arg(bench.window.height())));
-    QTest::keyClick(&bench.window, Qt::Key_1, Qt::ControlModifier); // and comes back when asked for
-    QCOMPARE(bench.docksSeen().contains("lessons"), !lessons);
+    QTest::keyClick(&bench.window, Qt::Key_1,
+                    Qt::ControlModifier | Qt::ShiftModifier); // comes back when asked for
+    QTest::qWait(20);
+    QCOMPARE(isRail(), !rail);
 }
 
 void KeyboardTest::theColoursChosenAreThereAtTheNextStart_data()
@@ -360,16 +369,64 @@ void KeyboardTest::whatThePictureShowsIsRemembered()
     QVERIFY(again.window.findChild<SceneView *>()->extras().trails);
 }
 
-void KeyboardTest::lessMotionStopsThePanels()
+void KeyboardTest::lessMotionStopsWhatOnlyDecorates()
 {
+    // A piece of the picture with nothing in it but wind, at one moment and ten frames later.
+    const auto moves = [](Bench &bench) {
+        auto *view = bench.window.findChild<SceneView *>();
+        QTest::mousePress(view->viewport(), Qt::LeftButton, {}, {150, 300});
+        bench.session.goTo({bench.session.timeline().at().frame + 1, 0});
+        const auto look = [view] { return view->viewport()->grab(QRect(0, 150, 260, 300)).toImage(); };
+        const QImage before = look();
+        bench.session.goTo({bench.session.timeline().at().frame + 10, 0});
+        const bool differs = look() != before;
+        QTest::mouseRelease(view->viewport(), Qt::LeftButton, {}, {150, 300});
+        return differs;
+    };
     {
-        const Bench bench;
+        Bench bench("swaying_tree", "wind");
         QVERIFY(bench.window.isAnimated());
+        QVERIFY(moves(bench));
         bench.action("lessMotion")->trigger();
         QVERIFY(!bench.window.isAnimated());
+        QVERIFY(!QApplication::isEffectEnabled(Qt::UI_AnimateMenu));
+        QVERIFY(!moves(bench));
     }
-    const Bench again;
+    Bench again("swaying_tree", "wind");
     QVERIFY(!again.window.isAnimated());
+    QVERIFY(!moves(again));
+    again.action("lessMotion")->trigger();
+    QVERIFY(moves(again));
+}
+
+void KeyboardTest::escapeClosesANoticeFromWithinAFieldThatHasNoUseForIt()
+{
+    Bench bench;
+    auto *notice = bench.window.findChild<Notice *>();
+    bench.window.openFile("/no/such/file.json");
+    QVERIFY(notice->isVisible());
+    QLineEdit *stop = nullptr; // "Stop when", below the code
+    for (QLineEdit *one : bench.window.findChildren<QLineEdit *>()) {
+        if (one->isVisible() && !qobject_cast<QAbstractSpinBox *>(one->parentWidget()))
+            stop = one;
+    }
+    QVERIFY(stop);
+    stop->setFocus();
+    QTest::keyClicks(stop, "frame");
+    QTest::keyClick(stop, Qt::Key_Escape);
+    QVERIFY(!notice->isVisible());
+    QCOMPARE(stop->text(), QString("frame"));
+    bench.window.openFile("/no/such/file.json");
+    auto *number = bench.window.findChild<ParameterPanel *>()->findChild<QAbstractSpinBox *>();
+    const QString before = number->text();
+    number->setFocus();
+    number->selectAll();
+    QTest::keyClicks(number, "7");
+    QTest::keyClick(number, Qt::Key_Escape); // first of all the number
+    QCOMPARE(number->text(), before);
+    QVERIFY(notice->isVisible());
+    QTest::keyClick(number, Qt::Key_Escape);
+    QVERIFY(!notice->isVisible());
 }
 
 QTEST_MAIN(KeyboardTest)

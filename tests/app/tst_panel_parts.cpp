@@ -4,6 +4,7 @@
 #include "app/ui/panels/help_page.h"
 #include "app/ui/panels/key_caps.h"
 #include "app/ui/panels/learn_panel.h"
+#include "app/ui/panels/progress_line.h"
 #include "app/ui/panels/step_button.h"
 #include "panels_bench.h"
 
@@ -28,6 +29,7 @@ private slots:
     void escapeClosesTheHelpPage();
     void aDockTitleIsAsHighAsItsDockExpects();
     void tabPutsARingRoundAControl();
+    void aProgressLinePaintsOnlyWithAllElse();
 };
 
 void PanelPartsTest::theHelpPageListsEveryActionThatHasAShortcut()
@@ -103,6 +105,43 @@ void PanelPartsTest::tabPutsARingRoundAControl()
     QTest::mousePress(back, Qt::LeftButton); // a mouse needs no ring
     QVERIFY(!ring());
     QTest::mouseRelease(back, Qt::LeftButton, {}, {-50, -50});
+}
+
+namespace {
+
+/// Counts how often a widget is painted.
+class Paints : public QObject
+{
+public:
+    explicit Paints(QWidget &widget) { widget.installEventFilter(this); }
+    int count = 0;
+
+protected:
+    bool eventFilter(QObject *, QEvent *event) override
+    {
+        count += event->type() == QEvent::Paint ? 1 : 0;
+        return false;
+    }
+};
+
+}
+
+void PanelPartsTest::aProgressLinePaintsOnlyWithAllElse()
+{
+    QWidget page;
+    ProgressLine line("How far it is", &page);
+    line.setGeometry(10, 10, 200, 6);
+    show(page, {300, 100});
+    Paints paints(line);
+    line.setShare(0.25);
+    line.setShare(0.5);
+    QCOMPARE(paints.count, 0); // not in the middle of a change
+    QTRY_COMPARE(paints.count, 1);
+    QCOMPARE(line.value(), 50);
+    QCOMPARE(line.accessibleName(), QString("How far it is"));
+    line.setShare(0.5);
+    QTest::qWait(20);
+    QCOMPARE(paints.count, 1); // nothing is new
 }
 
 QTEST_MAIN(PanelPartsTest)

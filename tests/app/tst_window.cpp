@@ -365,8 +365,8 @@ void WindowTest::theModesArrangeTheWindowAndBack()
     QTest::keyClick(&bench.view, Qt::Key_F6);
     QTRY_VERIFY(dock("accuracy")->isVisible());
     QVERIFY(bench.window.study().isWatched());
-    QCOMPARE(dock("lessons")->isVisible(), lessonsStay);
-    QCOMPARE(dock("code")->isVisible(), lessonsStay);
+    QTRY_COMPARE(dock("lessons")->width() > 44, lessonsStay); // else they are a rail
+    QCOMPARE(!dock("code")->visibleRegion().isEmpty(), lessonsStay); // else a tab behind accuracy
     QVERIFY(dock("parameters")->isVisible());
     QVERIFY(bench.view.width() >= 480);
     QTRY_VERIFY(dock("accuracy")->width() >= 540);

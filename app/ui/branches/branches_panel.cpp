@@ -1,9 +1,11 @@
 #include "app/ui/branches/branches_panel.h"
 
+#include "app/model/difference_table.h"
 #include "app/model/difference_words.h"
 #include "app/model/sentences.h"
 #include "app/ui/branches/difference_plot.h"
 #include "app/ui/panels/panel_title.h"
+#include "app/ui/plots/plot_export.h"
 #include "app/ui/time/runs_menu.h"
 
 #include <QButtonGroup>
@@ -22,11 +24,16 @@ constexpr int refreshMilliseconds = 100; ///< while playing: numbers that change
 BranchesPanel::BranchesPanel(Session &session, const Theme &theme, QWidget *parent)
     : QWidget(parent), m_session(session), m_theme(theme), m_course(session),
       m_title(new PanelTitle(tr("Two runs"), PanelTitle::CaptionPlace::besideTitle, theme, this)),
-      m_plot(new DifferencePlot(session, m_course, theme, this)), m_runs(new RunsMenu(session, theme, this))
+      m_plot(new DifferencePlot(session, m_course, theme, this)),
+      m_export(new PlotExport([this] { return m_plot->picture(); }, theme, this)),
+      m_runs(new RunsMenu(session, theme, this))
 {
     setObjectName("panel");
     setAttribute(Qt::WA_StyledBackground);
+    m_export->setNumbersAsText([this] { return differenceTable(m_course); });
+    m_export->addContextMenu(*m_plot);
     m_title->addAction(tabs());
+    m_title->addAction(m_export->makeButton(this));
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 4);
     column->setSpacing(0);

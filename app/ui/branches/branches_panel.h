@@ -13,6 +13,7 @@ namespace app {
 
 class DifferencePlot;
 class PanelTitle;
+class PlotExport;
 class RunsMenu;
 
 /// Two runs compared: how far a body is in the one from where it is in the other, over time, and the largest of it. Looks
@@ -28,6 +29,7 @@ public:
     void setCovered(bool covered);
     const DifferenceCourse &course() const { return m_course; }
     DifferencePlot &plot() const { return *m_plot; }
+    PlotExport &exports() const { return *m_export; }
     /// The largest difference and where it is, or why there is none.
     QString sentence() const;
     /// Of which body.
@@ -64,6 +66,7 @@ private:
     DifferenceCourse m_course;
     PanelTitle *m_title;
     DifferencePlot *m_plot;
+    PlotExport *m_export;
     QLabel *m_sentence = nullptr;
     QToolButton *m_farthest = nullptr;
     QToolButton *m_selected = nullptr;

@@ -141,6 +141,12 @@ QString DifferencePlot::hoveredText(std::int64_t frame) const
                  : QString();
 }
 
+PlotPicture DifferencePlot::picture()
+{
+    return {tr("%1, px").arg(accessibleName()), accessibleName(), size(),
+            [this](QCPPainter &painter) { paintPicture(painter); }};
+}
+
 QString DifferencePlot::sentence() const
 {
     const std::int64_t frame = m_session.timeline().at().frame;

@@ -2,6 +2,7 @@
 
 #include "app/model/difference_course.h"
 #include "app/ui/plots/cursor_plot.h"
+#include "app/ui/plots/plot_export.h"
 
 namespace app {
 
@@ -18,6 +19,7 @@ public:
     void refresh();
     std::optional<std::int64_t> frameAt(QPointF place) const override;
     QString sentence() const override;
+    PlotPicture picture();
 
     QSize minimumSizeHint() const override { return {140, 110}; }
     QSize sizeHint() const override { return {480, 220}; }

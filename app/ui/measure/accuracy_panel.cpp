@@ -5,12 +5,12 @@
 #include "app/ui/measure/run_plot.h"
 #include "app/ui/measure/work_precision_plot.h"
 #include "app/ui/panels/panel_title.h"
+#include "app/ui/panels/progress_line.h"
 #include "app/ui/plots/plot_export.h"
 
 #include <QButtonGroup>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QStackedWidget>
@@ -125,12 +125,8 @@ QWidget *AccuracyPanel::stateRow()
     m_state = new QLabel(row);
     m_state->setObjectName("caption");
     m_state->setWordWrap(true);
-    m_progress = new QProgressBar(row);
-    m_progress->setRange(0, 100);
-    m_progress->setTextVisible(false);
-    m_progress->setFixedHeight(6);
+    m_progress = new ProgressLine(tr("How far the measurement is"), row);
     m_progress->setMaximumWidth(160);
-    m_progress->setAccessibleName(tr("How far the measurement is"));
     m_measure = new QPushButton(row);
     m_measure->setObjectName("measure");
     m_measure->setAutoDefault(false);
@@ -234,7 +230,7 @@ void AccuracyPanel::refreshState()
     using Stage = AccuracyStudy::Stage;
     const bool measuring = m_study.stage() == Stage::measuring;
     m_progress->setVisible(measuring);
-    m_progress->setValue(qRound(100.0 * m_study.done()));
+    m_progress->setShare(m_study.done());
     m_measure->setText(measuring ? tr("Cancel") : m_study.accuracy() ? tr("Measure again") : tr("Measure"));
     m_measure->setToolTip(measuring ? tr("Stop; what was measured until now stays")
                                     : tr("Compute the scene with every method, and time it"));

@@ -6,7 +6,6 @@
 #include <QWidget>
 
 class QLabel;
-class QProgressBar;
 class QPushButton;
 class QScrollArea;
 class QStackedWidget;
@@ -17,6 +16,7 @@ namespace app {
 class OrderPlot;
 class PanelTitle;
 class PlotExport;
+class ProgressLine;
 class RunPlot;
 class WorkPrecisionPlot;
 
@@ -68,7 +68,7 @@ private:
     WorkPrecisionPlot *m_workPrecision;
     std::vector<QToolButton *> m_tabs;
     QLabel *m_state;
-    QProgressBar *m_progress;
+    ProgressLine *m_progress;
     QPushButton *m_measure;
     QLabel *m_verdict;
     QPushButton *m_use;

@@ -3,6 +3,7 @@
 #include "app/ui/panels/lesson_delegate.h"
 #include "app/ui/panels/lesson_list.h"
 #include "app/ui/panels/lesson_model.h"
+#include "app/ui/panels/lesson_rail.h"
 #include "app/ui/panels/narration.h"
 #include "app/ui/panels/panel_title.h"
 #include "app/ui/panels/summary_page.h"
@@ -10,6 +11,7 @@
 
 #include <QEvent>
 #include <QFrame>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -18,7 +20,9 @@ namespace app {
 
 namespace {
 
-constexpr int leastRows = 4; ///< of the list that stay while the text wants more: the open step among them
+constexpr int leastRows = 4;   ///< of the list that stay while the text wants more: the open step among them
+constexpr int lowWindow = 740; ///< px; up to here they are as few as
+constexpr int lowRows = 2;     ///< these
 constexpr int summaryHeight = 400; ///< px, that a summary would like to have; it scrolls
 constexpr int topMargin = 4;
 constexpr int listMargin = 8;
@@ -26,34 +30,77 @@ constexpr int listMargin = 8;
 }
 
 LearnPanel::LearnPanel(Session &session, const Theme &theme, QWidget *parent)
-    : QWidget(parent), m_session(session), m_glossary(session.library()),
+    : QWidget(parent), m_session(session), m_theme(theme), m_glossary(session.library()),
       m_title(new PanelTitle(tr("Lessons"), PanelTitle::CaptionPlace::right, theme, this)),
       m_list(new LessonList(session, theme, this)),
       m_narration(new Narration(session, m_glossary, theme, this)),
-      m_summary(new SummaryPage(session, theme, this)), m_card(new WordCard(m_glossary, theme, this))
+      m_summary(new SummaryPage(session, theme, this)), m_rail(new LessonRail(theme, this)),
+      m_divider(new QFrame(this)), m_card(new WordCard(m_glossary, theme, this))
 {
     setObjectName("panel");
     setAttribute(Qt::WA_StyledBackground);
-    auto *divider = new QFrame(this);
-    divider->setObjectName("divider");
-    divider->setFixedHeight(1);
+    m_divider->setObjectName("divider");
+    m_divider->setFixedHeight(1);
+    m_title->addAction(foldButton());
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, topMargin, 0, 0);
     column->setSpacing(0);
     column->setSizeConstraint(QLayout::SetNoConstraint); // the list's height follows the panel's
     column->addWidget(m_title);
+    column->addWidget(&m_rail->head());
     column->addWidget(m_list);
     column->addSpacing(listMargin);
-    column->addWidget(divider);
+    column->addWidget(m_divider);
     column->addWidget(m_narration, 1);
     column->addWidget(m_summary, 1);
+    column->addStretch(0);
+    column->addWidget(&m_rail->foot());
     m_summary->hide();
+    m_rail->setVisible(false);
     connect(&session, &Session::stepOpened, this, [this] { showSummary(false); });
     connect(m_list, &LessonList::contentHeightChanged, this, &LearnPanel::shareHeight);
     connect(m_list->model(), &QAbstractItemModel::dataChanged, this, &LearnPanel::showCount);
+    connect(m_list->model(), &QAbstractItemModel::dataChanged, this, &LearnPanel::dressRail);
+    connect(&session, &Session::stepOpened, this, &LearnPanel::dressRail);
     listen();
     showCount();
+    dressRail();
     shareHeight();
+}
+
+QWidget *LearnPanel::foldButton()
+{
+    auto *fold = new QToolButton(m_title);
+    fold->setObjectName("fold");
+    fold->setFixedSize(28, 28);
+    fold->setIconSize({16, 16});
+    fold->setFocusPolicy(Qt::TabFocus);
+    fold->setToolTip(tr("Fold the lessons to a narrow strip (Ctrl+Shift+1)"));
+    fold->setAccessibleName(tr("Fold the lessons to a narrow strip"));
+    const auto dress = [this, fold] { fold->setIcon(m_theme.icon("left")); };
+    connect(&m_theme, &Theme::changed, fold, dress);
+    dress();
+    connect(fold, &QToolButton::clicked, this, [this] { emit formAsked(Form::rail); });
+    return fold;
+}
+
+void LearnPanel::setForm(Form form)
+{
+    if (form == m_form)
+        return;
+    m_form = form;
+    m_title->setVisible(form == Form::whole);
+    m_divider->setVisible(form == Form::whole);
+    m_rail->setVisible(form == Form::rail);
+    showSummary(m_isSummary && form == Form::whole);
+    updateGeometry();
+    emit formChanged();
+}
+
+void LearnPanel::dressRail()
+{
+    m_rail->setWays(m_narration->backTip(), m_narration->nextTip(), m_session.preceding());
+    m_rail->setDone(m_session.isStepDone(m_session.lesson(), m_session.step()));
 }
 
 void LearnPanel::listen()
@@ -64,14 +111,21 @@ void LearnPanel::listen()
     connect(m_card, &WordCard::stepAsked, &m_session, &Session::openStep);
     connect(m_card, &WordCard::glossaryAsked, this, &LearnPanel::glossaryAsked);
     connect(m_summary, &SummaryPage::closed, this, [this] { showSummary(false); });
-    connect(&m_list->lessons(), &LessonModel::summaryAsked, this, [this] { showSummary(true); });
+    connect(&m_list->lessons(), &LessonModel::summaryAsked, this, [this] {
+        setForm(Form::whole); // on a rail there is no room for it
+        showSummary(true);
+    });
+    connect(m_rail, &LessonRail::unfolded, this, [this] { emit formAsked(Form::whole); });
+    connect(m_rail, &LessonRail::backAsked, this, &LearnPanel::goBack);
+    connect(m_rail, &LessonRail::nextAsked, this, &LearnPanel::goOn);
     connect(&m_list->lessons(), &LessonModel::stepAsked, this, [this] { showSummary(false); });
 }
 
 void LearnPanel::showSummary(bool shown)
 {
-    m_narration->setVisible(!shown);
-    m_summary->setVisible(shown);
+    m_isSummary = shown;
+    m_narration->setVisible(m_form == Form::whole && !shown);
+    m_summary->setVisible(m_form == Form::whole && shown);
     m_list->markSummary(shown);
     shareHeight();
 }
@@ -79,10 +133,12 @@ void LearnPanel::showSummary(bool shown)
 void LearnPanel::goOn()
 {
     const bool isLast = &m_session.step() == &m_session.lesson().steps.back();
-    if (isVisible() && isLast && m_summary->isHidden())
+    if (isVisible() && isLast && m_summary->isHidden()) {
+        setForm(Form::whole);
         showSummary(true);
-    else
+    } else {
         m_session.openFollowing();
+    }
 }
 
 void LearnPanel::goBack()
@@ -102,9 +158,14 @@ void LearnPanel::showCount()
 void LearnPanel::shareHeight()
 {
     // The list can scroll and shows where it is; a text that has to be scrolled is not read. So the text comes first.
+    if (m_form == Form::rail) {
+        shareRail();
+        return;
+    }
     m_narration->fitText();
     const int all = m_list->contentHeight();
-    const int least = std::min(all, leastRows * LessonDelegate::lessonHeight);
+    const int rows = window()->height() <= lowWindow ? lowRows : leastRows;
+    const int least = std::min(all, rows * LessonDelegate::lessonHeight);
     const int room = height() - topMargin - PanelTitle::height - listMargin - 1;
     const bool isSummary = !m_summary->isHidden();
     const int full = isSummary ? summaryHeight : m_narration->fullHeight();
@@ -117,8 +178,20 @@ void LearnPanel::shareHeight()
     m_list->showOpen();
 }
 
+void LearnPanel::shareRail()
+{
+    const int room = height() - topMargin - listMargin - m_rail->head().sizeHint().height() -
+                     m_rail->foot().sizeHint().height();
+    m_list->setFixedHeight(
+        std::max(m_list->minimumSizeHint().height(), std::min(room, m_list->contentHeight())));
+    m_list->showOpen();
+}
+
 QSize LearnPanel::minimumSizeHint() const
 {
+    if (m_form == Form::rail)
+        return {railWidth, topMargin + listMargin + m_rail->head().sizeHint().height() +
+                               m_list->minimumSizeHint().height() + m_rail->foot().sizeHint().height()};
     return {200, topMargin + PanelTitle::height + m_list->minimumSizeHint().height() + listMargin + 1 +
                      m_narration->minimumSizeHint().height()};
 }

@@ -10,18 +10,25 @@ namespace app {
 
 class LessonList;
 class Narration;
+class LessonRail;
 class PanelTitle;
 class SummaryPage;
 class WordCard;
 
-/// The left side of the window: the lessons over the text of the open step, or over the summary of its lesson.
+/// The left side of the window: the lessons over the text of the open step, or over the summary of its lesson. Where there
+/// is little room it is a rail: the marks of the lessons alone.
 class LearnPanel : public QWidget
 {
     Q_OBJECT
 
 public:
+    enum class Form { whole, rail };
+    static constexpr int railWidth = 44; ///< px
+
     LearnPanel(Session &session, const Theme &theme, QWidget *parent = nullptr);
 
+    void setForm(Form form);
+    Form form() const { return m_form; }
     const Glossary &glossary() const { return m_glossary; }
     Narration &narration() const { return *m_narration; }
     /// The summary of the open lesson in place of the step's text, or that again.
@@ -31,10 +38,13 @@ public:
     void goOn();
     void goBack();
 
-    QSize sizeHint() const override { return {280, 700}; }
+    QSize sizeHint() const override { return {m_form == Form::rail ? railWidth : 280, 700}; }
     QSize minimumSizeHint() const override;
 
 signals:
+    /// A button asks for another form.
+    void formAsked(LearnPanel::Form form);
+    void formChanged();
     /// All words were asked for, first of all those that are found for this.
     void glossaryAsked(const QString &typed);
 
@@ -44,15 +54,23 @@ protected:
 
 private:
     void shareHeight();
+    void shareRail();
+    void dressRail();
+    QWidget *foldButton();
     void showCount();
     void listen();
 
     Session &m_session;
+    const Theme &m_theme;
+    Form m_form = Form::whole;
+    bool m_isSummary = false;
     Glossary m_glossary;
     PanelTitle *m_title;
     LessonList *m_list;
     Narration *m_narration;
     SummaryPage *m_summary;
+    LessonRail *m_rail;
+    QWidget *m_divider;
     WordCard *m_card;
 };
 

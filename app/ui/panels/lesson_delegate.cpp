@@ -18,9 +18,16 @@ constexpr int markSize = 14;
 constexpr int stepIndent = 36;
 constexpr int radius = 6;
 
-/// A square of `side` at `x`, in the middle of the row's height.
+bool hasText(const QRect &row)
+{
+    return row.width() >= LessonDelegate::leastTextWidth;
+}
+
+/// A square of `side` at `x`, or in the middle of a row without a text; in the middle of the row's height.
 QRectF squareAt(int x, const QRect &row, double side)
 {
+    if (!hasText(row))
+        return {row.x() + (row.width() - side) / 2.0, row.y() + (row.height() - side) / 2.0, side, side};
     return {static_cast<double>(x), row.y() + (row.height() - side) / 2.0, side, side};
 }
 
@@ -65,7 +72,8 @@ QSize LessonDelegate::sizeHint(const QStyleOptionViewItem &, const QModelIndex &
 
 void LessonDelegate::paintRow(QPainter &painter, const QStyleOptionViewItem &option, bool open) const
 {
-    const QRectF row = QRectF(option.rect).adjusted(sideMargin, 0, -sideMargin, 0);
+    const int side = hasText(option.rect) ? sideMargin : sideMargin / 2;
+    const QRectF row = QRectF(option.rect).adjusted(side, 0, -side, 0);
     const bool hovered = option.state & QStyle::State_MouseOver;
     if (open || hovered)
         m_theme.paintSurface(painter, row, radius, open ? Surface::chosen : Surface::hovered);
@@ -79,6 +87,8 @@ void LessonDelegate::paintRow(QPainter &painter, const QStyleOptionViewItem &opt
 void LessonDelegate::paintText(QPainter &painter, const QRect &place, const QString &text, const QFont &font,
                                const QColor &color) const
 {
+    if (place.width() <= 0)
+        return;
     painter.setFont(font);
     painter.setPen(color);
     painter.drawText(place, Qt::AlignVCenter | Qt::AlignLeft,
@@ -94,6 +104,8 @@ void LessonDelegate::paintLesson(QPainter &painter, const QRect &row, const QMod
     const int left = row.left() + sideMargin + padding;
     QRect place = row.adjusted(left - row.left() + ringSize + gap, 0, -sideMargin - padding, 0);
     paintRing(painter, squareAt(left, row, ringSize), double(done) / count);
+    if (!hasText(row))
+        return;
     if (done < count) {
         const QString text = QString("%1/%2").arg(done).arg(count);
         painter.setFont(m_theme.ui(12));
@@ -141,6 +153,12 @@ void LessonDelegate::paintSummary(QPainter &painter, const QRect &row, const QMo
 
 void LessonDelegate::paintProblem(QPainter &painter, const QRect &row, const QModelIndex &index) const
 {
+    if (!hasText(row)) {
+        painter.setFont(m_theme.ui(13, QFont::DemiBold));
+        painter.setPen(m_theme.tokens().past);
+        painter.drawText(row, Qt::AlignCenter, QStringLiteral("✕"));
+        return;
+    }
     const QRect place = row.adjusted(sideMargin + padding, 0, -sideMargin - padding, 0);
     paintText(painter, place, index.data().toString(), m_theme.ui(12), m_theme.tokens().past);
 }

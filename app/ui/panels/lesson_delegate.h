@@ -6,7 +6,7 @@
 
 namespace app {
 
-/// Draws the rows of the lesson list.
+/// Draws the rows of the lesson list: their marks and texts, or the marks alone where there is no room for a text.
 class LessonDelegate : public QStyledItemDelegate
 {
     Q_OBJECT
@@ -14,6 +14,8 @@ class LessonDelegate : public QStyledItemDelegate
 public:
     static constexpr int lessonHeight = 27;
     static constexpr int stepHeight = 26;
+    static constexpr int leastTextWidth = 80; ///< px; a narrower row is its mark alone
+    static constexpr int markRow = 34;        ///< px that such a row needs
 
     LessonDelegate(const Theme &theme, QObject *parent) : QStyledItemDelegate(parent), m_theme(theme) {}
 

@@ -3,7 +3,10 @@
 #include "app/ui/panels/lesson_delegate.h"
 #include "app/ui/panels/lesson_model.h"
 
+#include <QHeaderView>
+#include <QHelpEvent>
 #include <QKeyEvent>
+#include <QToolTip>
 
 namespace app {
 
@@ -14,6 +17,8 @@ LessonList::LessonList(Session &session, const Theme &theme, QWidget *parent)
     setItemDelegate(new LessonDelegate(theme, this));
     setAccessibleName(tr("Lessons"));
     setHeaderHidden(true);
+    header()->setMinimumSectionSize(1);
+    header()->setStretchLastSection(false); // a hidden header would keep the width that its section had
     setRootIsDecorated(false);
     setIndentation(0);
     setExpandsOnDoubleClick(false);
@@ -85,7 +90,7 @@ QSize LessonList::sizeHint() const
 
 QSize LessonList::minimumSizeHint() const
 {
-    return {160, LessonDelegate::lessonHeight + LessonDelegate::stepHeight};
+    return {LessonDelegate::markRow, LessonDelegate::lessonHeight + LessonDelegate::stepHeight};
 }
 
 void LessonList::keyPressEvent(QKeyEvent *event)
@@ -115,9 +120,21 @@ void LessonList::mousePressEvent(QMouseEvent *event)
 void LessonList::resizeEvent(QResizeEvent *event)
 {
     QTreeView::resizeEvent(event);
+    header()->resizeSection(0, viewport()->width());
     // The rows have moved away from under the pointer.
     QHoverEvent leave(QEvent::HoverLeave, QPointF(), QPointF(), QPointF());
     viewportEvent(&leave);
+}
+
+bool LessonList::viewportEvent(QEvent *event)
+{
+    if (event->type() != QEvent::ToolTip || viewport()->width() >= LessonDelegate::leastTextWidth)
+        return QTreeView::viewportEvent(event);
+    // What cannot be read in the row.
+    const auto &help = *static_cast<QHelpEvent *>(event);
+    QToolTip::showText(help.globalPos(), indexAt(help.pos()).data(Qt::AccessibleTextRole).toString(),
+                       viewport());
+    return true;
 }
 
 void LessonList::initViewItemOption(QStyleOptionViewItem *option) const

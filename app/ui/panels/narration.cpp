@@ -217,6 +217,16 @@ void Narration::showNextHint()
     }
 }
 
+QString Narration::backTip() const
+{
+    return m_back->toolTip();
+}
+
+QString Narration::nextTip() const
+{
+    return m_next->toolTip();
+}
+
 void Narration::fitText()
 {
     const QWidget &page = *m_area->widget();

@@ -33,6 +33,9 @@ public:
     QSize minimumSizeHint() const override;
     /// Shows the next hint: of the first thing that is not done and shows none.
     void showNextHint();
+    /// What the buttons below the text lead to, for what takes their place.
+    QString backTip() const;
+    QString nextTip() const;
     /// Takes the height that the text has at this width.
     void fitText();
     /// The height that shows all of the text, what there is to try, and the buttons at this width.

@@ -16,6 +16,7 @@ namespace app {
 namespace {
 
 constexpr std::size_t alwaysShown = 4;
+constexpr std::size_t leastShown = 2; ///< where there is little height; the others are scrolled to
 constexpr int labelWidth = 88;
 constexpr int unitWidth = 53;
 constexpr int disclosureHeight = 28;
@@ -244,8 +245,7 @@ QSize ParameterPanel::sizeHint() const
 
 QSize ParameterPanel::minimumSizeHint() const
 {
-    const bool some = m_rows.size() > alwaysShown;
-    return {300, heightOf(std::min(m_rows.size(), alwaysShown), some)};
+    return {300, heightOf(std::min(m_rows.size(), leastShown), false)};
 }
 
 void ParameterPanel::resizeEvent(QResizeEvent *event)

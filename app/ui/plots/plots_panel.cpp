@@ -2,6 +2,7 @@
 
 #include "app/model/quantity_words.h"
 #include "app/ui/panels/panel_title.h"
+#include "app/ui/panels/progress_line.h"
 #include "app/ui/plots/plot_card.h"
 #include "app/ui/plots/plot_export.h"
 #include "app/ui/scene/flat_button.h"
@@ -9,7 +10,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QStackedWidget>
@@ -91,11 +91,7 @@ QWidget *PlotsPanel::emptyPage()
 QWidget *PlotsPanel::saving()
 {
     m_saving = new QWidget(this);
-    m_progress = new QProgressBar(m_saving);
-    m_progress->setRange(0, 100);
-    m_progress->setTextVisible(false);
-    m_progress->setFixedHeight(6);
-    m_progress->setAccessibleName(tr("How much of the numbers is written"));
+    m_progress = new ProgressLine(tr("How much of the numbers is written"), m_saving);
     auto *stop = new QPushButton(tr("Cancel"), m_saving);
     stop->setObjectName("measure");
     stop->setAutoDefault(false);
@@ -321,10 +317,10 @@ void PlotsPanel::showSaving()
         m_saving->hide();
         return;
     }
-    m_progress->setValue(0);
+    m_progress->setShare(0.0);
     m_patience.start(patienceMilliseconds);
     connect(writing, &NumberTable::progressed, m_progress,
-            [this, writing] { m_progress->setValue(qRound(100.0 * writing->done())); });
+            [this, writing] { m_progress->setShare(writing->done()); });
 }
 
 void PlotsPanel::setCovered(bool covered)

@@ -10,7 +10,6 @@
 #include <vector>
 
 class QLabel;
-class QProgressBar;
 class QScrollArea;
 class QStackedWidget;
 class QVBoxLayout;
@@ -22,6 +21,7 @@ class NumberTable;
 class PanelTitle;
 class PlotCard;
 class PlotExport;
+class ProgressLine;
 
 /// The plots of a learner, one below the other, with one time. Reads the run only while it is seen.
 class PlotsPanel : public QWidget
@@ -97,7 +97,7 @@ private:
     QVBoxLayout *m_column = nullptr;
     std::vector<PlotCard *> m_cards;
     QWidget *m_saving = nullptr;
-    QProgressBar *m_progress = nullptr;
+    ProgressLine *m_progress = nullptr;
     bool m_isCovered = false;
     int m_wantedHeight = 0; ///< px
     QTimer m_soon;          ///< all that changes together is drawn together

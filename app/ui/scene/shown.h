@@ -44,6 +44,7 @@ struct Extras
     bool rests = false; ///< how long springs and sticks are at rest
     bool ruler = false;
     bool clock = false;
+    bool still = false; ///< what only decorates does not move
 };
 
 /// All that is drawn at one moment: the layers and the overlay read this and nothing else.

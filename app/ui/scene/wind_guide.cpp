@@ -29,7 +29,7 @@ void drawStreak(const Canvas &canvas, QPointF middle, int streak)
     const double turn = (streak + 0.8 * chance(streak, 0)) * 2.0 * std::numbers::pi / streaks;
     const QPointF u(std::cos(turn), std::sin(turn));
     const QPointF n(-u.y(), u.x());
-    const double frames = static_cast<double>(canvas.shown.state().frame);
+    const double frames = canvas.shown.extras.still ? 0.0 : static_cast<double>(canvas.shown.state().frame);
     const double way = std::fmod(frames / period + chance(streak, 1), 1.0);
     const double from = nearest + drift * way;
     const double length = 50.0 + 90.0 * chance(streak, 2);

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "app/model/stability_words.h"
-#include "app/ui/theme/theme.h"
-
+#include "app/ui/plots/plot_export.h"
 #include "app/ui/theme/custom_plot.h"
+#include "app/ui/theme/theme.h"
 
 #include <optional>
 
@@ -28,6 +28,9 @@ public:
     void adopt();
     /// Where a spot is drawn, in px of the widget.
     QPointF onScreen(const TriedSpot &spot) const;
+
+    /// The map as it is seen, without focus and pointer.
+    PlotPicture picture();
 
     QSize minimumSizeHint() const override { return {280, 200}; }
     QSize sizeHint() const override { return {368, 220}; }
@@ -61,6 +64,7 @@ private:
     void drawWords(QPainter &painter) const;
     QRectF hereBox(const QFontMetricsF &metrics) const;
     void drawTried(QPainter &painter) const;
+    void drawMarks(QPainter &painter) const;
     void drawChosen(QPainter &painter) const;
     void drawScale(QPainter &painter) const;
 

@@ -166,19 +166,34 @@ void GrowthPlot::drawScale(QPainter &painter) const
     painter.drawText(QRectF(x, 2, 60, 22), Qt::AlignLeft | Qt::AlignVCenter, least);
 }
 
-void GrowthPlot::paintEvent(QPaintEvent *event)
+/// What lies over the cells.
+void GrowthPlot::drawMarks(QPainter &painter) const
 {
-    QCustomPlot::paintEvent(event);
-    QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    if (!m_watch.map() || !m_watch.mapPlane())
-        return;
     drawScale(painter);
     painter.setClipRect(axisRect()->rect().adjusted(-1, -1, 1, 1));
     drawBorder(painter);
     drawWords(painter);
     painter.setClipping(false);
     drawTried(painter);
+}
+
+PlotPicture GrowthPlot::picture()
+{
+    return {accessibleName(), accessibleName(), size(), [this](QCPPainter &painter) {
+                toPainter(&painter, width(), height());
+                if (m_watch.map() && m_watch.mapPlane())
+                    drawMarks(painter);
+            }};
+}
+
+void GrowthPlot::paintEvent(QPaintEvent *event)
+{
+    QCustomPlot::paintEvent(event);
+    QPainter painter(this);
+    if (!m_watch.map() || !m_watch.mapPlane())
+        return;
+    drawMarks(painter);
     drawChosen(painter);
     if (!m_ringed)
         return;

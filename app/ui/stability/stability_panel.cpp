@@ -1,6 +1,8 @@
 #include "app/ui/stability/stability_panel.h"
 
+#include "app/model/growth_table.h"
 #include "app/ui/panels/panel_title.h"
+#include "app/ui/plots/plot_export.h"
 #include "app/ui/stability/growth_plot.h"
 
 #include <QGridLayout>
@@ -133,10 +135,15 @@ QWidget *StabilityPanel::map()
     row->addWidget(mapButton(tr("Stiffness and damping"),
                              tr("Which stiffness and which damping hold, all else as it is; again to close"),
                              MapPlane::damping));
+    m_plot = new GrowthPlot(m_watch, m_theme, part);
+    m_export = new PlotExport([this] { return m_plot->picture(); }, m_theme, this);
+    m_export->setNumbersAsText([this] { return m_watch.map() ? growthTable(*m_watch.map()) : QByteArray(); });
+    m_export->addContextMenu(*m_plot);
+    m_plotMenu = m_export->makeButton(part);
+    row->addWidget(m_plotMenu);
     column->addLayout(row);
     m_noMap = textLabel("caption", {}, part);
     column->addWidget(m_noMap);
-    m_plot = new GrowthPlot(m_watch, m_theme, part);
     column->addWidget(m_plot, 1);
     column->addStretch();
     return part;
@@ -272,6 +279,7 @@ void StabilityPanel::refreshMap()
     m_noMap->setVisible(!can);
     m_noMap->setText(whyNoMap());
     m_plot->setVisible(plane && can);
+    m_plotMenu->setVisible(plane && can);
 }
 
 QString StabilityPanel::whyNoMap() const

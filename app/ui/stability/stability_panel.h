@@ -17,6 +17,7 @@ namespace app {
 
 class GrowthPlot;
 class PanelTitle;
+class PlotExport;
 
 /// What bounds the step, which spring or body decides it, what would mend it, and on request the map of growth.
 class StabilityPanel : public QWidget
@@ -30,6 +31,7 @@ public:
     QString leftOut() const;
     const std::vector<QPushButton *> &remedies() const { return m_remedies; }
     GrowthPlot &plot() { return *m_plot; }
+    PlotExport &exports() const { return *m_export; }
     void showMap(std::optional<MapPlane> plane);
 
 signals:
@@ -69,6 +71,8 @@ private:
     std::vector<QToolButton *> m_planes;
     QLabel *m_noMap = nullptr;
     GrowthPlot *m_plot = nullptr;
+    PlotExport *m_export = nullptr;
+    QToolButton *m_plotMenu = nullptr;
 };
 
 }

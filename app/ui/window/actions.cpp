@@ -2,6 +2,7 @@
 
 #include "app/ui/code/code_panel.h"
 #include "app/ui/effects/effects_panel.h"
+#include "app/ui/energy/energy_panel.h"
 #include "app/ui/panels/help_page.h"
 #include "app/ui/panels/learn_panel.h"
 #include "app/ui/scene/scene_view.h"
@@ -164,10 +165,15 @@ void MainWindow::makeViewActions()
         return made;
     };
     toggle(tr("&Lessons"), "Ctrl+1", {m_left})->setObjectName("showLessons");
+    makeRailAction();
     toggle(tr("&Code and parameters"), "Ctrl+2", {m_codeDock, m_parameterDock})->setObjectName("showCode");
-    QAction *energy = toggle(tr("E&nergy"), "Ctrl+3", {m_energyDock});
-    energy->setChecked(false);
-    energy->setToolTip(tr("Where energy and momentum went, below the picture (Ctrl+3)"));
+    QAction *energy = add(tr("E&nergy"), {QKeySequence("Ctrl+3")}, window, [this](bool shown) {
+        showEnergy(shown || m_energy->visibleRegion().isEmpty()); // it may be a tab that is covered
+    });
+    energy->setCheckable(true);
+    connect(m_energyDock, &QDockWidget::visibilityChanged, energy,
+            [dock = m_energyDock, energy] { energy->setChecked(!dock->isHidden()); });
+    energy->setToolTip(tr("Where energy and momentum went (Ctrl+3)"));
     energy->setObjectName("showEnergy");
     QAction *effects = add(tr("Effec&ts"), {QKeySequence("Ctrl+4")}, window,
                            [this](bool shown) { showEffects(shown || m_effects->isCovered()); });

@@ -8,8 +8,7 @@
 
 #include <QAction>
 #include <QActionGroup>
-#include <QDockWidget>
-#include <QLayout>
+#include <QApplication>
 #include <QMenu>
 #include <QScreen>
 #include <QSettings>
@@ -17,7 +16,6 @@
 
 #include <algorithm>
 #include <array>
-#include <initializer_list>
 
 namespace app {
 
@@ -74,16 +72,26 @@ void MainWindow::makeAppearanceActions()
     makeSizeActions();
     QAction *still = action(tr("Less mo&vement"), {}, tr("Window"));
     still->setObjectName("lessMotion");
-    still->setToolTip(tr("Panels come and go at once; only the scene moves"));
+    still->setToolTip(
+        tr("Panels and menus come and go at once, wind is drawn still; only what is computed moves"));
     still->setCheckable(true);
     m_view->addAction(still);
-    connect(still, &QAction::toggled, this, [this](bool on) {
-        setAnimated(!on);
-        QSettings().setValue(motionKey, on);
-    });
+    connect(still, &QAction::toggled, this, &MainWindow::setStill);
     still->setChecked(QSettings().value(motionKey).toBool());
     makeFocusActions();
     rememberChoices();
+}
+
+void MainWindow::setStill(bool still)
+{
+    setAnimated(!still);
+    for (const Qt::UIEffect effect : {Qt::UI_AnimateMenu, Qt::UI_FadeMenu, Qt::UI_AnimateCombo,
+                                      Qt::UI_AnimateTooltip, Qt::UI_FadeTooltip, Qt::UI_AnimateToolBox})
+        QApplication::setEffectEnabled(effect, !still);
+    Extras extras = m_scene->extras();
+    extras.still = still;
+    m_scene->setExtras(extras);
+    QSettings().setValue(motionKey, still);
 }
 
 void MainWindow::rememberChoices()
@@ -138,27 +146,6 @@ void MainWindow::makeSizeActions()
             emit m_session.said(tr("At its next start, Springstep is drawn at %1\u2009%.").arg(size));
         });
     }
-}
-
-void MainWindow::fitInto(QSize room)
-{
-    const auto isTooLarge = [&] {
-        layout()->activate();
-        const QSize least = minimumSizeHint();
-        return least.width() > room.width() || least.height() > room.height();
-    };
-    if (isTooLarge()) {
-        m_gaveWay = true;
-        m_scene->setMinimumSize(320, 160);
-    }
-    for (const std::initializer_list<QDockWidget *> &side :
-         {std::initializer_list<QDockWidget *>{m_left}, {m_plotsDock}, {m_codeDock, m_parameterDock}}) {
-        if (!isTooLarge())
-            break;
-        for (QDockWidget *dock : side)
-            dock->hide();
-    }
-    resize(size().boundedTo(room));
 }
 
 }

@@ -112,6 +112,7 @@ void MainWindow::followWorkshop()
     measure(m_learn, !builds);
     measure(m_build, builds);
     pages->setCurrentIndex(builds ? 1 : 0);
+    placeRail();
     for (QAction *one : m_buildActions)
         one->setEnabled(builds);
     m_take->setEnabled(hasWorkshop && !builds);

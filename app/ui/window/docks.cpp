@@ -14,9 +14,19 @@
 #include "app/ui/window/main_window.h"
 
 #include <QDockWidget>
+#include <QStyle>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace app {
+
+namespace {
+
+constexpr int besideColumn = 68;      ///< px of the window's height: header and status bar
+constexpr int readableAccuracy = 430; ///< px, its tab included
+
+}
 
 QDockWidget *MainWindow::dock(const QString &name, QWidget *title, QWidget *content, Qt::DockWidgetArea area)
 {
@@ -106,17 +116,23 @@ void MainWindow::showMeasures()
 void MainWindow::fitParameters()
 {
     // What is above them gets all the height that the parameters do not need.
-    const int wanted = m_parameterDock->sizeHint().height();
+    const int separator = style()->pixelMetric(QStyle::PM_DockWidgetSeparatorExtent, nullptr, this);
+    const int all = height() - besideColumn - separator;
+    int wanted = m_parameterDock->sizeHint().height();
+    if (m_mode == Mode::measure) { // a plot is read as a whole; parameters can be scrolled
+        const int least = m_parameterDock->minimumSizeHint().height();
+        wanted = std::clamp(all - readableAccuracy, least, std::max(least, wanted));
+    }
     QDockWidget *above = m_codeDock->isHidden() ? m_accuracyDock : m_codeDock;
     if (m_stabilityDock && !m_stabilityDock->isHidden())
         above = m_stabilityDock;
     if (m_plotsDock->isHidden() || !hasRoomForPlots()) {
-        resizeDocks({above, m_parameterDock}, {std::max(1, height() - wanted), wanted}, Qt::Vertical);
+        resizeDocks({above, m_parameterDock}, {std::max(1, all - wanted), wanted}, Qt::Vertical);
         return;
     }
     const int plots = m_plots->sizeHint().height();
     resizeDocks({above, m_plotsDock, m_parameterDock},
-                {std::max(1, height() - wanted - plots), plots, wanted}, Qt::Vertical);
+                {std::max(1, all - separator - wanted - plots), plots, wanted}, Qt::Vertical);
 }
 
 }

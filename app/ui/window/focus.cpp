@@ -48,6 +48,7 @@ void MainWindow::setFocusMode(bool on)
 void MainWindow::enterFocus()
 {
     showStability(false);
+    bringAllBack();
     m_docksBeforeFocus = saveState();
     for (QDockWidget *dock : findChildren<QDockWidget *>())
         dock->hide();

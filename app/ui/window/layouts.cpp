@@ -66,14 +66,13 @@ void MainWindow::keepLayout()
 {
     if (m_layoutKey.isEmpty())
         return; // the window is not arranged yet
+    bringAllBack();
     m_layouts[m_layoutKey] = m_focusAction->isChecked() ? m_docksBeforeFocus : saveState();
 }
 
 void MainWindow::saveLayouts()
 {
     keepLayout();
-    if (m_gaveWay)
-        return;
     QSettings settings;
     for (const auto &[key, state] : m_layouts)
         settings.setValue(key, state);
@@ -86,6 +85,7 @@ void MainWindow::useLayout(Mode before)
         return found != m_layouts.end() ? found->second : QSettings().value(key).toByteArray();
     };
     m_layoutKey = layoutKey(m_mode);
+    useKeptForm();
     if (restoreState(kept(m_layoutKey)))
         return;
     if (m_mode == Mode::measure) {
@@ -102,7 +102,9 @@ void MainWindow::resetLayout()
     showStability(false);
     m_layouts.erase(m_layoutKey);
     QSettings().remove(m_layoutKey);
+    QSettings().remove(m_layoutKey + "Rail");
     m_layoutKey = layoutKey(m_mode);
+    useKeptForm();
     restoreState(m_firstDocks);
     placeSides();
     if (m_mode == Mode::measure) {

@@ -30,6 +30,7 @@ void MainWindow::makeLearning()
     hint->setToolTip(tr("A hint for the next thing to try (H)"));
     connect(hint, &QAction::triggered, this, [this] {
         m_left->show();
+        m_learn->setForm(LearnPanel::Form::whole);
         m_learn->showSummary(false);
         m_learn->narration().showNextHint();
     });
@@ -63,6 +64,7 @@ void MainWindow::startTour()
     setMode(Mode::learn);
     for (QDockWidget *dock : {m_left, m_codeDock, m_parameterDock})
         dock->show();
+    m_learn->setForm(LearnPanel::Form::whole);
     if (!m_tour) {
         m_tour = new Tour(tourStops(), m_theme, this);
         connect(m_tour, &Tour::ended, m_scene, qOverload<>(&QWidget::setFocus));

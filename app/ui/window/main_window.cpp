@@ -13,6 +13,7 @@
 #include "app/ui/time/transport_bar.h"
 #include "app/ui/window/divider.h"
 #include "app/ui/window/notice.h"
+#include "app/ui/window/room.h"
 #include "app/ui/window/status_figures.h"
 #include "app/ui/window/stop_notice.h"
 
@@ -44,6 +45,7 @@ MainWindow::MainWindow(Session &session, Theme &theme, StudyFunction study, Cost
     setWindowIcon(QIcon(":/app/springstep.svg"));
     setDockOptions(QMainWindow::AnimatedDocks);
     setDocumentMode(true);
+    setMinimumSize(leastWindow); // panels step aside before it is as small as that
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
@@ -74,7 +76,7 @@ QWidget *MainWindow::centre()
     m_notice = new Notice(m_theme, centre);
     m_sceneBar = new SceneBar(m_session, m_theme, centre);
     m_scene = new SceneView(m_session, m_theme, centre);
-    m_scene->setMinimumSize(480, 240);
+    m_scene->setMinimumSize(leastScene);
     m_stopNotice = new StopNotice(m_session, m_theme, m_scene);
     m_transport = new TransportBar(m_session, m_theme, centre);
     m_timeline = new TimelineStrip(m_session, m_theme, centre);
@@ -175,6 +177,7 @@ void MainWindow::restore()
         resize(1280, 800);
     m_firstDocks = saveState();
     m_layoutKey = layoutKey(m_mode);
+    useKeptForm();
     m_docksKnown = restoreState(settings.value(m_layoutKey).toByteArray());
     m_accuracyDock->hide(); // the window opens for learning
     m_energyDock->hide();

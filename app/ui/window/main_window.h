@@ -82,8 +82,8 @@ public:
     /// The map of growth, where the step has one.
     void showGrowthMap(MapPlane plane);
 
-    /// Lets panels give way, lessons first, then plots, then code and parameters, until the window goes into `room`, px, or nothing
-    /// is left to give, and makes it no larger than that. Their keys bring them back; the arrangement is not kept for a larger screen.
+    /// Makes the window no larger than `room`, px. Panels step aside until it goes into that, and come back when there is
+    /// room again, or when they are asked for.
     void fitInto(QSize room);
     /// Whether the tour was never started on this machine.
     static bool wantsTour();
@@ -100,6 +100,7 @@ public:
     void keepScenesIn(const QString &folder, int within = SceneKeeper::keepWithin);
 
 protected:
+    bool event(QEvent *event) override;
     bool eventFilter(QObject *watched, QEvent *event) override;
     void closeEvent(QCloseEvent *event) override;
     void showEvent(QShowEvent *event) override;
@@ -119,6 +120,8 @@ private:
     void makeSizeActions();
     void makeFocusActions();
     void rememberChoices();
+    /// Whether nothing moves that only decorates.
+    void setStill(bool still);
     void setFocusMode(bool on);
     void enterFocus();
     void leaveFocus();
@@ -132,6 +135,23 @@ private:
     void resetLayout();
     void movePanel(QDockWidget &panel, Qt::DockWidgetArea area);
     void setPanelsMovable(bool movable);
+    /// What steps aside while the window is too small for all of it, in this order.
+    enum class Way { rail, below, smallScene, right, left };
+    struct Aside;
+    bool isShortOfRoom();
+    QSize leastSize();
+    void giveWay();
+    /// Lets what is `way` step aside, but for what was `asked` for. Returns whether that helps.
+    bool stepAside(Way way, const std::vector<QDockWidget *> &asked);
+    /// Panels that stepped aside and were shown again by others than bringBack(): the learner asked for them.
+    std::vector<QDockWidget *> takeAsked();
+    void bringBack(const Aside &aside);
+    void bringAllBack();
+    std::vector<QDockWidget *> shownIn(Qt::DockWidgetArea area) const;
+    void makeRailAction();
+    void chooseForm(bool isRail);
+    void useKeptForm();
+    void placeRail();
     /// How wide the panels beside the scene are at first.
     void placeSides();
     /// Changes to a preset, without what belongs to it besides its panels.
@@ -264,6 +284,7 @@ private:
     StabilityPanel *m_stabilityPanel = nullptr;
     QAction *m_stabilityAction = nullptr;
     QDockWidget *m_left = nullptr;
+    QAction *m_railAction = nullptr;
     QDockWidget *m_accuracyDock = nullptr;
     QDockWidget *m_branchesDock = nullptr;
     QDockWidget *m_energyDock = nullptr;
@@ -275,10 +296,10 @@ private:
     QDockWidget *m_replaced = nullptr; ///< what stands aside while stability is shown
     QLabel *m_status = nullptr;
     QString m_said; ///< a sentence that is still to be read; empty: the status bar tells how the run stands
-    sim::Cursor m_saidAt;      ///< where the run stood then
-    QTimer m_saidLong;         ///< until it was there long enough to be read while the run plays
-    bool m_docksKnown = false; ///< docks have the sizes that the learner left or that fit the window
-    bool m_gaveWay = false;    ///< panels went away because the screen is too small for them
+    sim::Cursor m_saidAt;       ///< where the run stood then
+    QTimer m_saidLong;          ///< until it was there long enough to be read while the run plays
+    bool m_docksKnown = false;  ///< docks have the sizes that the learner left or that fit the window
+    std::vector<Aside> m_aside; ///< what stepped aside, the last one last
 };
 
 }

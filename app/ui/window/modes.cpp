@@ -93,6 +93,8 @@ void MainWindow::arrangeFor(Mode mode)
 void MainWindow::showEnergy(bool shown)
 {
     m_energyDock->setVisible(shown);
+    if (shown)
+        m_energyDock->raise(); // it may be one of several tabs
 }
 
 void MainWindow::showEffects(bool shown)
@@ -116,13 +118,13 @@ void MainWindow::arrangeForMeasuring()
         resizeDocks({m_effectsDock}, {300}, Qt::Vertical);
         return;
     }
-    // What goes goes first: a window that had to hold both for a moment would stay too high.
-    m_left->hide();
-    m_codeDock->hide();
+    m_left->show(); // as a rail
     m_accuracyDock->show();
     m_parameterDock->show();
-    tabifyDockWidget(m_accuracyDock, m_effectsDock);
-    m_effectsDock->show();
+    for (QDockWidget *tab : {m_effectsDock, m_energyDock, m_codeDock}) {
+        tabifyDockWidget(m_accuracyDock, tab);
+        tab->show();
+    }
     m_accuracyDock->raise();
     resizeDocks({m_accuracyDock}, {560}, Qt::Horizontal);
 }

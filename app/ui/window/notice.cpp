@@ -1,6 +1,7 @@
 #include "app/ui/window/notice.h"
 
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QToolButton>
@@ -29,6 +30,18 @@ Notice::Notice(const Theme &theme, QWidget *parent)
     connect(&theme, &Theme::changed, this, &Notice::dress);
     dress();
     hide();
+    window()->installEventFilter(this);
+}
+
+bool Notice::eventFilter(QObject *watched, QEvent *event)
+{
+    // A field takes keys before shortcuts do. If it has no use for Esc, that comes to the window in the end.
+    if (event->type() == QEvent::KeyPress && static_cast<QKeyEvent *>(event)->key() == Qt::Key_Escape &&
+        isVisible()) {
+        say({});
+        return true;
+    }
+    return QFrame::eventFilter(watched, event);
 }
 
 void Notice::say(const QString &sentence)

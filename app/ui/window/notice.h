@@ -35,6 +35,9 @@ public:
     void ask(const QString &sentence, const std::vector<Choice> &choices);
     QString sentence() const;
 
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
 private:
     void dress();
     void showChoices(const std::vector<Choice> &choices);

@@ -35,7 +35,7 @@ void MainWindow::makePlots()
     connect(m_plots, &PlotsPanel::said, &m_session, &Session::said);
     connect(m_plots, &PlotsPanel::failed, m_notice, &Notice::say);
     connect(m_plots, &PlotsPanel::wantedHeightChanged, this, &MainWindow::fitParameters);
-    for (const PlotExport *exports : {&m_energy->exports(), &m_accuracy->exports()}) {
+    for (const PlotExport *exports : {&m_energy->exports(), &m_accuracy->exports(), &m_branches->exports()}) {
         connect(exports, &PlotExport::said, &m_session, &Session::said);
         connect(exports, &PlotExport::failed, m_notice, &Notice::say);
     }
@@ -119,6 +119,8 @@ void MainWindow::arrangePlots()
 void MainWindow::resizeEvent(QResizeEvent *event)
 {
     QMainWindow::resizeEvent(event);
+    if (isVisible())
+        giveWay();
     const auto hasRoom = [](QSize size) { return size.width() >= wide && size.height() >= high; };
     if (event->oldSize().isValid() && hasRoom(event->oldSize()) == hasRoom(event->size()))
         return;

@@ -1,0 +1,31 @@
+#include "app/ui/panels/progress_line.h"
+
+namespace app {
+
+namespace {
+
+constexpr int thickness = 6; ///< px
+constexpr int whole = 100;   ///< percent
+
+}
+
+ProgressLine::ProgressLine(const QString &name, QWidget *parent) : QProgressBar(parent)
+{
+    setRange(0, whole);
+    setTextVisible(false);
+    setFixedHeight(thickness);
+    setAccessibleName(name);
+}
+
+void ProgressLine::setShare(double share)
+{
+    const int next = qRound(whole * share);
+    if (next == value())
+        return;
+    // setValue() calls repaint(), which does nothing here; updates that are allowed again ask for an update().
+    setUpdatesEnabled(false);
+    setValue(next);
+    setUpdatesEnabled(true);
+}
+
+}

@@ -1,0 +1,68 @@
+// The lessons as a narrow strip of marks beside the scene, and the whole list again.
+
+#include "app/ui/panels/learn_panel.h"
+#include "app/ui/window/main_window.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QMenu>
+#include <QSettings>
+
+namespace app {
+
+namespace {
+
+constexpr int wide = 1600;         ///< px, from here on there is room for the lessons in every preset
+constexpr int listWidth = 280;     ///< px
+constexpr int wideListWidth = 320; ///< px
+constexpr const char *ending =
+    "Rail"; ///< of the key under which the choice is kept, beside the arrangement's
+
+}
+
+void MainWindow::makeRailAction()
+{
+    m_railAction = action(tr("Lessons &as a narrow strip"), {QKeySequence("Ctrl+Shift+1")}, tr("Window"));
+    m_railAction->setObjectName("lessonRail");
+    m_railAction->setToolTip(tr("The marks of the lessons alone, and more room for the rest (Ctrl+Shift+1)"));
+    m_railAction->setCheckable(true);
+    m_view->addAction(m_railAction);
+    connect(m_railAction, &QAction::triggered, this, &MainWindow::chooseForm);
+    connect(m_learn, &LearnPanel::formAsked, this,
+            [this](LearnPanel::Form form) { chooseForm(form == LearnPanel::Form::rail); });
+    connect(m_learn, &LearnPanel::formChanged, this, &MainWindow::placeRail);
+}
+
+void MainWindow::chooseForm(bool isRail)
+{
+    QSettings().setValue(m_layoutKey + ending, isRail);
+    m_left->show();
+    m_learn->setForm(isRail ? LearnPanel::Form::rail : LearnPanel::Form::whole);
+}
+
+void MainWindow::useKeptForm()
+{
+    const bool byItself = m_mode == Mode::measure && width() < wide;
+    const bool isRail = QSettings().value(m_layoutKey + ending, byItself).toBool();
+    m_learn->setForm(isRail ? LearnPanel::Form::rail : LearnPanel::Form::whole);
+    placeRail();
+}
+
+void MainWindow::placeRail()
+{
+    const bool builds = m_session.isWorkshop(); // its tools are in the place of the lessons
+    const bool isRail = m_learn->form() == LearnPanel::Form::rail;
+    m_railAction->setChecked(isRail);
+    m_railAction->setEnabled(!builds);
+    QWidget &pages = *m_left->widget();
+    const bool wasNarrow = pages.maximumWidth() == LearnPanel::railWidth;
+    if (isRail && !builds) {
+        pages.setFixedWidth(LearnPanel::railWidth);
+    } else if (wasNarrow) {
+        pages.setMinimumWidth(0);
+        pages.setMaximumWidth(QWIDGETSIZE_MAX);
+        resizeDocks({m_left}, {width() < wide ? listWidth : wideListWidth}, Qt::Horizontal);
+    }
+}
+
+}
