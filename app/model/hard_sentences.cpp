@@ -36,7 +36,8 @@ QString claimSentence(const std::string &id, const Values &value)
         return Text::tr(
             "It looks for the moment in which a body is free of all walls, and here there is none.");
     if (id == "claim-too-many-steps")
-        return Text::tr("It would need about %1 steps a frame, and gives up at 20000.").arg(value["steps"]);
+        return Text::tr("It would need about %1 steps a frame, and gives up at %2.")
+            .arg(value["steps"], value["most"]);
     if (id == "claim-adds-up")
         return Text::tr("Nothing damps, so what its steps are off adds up: to %1 px in %2 frames at worst.")
             .arg(value["off"], value["frames"]);
@@ -64,6 +65,9 @@ QString failureSentence(const std::string &id, const Values &value)
     if (id == "hard-not-finite")
         return Text::tr("After frame %1 %2 is nowhere any more: \"%3\" gave a number without an end.")
             .arg(value["frame"], bodyTitle(value["body"]), phrase(value["phase"].toStdString()));
+    if (id == "hard-too-many-steps")
+        return Text::tr("After frame %1 it needs more steps for a frame than it may take.")
+            .arg(value["frame"]);
     if (id == "hard-too-far")
         return Text::tr("At frame %1 %2 is more than %3 px away.")
             .arg(value["frame"], bodyTitle(value["body"]), value["reach"]);

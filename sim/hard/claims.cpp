@@ -4,6 +4,7 @@
 #include "sim/effects/body_spring.h"
 #include "sim/effects/damping.h"
 #include "sim/flush.h"
+#include "sim/methods/advance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,9 +14,9 @@ namespace sim {
 
 namespace {
 
-/// Methods that choose their steps give up a frame that takes more of them than 20,000 (see Advance). They claim what
-/// should take half as many.
-constexpr double mostSteps = 10'000.0;
+/// Methods that choose their steps give up a frame that takes too many of them (see Patient). They claim what should
+/// take half as many.
+constexpr double sureOf = 0.5;
 /// Each bounce that they find takes a few.
 constexpr double stepsPerBounce = 4.0;
 /// What a step may be off stirs what should be at rest: by as much as a swing of that size, and some of them add up.
@@ -98,8 +99,9 @@ Claim claimByTolerance(const HardCase &hard, const Method &method, const RunSize
     // A step's error goes with a power of its length.
     const double perRadian = std::pow(stiffest.apart / size.tolerance, 1.0 / method.order());
     const double steps = std::max(pace(stiffest) * perRadian, hard.driven) + stepsPerBounce * hard.bounces;
-    if (steps > mostSteps)
-        return no("claim-too-many-steps", method, {{"steps", text(steps)}});
+    const std::int64_t most = Patient::mostTries(hard.script.build(hard.script.values).start.points());
+    if (steps > sureOf * static_cast<double>(most))
+        return no("claim-too-many-steps", method, {{"steps", text(steps)}, {"most", std::to_string(most)}});
     // Where nothing damps, what one step is off stays.
     const double mostOff = static_cast<double>(size.frames) * size.tolerance;
     if (stiffest.damp == 1.0 && mostOff > hard.bound.reach - stiffest.apart)

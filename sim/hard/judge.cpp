@@ -122,6 +122,14 @@ private:
     bool m_ends = false;
 };
 
+Error whyItStopped(const Stop &stop)
+{
+    const std::string frame = std::to_string(stop.frame);
+    if (stop.reason == StopReason::tooManySteps)
+        return Error("hard-too-many-steps", {{"frame", frame}});
+    return Error("hard-not-finite", {{"frame", frame}, {"body", stop.body}, {"phase", stop.phase}});
+}
+
 /// The first run: looks at every row. Returns the state it ends with.
 State watchedRun(const HardCase &hard, const Script &script, const RunSize &size, Onlooker &onlooker,
                  Verdict &verdict)
@@ -141,9 +149,7 @@ State watchedRun(const HardCase &hard, const Script &script, const RunSize &size
             before = track.now();
         track.seek({frame, 0});
         if (const std::optional<Stop> &stop = track.stop()) {
-            verdict.why =
-                Error("hard-not-finite",
-                      {{"frame", std::to_string(stop->frame)}, {"body", stop->body}, {"phase", stop->phase}});
+            verdict.why = whyItStopped(*stop);
             break;
         }
         verdict.frames = frame;

@@ -10,7 +10,6 @@ namespace sim {
 
 namespace {
 
-constexpr int mostTries = 20'000;    ///< steps a frame, the rejected ones included
 constexpr double longestStep = 10.0; ///< frames
 /// What damping leaves in one step is at least e^-2: past that, the polynomial through a step would have to follow
 /// e^(c t), which the error at its end does not show.
@@ -103,7 +102,7 @@ bool Advance::toNextFrame(Patient &patient)
     for (int i = 0; ahead.to < 1; ++i) {
         if (patient.leavesOff(m_points))
             return false;
-        if (i == mostTries || patient.isSpent()) {
+        if (i == Patient::mostOfOne || patient.isSpent()) {
             giveUp();
             return true;
         }

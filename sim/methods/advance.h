@@ -4,6 +4,7 @@
 #include "sim/method.h"
 #include "sim/methods/step_rule.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -32,6 +33,13 @@ public:
 class Patient
 {
 public:
+    /// The most tries, rejected ones included, that a frame may take for a scene of `points` points that all hang together.
+    static std::int64_t mostTries(int points)
+    {
+        return std::min(mostOfOne, (atLeast + forEach * points) / std::max(1, points));
+    }
+    static constexpr std::int64_t mostOfOne = 20'000; ///< tries of an island a frame
+
     /// For a scene of `points` points.
     Patient(const GoesOn &goesOn, int points) : m_goesOn(goesOn), m_left(atLeast + forEach * points) {}
     /// To be called before each try of an island of `points` points.
@@ -46,7 +54,7 @@ public:
 
 private:
     static constexpr std::int64_t triesBetween = 20;
-    static constexpr std::int64_t atLeast = 4'000'000; ///< tries times points
+    static constexpr std::int64_t atLeast = 8'000'000; ///< tries times points
     static constexpr std::int64_t forEach = 300;       ///< tries
 
     const GoesOn &m_goesOn;

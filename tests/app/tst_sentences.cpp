@@ -53,6 +53,12 @@ private slots:
         QTest::newRow("a body that is lost")
             << "hard-not-finite" << QStringList{"frame", "3", "body", "foot0", "phase", "move"}
             << "After frame 3 foot 0 is nowhere any more: \"move\" gave a number without an end.";
+        QTest::newRow("a frame that would take too long")
+            << "hard-too-many-steps" << QStringList{"frame", "7"}
+            << "After frame 7 it needs more steps for a frame than it may take.";
+        QTest::newRow("a case that would take too long")
+            << "claim-too-many-steps" << QStringList{"method", "rk4", "steps", "1800", "most", "700"}
+            << "It would need about 1800 steps a frame, and gives up at 700.";
         QTest::newRow("a stick without an end")
             << "stick-without-end" << QStringList{"stick", "4", "end", "7", "points", "5"}
             << "Stick 4 ends at p7, and there is no such point: there are 5, and the first is p0.";

@@ -280,7 +280,7 @@ void TestHardCases::theJudgeSeesWhatFails_data()
         QTest::newRow(title) << id << method << why;
     };
     add("too far", "stiffness_above_limit", "semi_implicit_euler", "hard-too-far");
-    add("no number", "stiffness_1e9", "dormand_prince", "hard-not-finite");
+    add("too many steps", "stiffness_1e9", "dormand_prince", "hard-too-many-steps");
     add("does not fit", "chain_stretched", "backward_euler", "method-does-not-fit");
     add("still moving", "stiffness_1e6", "implicit_midpoint", "hard-moves");
 }
