@@ -9,6 +9,7 @@
 #include "app/ui/panels/measure_row.h"
 #include "app/ui/plots/plot_card.h"
 #include "app/ui/plots/plots_panel.h"
+#include "app/ui/time/footfall_strip.h"
 #include "app/ui/time/frame_counter.h"
 #include "app/ui/time/timeline_strip.h"
 
@@ -190,6 +191,18 @@ private slots:
         QVERIFY(after == before);
     }
 
+    void whereTheMouseIsUnderTheFeetIsShownToo()
+    {
+        Bench bench("walking_gait", "ground");
+        auto &feet = *bench.window.findChild<FootfallStrip *>();
+        QVERIFY(feet.isVisible());
+        bench.hover(feet, {bench.timeline.axis().xOf(20), feet.height() / 2.0});
+        QVERIFY(bench.session.isGlancing());
+        QCOMPARE(bench.timeline.pointed(), bench.session.shown().at().frame);
+        bench.park();
+        QVERIFY(!bench.session.marked());
+    }
+
     void whoCannotSeeItHearsWhatIsLookedAt()
     {
         Bench bench;
@@ -351,40 +364,6 @@ private slots:
         QCOMPARE(bench.plot().hovered(), bench.session.marked()->frame);
         QVERIFY(!bench.session.isGlancing());
         bench.session.pause();
-    }
-
-    void measures()
-    {
-        for (const int creatures : {1, 800}) {
-            Bench bench("walking_gait", "company");
-            bench.session.setParameter("creatures", creatures);
-            bench.goTo(600);
-            QTest::qWait(3000);
-            qWarning() << "points" << bench.session.timeline().now().points();
-            QList<double> times;
-            int shown = 0;
-            for (int i = 0; i < 60; ++i) {
-                QElapsedTimer clock;
-                clock.start();
-                bench.hover(bench.timeline, bench.onTrack((i * 37) % 600));
-                QCoreApplication::processEvents();
-                times << double(clock.nsecsElapsed()) / 1e6;
-                shown += bench.session.isGlancing();
-            }
-            std::sort(times.begin(), times.end());
-            qWarning() << creatures << "shown" << shown << "ms: least" << times[0] << "median" << times[30]
-                       << "most" << times[59] << times[58] << times[57];
-            times.clear();
-            for (int i = 0; i < 30; ++i) {
-                QElapsedTimer clock;
-                clock.start();
-                bench.session.goTo({(i * 37) % 600, 0});
-                QCoreApplication::processEvents();
-                times << double(clock.nsecsElapsed()) / 1e6;
-            }
-            std::sort(times.begin(), times.end());
-            qWarning() << "scrub: median" << times[15] << "most" << times[29];
-        }
     }
 
 private:
