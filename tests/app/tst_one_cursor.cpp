@@ -9,6 +9,7 @@
 #include "app/ui/panels/measure_row.h"
 #include "app/ui/plots/plot_card.h"
 #include "app/ui/plots/plots_panel.h"
+#include "app/ui/time/footfall_strip.h"
 #include "app/ui/time/frame_counter.h"
 #include "app/ui/time/timeline_strip.h"
 
@@ -31,11 +32,10 @@ struct Bench : window_bench::Bench
     explicit Bench(const char *lesson = "multi_foot", const char *step = "two_feet")
         : window_bench::Bench(lesson, step)
     {
-        window.resize(1920, 1080);
+        window.resize(1600, 900);
         window.showEnergy(true);
         goTo(80);
-        for (std::int64_t frame = stands - 15; frame <= stands; ++frame)
-            goTo(frame); // one after the other: they leave a trail
+        goTo(stands);
         settle();
         park();
     }
@@ -190,6 +190,35 @@ private slots:
         QVERIFY(after == before);
     }
 
+    void aPictureThatWalkedAlongGoesBackAndComesAgain()
+    {
+        Bench bench("walking_gait", "ground");
+        bench.goTo(900);
+        bench.goTo(820); // the picture stays: coming from the left it would stand elsewhere
+        bench.park();
+        const QTransform before = bench.view.viewportTransform();
+        const QImage picture = bench.view.picture();
+        bench.hover(bench.timeline, bench.onTrack(20));
+        QVERIFY(bench.session.isGlancing());
+        QVERIFY(bench.view.viewportTransform() != before);
+        QVERIFY(bench.view.viewport()->rect().contains(bench.view.mapFromScene(bench.shown("body"))));
+        bench.park();
+        QCOMPARE(bench.view.viewportTransform(), before);
+        QCOMPARE(bench.view.picture(), picture);
+    }
+
+    void whereTheMouseIsUnderTheFeetIsShownToo()
+    {
+        Bench bench("walking_gait", "ground");
+        auto &feet = *bench.window.findChild<FootfallStrip *>();
+        QVERIFY(feet.isVisible());
+        bench.hover(feet, {bench.timeline.axis().xOf(20), feet.height() / 2.0});
+        QVERIFY(bench.session.isGlancing());
+        QCOMPARE(bench.timeline.pointed(), bench.session.shown().at().frame);
+        bench.park();
+        QVERIFY(!bench.session.marked());
+    }
+
     void whoCannotSeeItHearsWhatIsLookedAt()
     {
         Bench bench;
@@ -284,6 +313,8 @@ private slots:
     void aTrailTellsWhenABodyWasThere()
     {
         Bench bench("walking_gait", "ground");
+        for (std::int64_t frame = stands - 15; frame <= stands; ++frame)
+            bench.goTo(frame); // only one after the other do they leave a trail
         const auto &marks = bench.view.shown().trail.marks();
         QVERIFY(marks.size() > 10);
         const auto body = bench.view.shown().picture.segment->scene.find("body");
@@ -304,30 +335,26 @@ private slots:
         QCOMPARE(bench.view.picture(), before);
     }
 
-    void noButtonMovesForALook_data()
-    {
-        QTest::addColumn<int>("width");
-        for (const int width : {1280, 1366, 1920})
-            QTest::addRow("%d px", width) << width;
-    }
     void noButtonMovesForALook()
     {
-        QFETCH(int, width);
         Bench bench;
-        bench.window.resize(width, 900);
-        bench.settle();
         const auto places = [&] {
             QList<QRect> all;
             for (const QWidget *one : bench.counter.parentWidget()->findChildren<QToolButton *>())
                 all << one->geometry();
             return all;
         };
-        const QList<QRect> before = places();
-        QVERIFY(before.size() > 5);
-        bench.hover(bench.timeline, bench.onTrack(20));
-        QVERIFY(bench.session.isGlancing());
-        QCoreApplication::processEvents();
-        QCOMPARE(places(), before);
+        for (const int width : {1280, 1366, 1920}) {
+            bench.window.resize(width, 900);
+            bench.settle();
+            const QList<QRect> before = places();
+            QVERIFY(before.size() > 5);
+            bench.hover(bench.timeline, bench.onTrack(20));
+            QVERIFY(bench.session.isGlancing());
+            QCoreApplication::processEvents();
+            QCOMPARE(places(), before);
+            bench.park();
+        }
     }
 
     void theCurvesOfTheBodyUnderTheMouseAreThicker()
@@ -351,40 +378,6 @@ private slots:
         QCOMPARE(bench.plot().hovered(), bench.session.marked()->frame);
         QVERIFY(!bench.session.isGlancing());
         bench.session.pause();
-    }
-
-    void measures()
-    {
-        for (const int creatures : {1, 800}) {
-            Bench bench("walking_gait", "company");
-            bench.session.setParameter("creatures", creatures);
-            bench.goTo(600);
-            QTest::qWait(3000);
-            qWarning() << "points" << bench.session.timeline().now().points();
-            QList<double> times;
-            int shown = 0;
-            for (int i = 0; i < 60; ++i) {
-                QElapsedTimer clock;
-                clock.start();
-                bench.hover(bench.timeline, bench.onTrack((i * 37) % 600));
-                QCoreApplication::processEvents();
-                times << double(clock.nsecsElapsed()) / 1e6;
-                shown += bench.session.isGlancing();
-            }
-            std::sort(times.begin(), times.end());
-            qWarning() << creatures << "shown" << shown << "ms: least" << times[0] << "median" << times[30]
-                       << "most" << times[59] << times[58] << times[57];
-            times.clear();
-            for (int i = 0; i < 30; ++i) {
-                QElapsedTimer clock;
-                clock.start();
-                bench.session.goTo({(i * 37) % 600, 0});
-                QCoreApplication::processEvents();
-                times << double(clock.nsecsElapsed()) / 1e6;
-            }
-            std::sort(times.begin(), times.end());
-            qWarning() << "scrub: median" << times[15] << "most" << times[29];
-        }
     }
 
 private:

@@ -2,7 +2,6 @@
 
 #include "app/ui/scene/arrow_key.h"
 #include "app/ui/scene/body_text.h"
-#include "app/ui/scene/past_spot.h"
 #include "app/ui/scene/scene_view.h"
 
 #include <QFocusEvent>
@@ -91,28 +90,6 @@ void SceneView::mouseMoveEvent(QMouseEvent *event)
         lookBack();
     }
     updateCursor();
-}
-
-void SceneView::lookBack()
-{
-    const int point = Hand::bodyAt(m_shown, camera(), m_pointer);
-    pointAt(point < 0 ? QString() : nameOf(point));
-    const std::optional<std::int64_t> frame =
-        point < 0 && !m_session.isPlaying() ? pastFrameAt(m_shown, camera(), m_pointer) : std::nullopt;
-    if (frame) {
-        m_looksBack = true;
-        m_session.glance({*frame, 0});
-    } else if (m_looksBack) {
-        m_session.endGlance();
-    }
-}
-
-void SceneView::pointAt(const QString &body)
-{
-    if (body == m_pointed)
-        return;
-    m_pointed = body;
-    emit bodyPointedAt(body);
 }
 
 void SceneView::mouseReleaseEvent(QMouseEvent *event)

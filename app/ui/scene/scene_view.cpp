@@ -3,12 +3,10 @@
 #include "app/model/accuracy_study.h"
 #include "app/model/player.h"
 #include "app/ui/scene/body_text.h"
-#include "app/ui/scene/caption.h"
 #include "app/ui/scene/layers.h"
 #include "app/ui/scene/reference_marks.h"
 
 #include <QLocale>
-#include <QScrollBar>
 
 #include <algorithm>
 #include <cmath>
@@ -132,43 +130,6 @@ void SceneView::takeMoment()
     takeCaption();
     takeReference();
     takeCompanion();
-}
-
-void SceneView::takeCaption()
-{
-    m_shown.caption = frameCaption(m_session.shown());
-    if (m_session.isGlancing())
-        m_shown.caption = m_shown.caption.isEmpty()
-                              ? tr("Only a look: this is frame %1.").arg(m_session.shown().at().frame)
-                              : tr("Only a look. %1").arg(m_shown.caption);
-    else if (m_shown.caption.isEmpty())
-        m_shown.caption = m_session.note();
-}
-
-void SceneView::followGlance()
-{
-    const bool glances = m_session.isGlancing();
-    const bool wasElsewhere = m_place || m_shown.past;
-    if (!m_session.marked())
-        m_looksBack = false;
-    m_shown.past.reset();
-    if (!glances && !wasElsewhere)
-        return;
-    if (glances && m_looksBack) {
-        m_shown.past = m_session.picture();
-        takeCaption();
-        describe();
-        viewport()->update();
-        return;
-    }
-    if (glances && !m_place)
-        m_place = QPoint(horizontalScrollBar()->value(), verticalScrollBar()->value());
-    refresh();
-    if (glances || !m_place)
-        return;
-    horizontalScrollBar()->setValue(m_place->x());
-    verticalScrollBar()->setValue(m_place->y());
-    m_place.reset();
 }
 
 void SceneView::takePulls()

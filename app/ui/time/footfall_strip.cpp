@@ -44,6 +44,7 @@ FootfallStrip::FootfallStrip(Session &session, const Course &course, TimelineStr
     connect(&session, &Session::runChanged, this, &FootfallStrip::open);
     connect(&session, &Session::moved, this, qOverload<>(&QWidget::update));
     connect(&session, &Session::moved, this, &FootfallStrip::say);
+    connect(&session, &Session::glanceChanged, this, qOverload<>(&QWidget::update));
     connect(&theme, &Theme::changed, this, qOverload<>(&QWidget::update));
     open();
 }
@@ -173,9 +174,19 @@ void FootfallStrip::paintEvent(QPaintEvent *)
         }
         paintFoot(painter, foot, top, metrics);
     }
-    const double now = axis.xOf(m_timeline.frame());
-    painter.setPen(QPen(m_theme.tokens().now, 2.0));
-    painter.drawLine(QPointF(now, titleHeight - 2.0), QPointF(now, height() - bottomMargin + 2.0));
+    paintCursors(painter);
+}
+
+void FootfallStrip::paintCursors(QPainter &painter) const
+{
+    const auto line = [&](std::int64_t frame, const QPen &pen) {
+        const double x = m_timeline.axis().xOf(frame);
+        painter.setPen(pen);
+        painter.drawLine(QPointF(x, titleHeight - 2.0), QPointF(x, height() - bottomMargin + 2.0));
+    };
+    line(m_timeline.frame(), QPen(m_theme.tokens().now, 2.0));
+    if (m_timeline.pointed())
+        line(*m_timeline.pointed(), QPen(m_theme.tokens().ink3, 1.0));
 }
 
 QString FootfallStrip::tipAt(const QPoint &place) const
@@ -213,8 +224,18 @@ void FootfallStrip::mousePressEvent(QMouseEvent *event)
 
 void FootfallStrip::mouseMoveEvent(QMouseEvent *event)
 {
+    const std::int64_t frame = m_timeline.axis().frameAt(event->position().x());
     if (event->buttons() & Qt::LeftButton)
-        m_timeline.scrubTo(m_timeline.axis().frameAt(event->position().x()));
+        m_timeline.scrubTo(frame);
+    else if (frame <= m_session.timeline().computed())
+        m_session.glance({frame, 0});
+    else
+        m_session.endGlance();
+}
+
+void FootfallStrip::leaveEvent(QEvent *)
+{
+    m_session.endGlance();
 }
 
 }

@@ -29,6 +29,7 @@ protected:
     void paintEvent(QPaintEvent *event) override;
     void mousePressEvent(QMouseEvent *event) override;
     void mouseMoveEvent(QMouseEvent *event) override;
+    void leaveEvent(QEvent *event) override;
 
 private:
     void open();
@@ -40,6 +41,7 @@ private:
     void paintFoot(QPainter &painter, std::size_t foot, double top, const QFontMetricsF &metrics) const;
     void paintSlip(QPainter &painter, const Stance &stance, const QRectF &bar,
                    const QFontMetricsF &metrics) const;
+    void paintCursors(QPainter &painter) const;
     QString tipAt(const QPoint &place) const;
 
     Session &m_session;
