@@ -5078,7 +5078,7 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     </message>
     <message>
         <source>Lessons &amp;as a narrow strip</source>
-        <translation>Lektionen &amp;als schmaler Streifen</translation>
+        <translation>Lektionen nur als &amp;Zeichen</translation>
     </message>
     <message>
         <source>The marks of the lessons alone, and more room for the rest (Ctrl+Shift+1)</source>

@@ -177,6 +177,32 @@ private slots:
         QCOMPARE(overlaps(bench.window), QString());
     }
 
+    void parametersHaveTheHeightThatTheyNeedAndNoMore_data()
+    {
+        QTest::addColumn<QSize>("size");
+        QTest::newRow("small") << QSize(1280, 800);
+        QTest::newRow("wide") << QSize(1920, 1080);
+    }
+
+    void parametersHaveTheHeightThatTheyNeedAndNoMore()
+    {
+        QFETCH(const QSize, size);
+        Bench bench(size, "walking_gait", "swing");
+        const QDockWidget &parameters = bench.dock("parameters");
+        QVERIFY2(std::abs(parameters.height() - parameters.sizeHint().height()) <= 2,
+                 qPrintable(QString("%1 for %2").arg(parameters.height()).arg(parameters.sizeHint().height())));
+    }
+
+    void accuracyStaysInAMeasureOfHalfTheSize()
+    {
+        Bench bench({1280, 800}, "accuracy", "halve");
+        bench.window.setMode(MainWindow::Mode::measure);
+        bench.force({960, 540}); // a full HD screen at 200 %
+        QVERIFY(!bench.dock("accuracy").visibleRegion().isEmpty());
+        QVERIFY(bench.dock("parameters").isHidden());
+        QCOMPARE(overlaps(bench.window), QString());
+    }
+
     void whatSteppedAsideIsNotForgotten()
     {
         QString before;

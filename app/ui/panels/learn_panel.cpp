@@ -92,6 +92,8 @@ void LearnPanel::setForm(Form form)
     m_title->setVisible(form == Form::whole);
     m_divider->setVisible(form == Form::whole);
     m_rail->setVisible(form == Form::rail);
+    // Beside the marks there is no room for one; wheel and keys scroll.
+    m_list->setVerticalScrollBarPolicy(form == Form::rail ? Qt::ScrollBarAlwaysOff : Qt::ScrollBarAsNeeded);
     showSummary(m_isSummary && form == Form::whole);
     updateGeometry();
     emit formChanged();

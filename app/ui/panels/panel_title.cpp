@@ -64,6 +64,10 @@ void PanelTitle::fitCaption()
 void PanelTitle::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);
+    // Actions are needed; what the panel is called, its tab says too.
+    const int needed = m_row->minimumSize().width() +
+                       (m_title->isHidden() ? m_title->minimumSizeHint().width() + m_row->spacing() : 0);
+    m_title->setVisible(needed <= width());
     m_row->activate();
     fitCaption();
 }

@@ -21,6 +21,7 @@ constexpr int labelWidth = 88;
 constexpr int unitWidth = 53;
 constexpr int disclosureHeight = 28;
 constexpr int bottomMargin = 12;
+constexpr int slack = 8; ///< px of that margin that may be missing
 constexpr qint64 refreshMilliseconds = 100; ///< while playing: numbers that change faster cannot be read
 
 }
@@ -221,7 +222,7 @@ void ParameterPanel::unfoldIfRoom()
 {
     if (m_chosen || !m_placed || m_rows.size() <= alwaysShown)
         return;
-    const bool room = height() >= fullHeight();
+    const bool room = height() >= fullHeight() - slack;
     if (room != m_unfolded)
         unfold(room);
 }

@@ -69,6 +69,8 @@ StabilityPanel::StabilityPanel(StabilityWatch &watch, const Theme &theme, QWidge
 QWidget *StabilityPanel::title()
 {
     m_title = new PanelTitle(tr("Stability"), PanelTitle::CaptionPlace::besideTitle, m_theme, this);
+    m_plotMenu = m_export->makeButton(m_title);
+    m_title->addAction(m_plotMenu);
     m_close = new QToolButton(m_title);
     m_close->setObjectName("closeStability");
     m_close->setFixedSize(28, 28);
@@ -139,8 +141,6 @@ QWidget *StabilityPanel::map()
     m_export = new PlotExport([this] { return m_plot->picture(); }, m_theme, this);
     m_export->setNumbersAsText([this] { return m_watch.map() ? growthTable(*m_watch.map()) : QByteArray(); });
     m_export->addContextMenu(*m_plot);
-    m_plotMenu = m_export->makeButton(part);
-    row->addWidget(m_plotMenu);
     column->addLayout(row);
     m_noMap = textLabel("caption", {}, part);
     column->addWidget(m_noMap);

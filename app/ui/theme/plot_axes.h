@@ -18,7 +18,8 @@ inline void dressAxis(QCPAxis &axis, const Theme &theme)
     axis.setTickLabelFont(theme.ui(12));
     axis.setTickLabelPadding(4);
     axis.grid()->setSubGridVisible(false);
-    axis.grid()->setPen(QPen(t.line, 1.0));
+    // In high contrast a line is as white as a curve; the grid lies behind them.
+    axis.grid()->setPen(QPen(theme.scheme() == Scheme::highContrast ? t.dots : t.line, 1.0));
     axis.grid()->setZeroLinePen(Qt::NoPen);
 }
 

@@ -136,7 +136,7 @@ private:
     void movePanel(QDockWidget &panel, Qt::DockWidgetArea area);
     void setPanelsMovable(bool movable);
     /// What steps aside while the window is too small for all of it, in this order.
-    enum class Way { rail, below, smallScene, right, left };
+    enum class Way { rail, below, smallScene, numbers, right, left };
     struct Aside;
     bool isShortOfRoom();
     QSize leastSize();

@@ -65,7 +65,7 @@ void MainWindow::giveWay()
     }
     // What the learner has just asked for stays, if others can make room for it.
     for (const std::vector<QDockWidget *> &spared : {asked, std::vector<QDockWidget *>()}) {
-        for (const Way way : {Way::rail, Way::below, Way::smallScene, Way::right, Way::left}) {
+        for (const Way way : {Way::rail, Way::below, Way::smallScene, Way::numbers, Way::right, Way::left}) {
             if (!isShortOfRoom())
                 return;
             stepAside(way, spared);
@@ -85,11 +85,11 @@ bool MainWindow::stepAside(Way way, const std::vector<QDockWidget *> &asked)
             return false;
         m_scene->setMinimumSize(smallScene);
     } else {
-        const Qt::DockWidgetArea area = way == Way::below   ? Qt::BottomDockWidgetArea
-                                        : way == Way::right ? Qt::RightDockWidgetArea
-                                                            : Qt::LeftDockWidgetArea;
+        const Qt::DockWidgetArea area = way == Way::below  ? Qt::BottomDockWidgetArea
+                                        : way == Way::left ? Qt::LeftDockWidgetArea
+                                                           : Qt::RightDockWidgetArea;
         for (QDockWidget *panel : shownIn(area)) {
-            if (!contains(asked, panel))
+            if (!contains(asked, panel) && (way != Way::numbers || panel == m_parameterDock))
                 aside.panels.push_back(panel);
         }
         for (QDockWidget *panel : aside.panels)
