@@ -3496,32 +3496,12 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <translation>Ein Name, der auf .gif endet, ergibt eine Datei. Ein Name wie walk_%04d.png ergibt für jedes Bild eine Datei, mit seiner Nummer anstelle von %04d.</translation>
     </message>
     <message>
-        <source>File</source>
-        <translation>Datei</translation>
-    </message>
-    <message>
-        <source>Where the film goes</source>
-        <translation>Wohin der Film kommt</translation>
-    </message>
-    <message>
-        <source>&amp;Choose…</source>
-        <translation>&amp;Wählen …</translation>
-    </message>
-    <message>
-        <source>Choose a folder and a name</source>
-        <translation>Einen Ordner und einen Namen wählen</translation>
-    </message>
-    <message>
         <source>&amp;Make the film</source>
         <translation>Film e&amp;rstellen</translation>
     </message>
     <message>
         <source>Make the film; the window can be used meanwhile</source>
         <translation>Den Film erstellen; das Fenster ist derweil benutzbar</translation>
-    </message>
-    <message>
-        <source>Films (*.gif);;Pictures of each frame (*.png)</source>
-        <translation>Filme (*.gif);;Ein Bild je Einzelbild (*.png)</translation>
     </message>
     <message>
         <source>Looking at its colours…</source>
@@ -3566,6 +3546,49 @@ Klick klappt ein oder aus (Eingabe)</translation>
     <message>
         <source>&amp;Width</source>
         <translation>&amp;Breite</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>E&amp;rsetzen</translation>
+    </message>
+    <message>
+        <source>Make the film, and write over what is there</source>
+        <translation>Den Film erstellen und überschreiben, was schon da ist</translation>
+    </message>
+</context>
+<context>
+    <name>app::FilmName</name>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Where the film goes</source>
+        <translation>Wohin der Film kommt</translation>
+    </message>
+    <message>
+        <source>&amp;Choose…</source>
+        <translation>&amp;Wählen …</translation>
+    </message>
+    <message>
+        <source>Choose a folder and a name</source>
+        <translation>Einen Ordner und einen Namen wählen</translation>
+    </message>
+    <message>
+        <source>%1 is there already. Replace it, or give another name.</source>
+        <translation>%1 gibt es schon. Ersetze sie oder gib einen anderen Namen an.</translation>
+    </message>
+    <message>
+        <source>Such pictures are there already, as %1. Replace them, or give another name.</source>
+        <translation>Solche Bilder gibt es schon, etwa %1. Ersetze sie oder gib einen anderen Namen an.</translation>
+    </message>
+    <message>
+        <source>Film of the run</source>
+        <translation>Film vom Lauf</translation>
+    </message>
+    <message>
+        <source>Films (*.gif);;Pictures of each frame (*.png)</source>
+        <translation>Filme (*.gif);;Jedes Bild als Datei (*.png)</translation>
     </message>
 </context>
 <context>
@@ -6478,6 +6501,10 @@ für weniger so genau.</translation>
     <message>
         <source>Gait group</source>
         <translation>Ganggruppe</translation>
+    </message>
+    <message>
+        <source>There is no room for a copy of all that: choose fewer parts, or delete some first.</source>
+        <translation>Für eine Kopie von all dem ist kein Platz: Wähle weniger Teile oder lösche erst welche.</translation>
     </message>
 </context>
 <context>
