@@ -71,6 +71,17 @@ BuiltProperty propertyOf(const Named &named, Parts parts, Numbers numbers, Field
     return property;
 }
 
+/// A coordinate: what ties the points that it moves goes along, as it does when they are dragged.
+BuiltProperty placed(BuiltProperty coordinate)
+{
+    coordinate.set = [set = coordinate.set](sim::Blueprint &plan, const Chosen &chosen, double value) {
+        const sim::Blueprint before = plan;
+        set(plan, chosen, value);
+        keepTies(plan, before);
+    };
+    return coordinate;
+}
+
 const auto pointsOf = [](auto &plan) -> auto &
 {
     return plan.points;
@@ -235,10 +246,10 @@ void addPoints(Collector &all, const sim::Blueprint &plan, const Chosen &chosen)
                   ? Text::tr("Point %1")
                         .arg(QString::fromStdString(plan.points[std::size_t(chosen.points.front())].name))
                   : Text::tr("%1 points").arg(count));
-    all.add(of(
-        x(), [](auto &point) -> auto & { return point.x.x; }));
-    all.add(of(
-        y(), [](auto &point) -> auto & { return point.x.y; }));
+    all.add(placed(of(
+        x(), [](auto &point) -> auto & { return point.x.x; })));
+    all.add(placed(of(
+        y(), [](auto &point) -> auto & { return point.x.y; })));
     all.add(of(
         mass(), [](auto &point) -> auto & { return point.mass; }));
     all.add(of(

@@ -127,6 +127,39 @@ private slots:
         QCOMPARE(plan.sticks[0].length, 70.0);
     }
 
+    void aFootThatIsMovedTakesItsAngleAlong()
+    {
+        sim::Blueprint plan = triangle();
+        addFoot(plan, 2, 0);
+        QCOMPARE(plan.feet[0].angle, -90.0);
+        moveBy(plan, {2}, {-50, 0}); // 50 px left of the body and as far below the legs' middle
+        QCOMPARE(plan.feet[0].angle, -45.0);
+        moveBy(plan, {0}, {100, 0}); // the body alone
+        QCOMPARE(plan.feet[0].angle, -45.0);
+        moveBy(plan, {2}, {10, 0}); // a foot that does not stand at its angle
+        QCOMPARE(plan.feet[0].angle, -45.0);
+    }
+
+    void aPlaceThatIsTypedTakesLengthsAlongAsADragDoes()
+    {
+        sim::Blueprint typed = triangle();
+        addSpring(typed, 0, 1);
+        addStick(typed, 0, 2);
+        typed.sticks[0].length = 70.0;
+        addFoot(typed, 1, 2);
+        sim::Blueprint dragged = typed;
+        for (const BuiltProperty &one : propertiesOf(typed, {{0}, {}, {}})) {
+            if (one.about.id == "x")
+                one.set(typed, {{0}, {}, {}}, 30.0);
+            else if (one.about.id == "y")
+                one.set(typed, {{0}, {}, {}}, -20.0);
+        }
+        QCOMPARE(typed.springs[0].length, 60.0);
+        QCOMPARE(typed.sticks[0].length, 70.0);
+        moveBy(dragged, {0}, {30, -20});
+        QVERIFY(typed == dragged);
+    }
+
     void aCopyHasItsOwnNamesAndItsOwnLinks()
     {
         sim::Blueprint plan = triangle();
@@ -134,8 +167,8 @@ private slots:
         addSpring(plan, 0, 1);
         addSpring(plan, 1, 2);
         addFoot(plan, 1, 0);
-        const Chosen copies = duplicate(plan, {{0, 1}, {}, {}}, {20, 20});
-        QVERIFY(copies == (Chosen{{3, 4}, {2}, {}}));
+        const std::optional<Chosen> copies = duplicate(plan, {{0, 1}, {}, {}}, {20, 20});
+        QVERIFY(copies == std::optional(Chosen{{3, 4}, {2}, {}}));
         QCOMPARE(plan.points[3].mass, 5.0);
         QCOMPARE(plan.points[3].name, std::string("p3"));
         QVERIFY(plan.springs[2].a == 3 && plan.springs[2].b == 4);
@@ -256,6 +289,46 @@ private slots:
         world.bench.use({50, 50}, -1); // no point without its spring, either
         QVERIFY2(world.lastSaid().startsWith("There is no room"), qPrintable(world.lastSaid()));
         QVERIFY(world.plan() == full);
+    }
+
+    void whereNotAllOfACopyHasRoomNothingIsCopiedAndThatIsSaid_data()
+    {
+        QTest::addColumn<QString>("full");
+        for (const char *full : {"points", "springs", "sticks", "far away"})
+            QTest::newRow(full) << QString(full);
+    }
+    void whereNotAllOfACopyHasRoomNothingIsCopiedAndThatIsSaid()
+    {
+        QFETCH(QString, full);
+        World world;
+        sim::Blueprint plan = triangle();
+        addSpring(plan, 0, 1);
+        addStick(plan, 0, 1);
+        while (full == "points" && plan.points.size() < 998)
+            addPoint(plan, {300, 300});
+        while (full == "springs" && addSpring(plan, 0, 1))
+            ;
+        while (full == "sticks" && addStick(plan, 0, 1))
+            ;
+        if (full == "far away")
+            plan.points[2].x = {1e6, 0};
+        QVERIFY(world.session.build({"full", {}, {}}, plan));
+        world.said.clear();
+        const int deeds = world.session.deeds().count();
+        world.bench.choose({{0, 1, 2}, {}, {}});
+        world.bench.duplicateChosen();
+        QVERIFY(world.plan() == plan);
+        QCOMPARE(world.session.deeds().count(), deeds);
+        QCOMPARE(world.said.count(), 1);
+        QVERIFY2(world.lastSaid().startsWith("There is no room for a copy"), qPrintable(world.lastSaid()));
+        world.bench.choose({{2}, {}, {}}); // one has room, where it is points that are many
+        world.bench.duplicateChosen();
+        QCOMPARE(world.session.deeds().count(), deeds + (full == "far away" ? 0 : 1));
+        if (full == "far away")
+            return;
+        QCOMPARE(world.plan().points.size(), plan.points.size() + 1);
+        world.session.undo(); // one entry
+        QVERIFY(world.plan() == plan);
     }
 
     void aLinkIsNoLongerThanAFileCanHold()
