@@ -3042,6 +3042,14 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <source>Gives this foot a gait group of its own, with a clock of its own</source>
         <translation>Gibt diesem Fuß eine eigene Ganggruppe mit eigener Uhr</translation>
     </message>
+    <message>
+        <source>Click each of its feet. Esc: another body.</source>
+        <translation>Klicke auf jeden seiner Füße. Esc: ein anderer Körper.</translation>
+    </message>
+    <message>
+        <source>Click where it ends; the next goes on from there. Esc: begin elsewhere.</source>
+        <translation>Klicke, wo das andere Ende hinkommt; von dort geht es weiter. Esc: woanders beginnen.</translation>
+    </message>
 </context>
 <context>
     <name>app::CodeCard</name>
@@ -7348,6 +7356,14 @@ für weniger so genau.</translation>
     <message>
         <source>Blows everything sideways, wide bodies more, and swells and ebbs.</source>
         <translation>Bläst alles zur Seite, breite Körper mehr, und schwillt an und ab.</translation>
+    </message>
+    <message>
+        <source>ramp</source>
+        <translation>Rampe</translation>
+    </message>
+    <message>
+        <source>Keeps everything on one side of a straight line, which leans as you like.</source>
+        <translation>Hält alles auf einer Seite einer Geraden, die so schräg liegt, wie du willst.</translation>
     </message>
 </context>
 <context>
