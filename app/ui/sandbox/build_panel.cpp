@@ -233,6 +233,10 @@ QString BuildPanel::waitHint() const
 
 QString BuildPanel::toolHint() const
 {
+    if (m_bench.first())
+        return m_bench.tool() == BuildTool::foot
+                   ? tr("Click each of its feet. Esc: another body.")
+                   : tr("Click where it ends; the next goes on from there. Esc: begin elsewhere.");
     switch (m_bench.tool()) {
     case BuildTool::point:
         return tr("Click where a point shall be.");
@@ -255,7 +259,7 @@ void BuildPanel::refreshProperties()
     const bool can = m_bench.canBuild();
     const bool any = can && !m_bench.chosen().isEmpty();
     m_away->setVisible(!can);
-    m_hint->setVisible(!any);
+    m_hint->setVisible(!any || m_bench.tool() != BuildTool::select);
     m_properties->setVisible(any);
     m_hint->setText(can ? toolHint() : waitHint());
     if (!any) {
