@@ -1581,7 +1581,7 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     </message>
     <message>
         <source>a body&apos;s name</source>
-        <translation>den Namen eines Körpers</translation>
+        <translation>der Name eines Körpers</translation>
     </message>
     <message>
         <source>true or false</source>
@@ -1623,7 +1623,7 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     <name>ExperimentPoints</name>
     <message>
         <source>a point&apos;s name</source>
-        <translation>den Namen eines Punktes</translation>
+        <translation>der Name eines Punktes</translation>
     </message>
     <message>
         <source>there is no point %1 here; there is &quot;p0&quot; to %2.</source>
@@ -3281,7 +3281,7 @@ Klick klappt ein oder aus (Eingabe)</translation>
     </message>
     <message>
         <source>runs</source>
-        <translation>Läufe</translation>
+        <translation>Male</translation>
     </message>
     <message>
         <source>How often a frame computes it: some methods look several times.</source>
@@ -3584,7 +3584,7 @@ Klick klappt ein oder aus (Eingabe)</translation>
     </message>
     <message>
         <source>%1 is there already. Replace it, or give another name.</source>
-        <translation>%1 gibt es schon. Ersetze sie oder gib einen anderen Namen an.</translation>
+        <translation>%1 gibt es schon. Ersetze die Datei oder gib einen anderen Namen an.</translation>
     </message>
     <message>
         <source>Such pictures are there already, as %1. Replace them, or give another name.</source>
@@ -4271,11 +4271,11 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     </message>
     <message>
         <source>Everything rests. Touch something, or press &lt;b&gt;Space&lt;/b&gt; to stop.</source>
-        <translation>Alles ruht. Fass etwas an, oder drücke &lt;b&gt;Leertaste&lt;/b&gt;, um anzuhalten.</translation>
+        <translation>Alles ruht. Fass etwas an, oder drück die &lt;b&gt;Leertaste&lt;/b&gt;, um anzuhalten.</translation>
     </message>
     <message>
         <source>Playing. Press &lt;b&gt;Space&lt;/b&gt; to stop anywhere.</source>
-        <translation>Läuft. Drücke &lt;b&gt;Leertaste&lt;/b&gt;, um irgendwo anzuhalten.</translation>
+        <translation>Läuft. Drück die &lt;b&gt;Leertaste&lt;/b&gt;, um irgendwo anzuhalten.</translation>
     </message>
     <message>
         <source>Inside frame %1, after %2. &lt;b&gt;Shift+→&lt;/b&gt; next phase, &lt;b&gt;→&lt;/b&gt; next frame.</source>
@@ -5370,7 +5370,7 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     </message>
     <message>
         <source>turning speed against angle</source>
-        <translation>Drehgeschwindigkeit über Winkel</translation>
+        <translation>Drehtempo über Winkel</translation>
     </message>
     <message>
         <source>Anything else: add one, and choose what it shows</source>
@@ -6531,7 +6531,7 @@ für weniger so genau.</translation>
     </message>
     <message>
         <source>a value of that parameter</source>
-        <translation>einen Wert dieses Parameters</translation>
+        <translation>ein Wert dieses Parameters</translation>
     </message>
     <message>
         <source>joint limits</source>
