@@ -3,7 +3,9 @@
 #include "app/model/language.h"
 #include "app/model/numbers.h"
 #include "app/model/sentences.h"
+#include "app/ui/panels/help_page.h"
 #include "app/ui/window/main_window.h"
+#include "app/ui/window/status_figures.h"
 #include "drawn_text.h"
 #include "sim/methods/methods.h"
 #include "sim/pipeline.h"
@@ -187,6 +189,7 @@ private slots:
     void nothingIsCut();
     void theReasonsOfStabilityAreNotCut();
     void theGalleriesOfPresetsAreNotCut();
+    void thePageOfKeysIsNotSquashed();
     void aWindowThatGoesTakesItsOpenGalleryAlong();
     void theChoiceOfALanguageIsRemembered();
     void cleanupTestCase() { m_shown.reset(); }
@@ -344,8 +347,11 @@ void GermanTest::nothingIsCut()
         shown.window.showEnergy(measuring);
         shown.window.showEffects(measuring);
         settle();
-        if (measuring)
-            QTest::qWait(110); // the figures in the status bar come a tenth of a second later
+        if (measuring) { // what is measured comes later, and then has to find its place
+            QTRY_COMPARE(shown.window.study().stage(), AccuracyStudy::Stage::done);
+            QTest::qWait(StatusFigures::refreshMilliseconds);
+            settle();
+        }
         for (const QString &where : cutIn(shown.window)) {
             if (measuring || !where.contains("StatusFigures"))
                 cut << step.id + ' ' + where;
@@ -399,6 +405,33 @@ void GermanTest::theGalleriesOfPresetsAreNotCut()
     }
     QVERIFY(galleries > 0);
     QVERIFY2(cut.isEmpty(), qPrintable('\n' + cut.join('\n')));
+}
+
+void GermanTest::thePageOfKeysIsNotSquashed()
+{
+    m_shown.reset();
+    German german;
+    for (int i = 0; i < 2; ++i) { // it is arranged anew each time
+        for (QAction *action : german.window.findChildren<QAction *>()) {
+            if (action->shortcuts().contains(QKeySequence(Qt::Key_F1)))
+                action->trigger();
+        }
+        QWidget *page = german.window.findChild<HelpPage *>();
+        QTRY_VERIFY(page && page->isVisible());
+        settle();
+        int rows = 0;
+        QStringList squashed;
+        for (const QLabel *label : page->findChildren<QLabel *>()) {
+            const int lacks = label->heightForWidth(label->width()) - 2 - label->height();
+            if (label->isVisible() && (lacks > 0 || label->height() < label->minimumHeight()))
+                squashed << label->text();
+            rows += label->objectName() == "action" ? 1 : 0;
+        }
+        QVERIFY(rows > 50);
+        QVERIFY2(squashed.isEmpty(), qPrintable(squashed.join(" | ")));
+        QTest::keyClick(page, Qt::Key_Escape);
+        QVERIFY(!page->isVisible());
+    }
 }
 
 void GermanTest::aWindowThatGoesTakesItsOpenGalleryAlong()

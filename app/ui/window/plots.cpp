@@ -111,6 +111,7 @@ void MainWindow::arrangePlots()
 void MainWindow::resizeEvent(QResizeEvent *event)
 {
     QMainWindow::resizeEvent(event);
+    shareStatusBar();
     const auto hasRoom = [](QSize size) { return size.width() >= wide && size.height() >= high; };
     if (event->oldSize().isValid() && hasRoom(event->oldSize()) == hasRoom(event->size()))
         return;
