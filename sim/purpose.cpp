@@ -38,6 +38,7 @@ constexpr Purpose purposes[] = {
      SIM_TEXT("Pushes apart what comes too close, so that creatures do not walk through each other.")},
     {"radial_spring",
      SIM_TEXT("Keep two points a length apart: they pull when it is more, and push when it is less.")},
+    {"ramp", SIM_TEXT("Keeps everything on one side of a straight line, which leans as you like.")},
     {"return_to_rest", SIM_TEXT("Turns each branch a part of the way back to where it grew.")},
     {"room", SIM_TEXT("Keeps everything between two walls and above a floor.")},
     {"soft_sticks", SIM_TEXT("Keep a point near its distance, but let it lag behind for a while.")},

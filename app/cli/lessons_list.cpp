@@ -65,8 +65,8 @@ QJsonObject lessonJson(const LessonEntry &lesson)
 QString jsonList(const LessonLibrary &library)
 {
     QJsonArray lessons;
-    for (const LessonEntry &lesson : library.lessons)
-        lessons.append(lessonJson(lesson));
+    for (std::size_t i = 0; i < library.entries(); ++i)
+        lessons.append(lessonJson(library.entry(i)));
     QJsonArray methods;
     for (const sim::MethodPtr &method : sim::allMethods())
         methods.append(QJsonObject{{"id", QString::fromStdString(method->id())},
@@ -93,7 +93,8 @@ QString parameterLine(const lessons::Parameter &parameter)
 QString readableList(const LessonLibrary &library)
 {
     QString text;
-    for (const LessonEntry &lesson : library.lessons) {
+    for (std::size_t i = 0; i < library.entries(); ++i) {
+        const LessonEntry &lesson = library.entry(i);
         text += QString::number(lesson.order) + ". " + lesson.id + ": " + lesson.title + '\n';
         for (const lessons::Step &step : lesson.steps) {
             text += "   " + lesson.id + '/' + step.id + ": " + step.title + '\n';

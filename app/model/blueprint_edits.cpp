@@ -21,6 +21,14 @@ double apart(const sim::Blueprint &plan, int a, int b)
     return std::min(distance, built::length.max);
 }
 
+/// The angle at which a foot stands as seen from its body, whole degrees.
+double angleOf(const sim::Blueprint &plan, int foot, int body, int gait)
+{
+    const sim::Vec2 bone = plan.points[std::size_t(body)].x - plan.points[std::size_t(foot)].x;
+    const double drop = plan.gaits[std::size_t(gait)].drop;
+    return std::round(std::atan2(bone.y + drop, bone.x) * 180.0 / std::numbers::pi);
+}
+
 double inverseMass(const sim::BuiltPoint &point)
 {
     return point.fixed ? 0.0 : 1.0 / point.mass;
@@ -107,7 +115,7 @@ std::vector<int> copyLinks(std::vector<Link> &links, const std::vector<int> &cop
     for (Link link : old) {
         link.a = copies[std::size_t(link.a)];
         link.b = copies[std::size_t(link.b)];
-        if (link.a < 0 || link.b < 0 || links.size() >= built::mostLinks)
+        if (link.a < 0 || link.b < 0)
             continue;
         added.push_back(static_cast<int>(links.size()));
         links.push_back(link);
@@ -162,10 +170,8 @@ std::optional<int> addFoot(sim::Blueprint &plan, int foot, int body)
         return {};
     if (plan.gaits.empty())
         plan.gaits.emplace_back();
-    const sim::BuiltGait &gait = plan.gaits.back();
-    const sim::Vec2 bone = plan.points[std::size_t(body)].x - plan.points[std::size_t(foot)].x;
-    const double angle = std::atan2(bone.y + gait.drop, bone.x) * 180.0 / std::numbers::pi;
-    plan.feet.push_back({foot, body, std::round(angle), static_cast<int>(plan.gaits.size()) - 1});
+    const int gait = static_cast<int>(plan.gaits.size()) - 1;
+    plan.feet.push_back({foot, body, angleOf(plan, foot, body, gait), gait});
     return static_cast<int>(plan.feet.size()) - 1;
 }
 
@@ -192,29 +198,32 @@ void erase(sim::Blueprint &plan, const Chosen &chosen)
     std::erase_if(plan.feet, [](const sim::BuiltFoot &foot) { return foot.foot < 0 || foot.body < 0; });
 }
 
-Chosen duplicate(sim::Blueprint &plan, const Chosen &chosen, sim::Vec2 by)
+std::optional<Chosen> duplicate(sim::Blueprint &plan, const Chosen &chosen, sim::Vec2 by)
 {
+    sim::Blueprint next = plan;
     Chosen added;
     std::vector<int> copies(plan.points.size(), -1);
     for (const int one : chosen.points) {
-        const sim::BuiltPoint old = plan.points[std::size_t(one)];
-        const std::optional<int> copy = addPoint(plan, old.x + by);
+        const sim::BuiltPoint &old = plan.points[std::size_t(one)];
+        const std::optional<int> copy = addPoint(next, old.x + by);
         if (!copy)
-            break;
-        sim::BuiltPoint &made = plan.points[std::size_t(*copy)];
+            return {};
+        sim::BuiltPoint &made = next.points[std::size_t(*copy)];
         made = {made.name, made.x, old.v, old.mass, old.size, old.fixed};
         copies[std::size_t(one)] = *copy;
         added.points.push_back(*copy);
     }
-    added.springs = copyLinks(plan.springs, copies);
-    added.sticks = copyLinks(plan.sticks, copies);
-    const std::vector<sim::BuiltFoot> feet = plan.feet;
-    for (sim::BuiltFoot foot : feet) {
+    added.springs = copyLinks(next.springs, copies);
+    added.sticks = copyLinks(next.sticks, copies);
+    if (next.springs.size() > built::mostLinks || next.sticks.size() > built::mostLinks)
+        return {};
+    for (sim::BuiltFoot foot : plan.feet) {
         foot.foot = copies[std::size_t(foot.foot)];
         foot.body = copies[std::size_t(foot.body)];
         if (foot.foot >= 0 && foot.body >= 0)
-            plan.feet.push_back(foot);
+            next.feet.push_back(foot);
     }
+    plan = std::move(next);
     return added;
 }
 
@@ -226,6 +235,11 @@ void moveBy(sim::Blueprint &plan, const std::vector<int> &points, sim::Vec2 by)
         x = {std::clamp(x.x + by.x, built::place.min, built::place.max),
              std::clamp(x.y + by.y, built::place.min, built::place.max)};
     }
+    keepTies(plan, before);
+}
+
+void keepTies(sim::Blueprint &plan, const sim::Blueprint &before)
+{
     const auto follow = [&](auto &links) {
         for (auto &link : links) {
             const double was = apart(before, link.a, link.b);
@@ -236,6 +250,14 @@ void moveBy(sim::Blueprint &plan, const std::vector<int> &points, sim::Vec2 by)
     };
     follow(plan.springs);
     follow(plan.sticks);
+    for (sim::BuiltFoot &foot : plan.feet) {
+        const auto isMoved = [&](int point) {
+            return plan.points[std::size_t(point)].x != before.points[std::size_t(point)].x;
+        };
+        if (isMoved(foot.foot) && !isMoved(foot.body) &&
+            foot.angle == angleOf(before, foot.foot, foot.body, foot.gait))
+            foot.angle = angleOf(plan, foot.foot, foot.body, foot.gait);
+    }
 }
 
 Chosen everything(const sim::Blueprint &plan)

@@ -35,10 +35,14 @@ std::optional<int> addGait(sim::Blueprint &plan);
 
 /// Without what is chosen, and without what would have lost an end.
 void erase(sim::Blueprint &plan, const Chosen &chosen);
-/// The chosen points and what ties them, once more, `by` px away. Returns what is new.
-Chosen duplicate(sim::Blueprint &plan, const Chosen &chosen, sim::Vec2 by);
-/// Moves points. What was as long as it should be stays so: its length follows.
+/// The chosen points and what ties them, once more, `by` px away. Returns what is new; nothing, and nothing changes, where
+/// there is no room for all of it.
+std::optional<Chosen> duplicate(sim::Blueprint &plan, const Chosen &chosen, sim::Vec2 by);
+/// Moves points. What was as long as it should be stays so: its length follows. So does the angle of a foot that stood at
+/// it, where its body stays.
 void moveBy(sim::Blueprint &plan, const std::vector<int> &points, sim::Vec2 by);
+/// The same for points that stand elsewhere now than they did `before`.
+void keepTies(sim::Blueprint &plan, const sim::Blueprint &before);
 
 /// Everything there is.
 Chosen everything(const sim::Blueprint &plan);

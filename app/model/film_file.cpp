@@ -5,6 +5,8 @@
 #include "app/model/words.h"
 
 #include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
 #include <QRegularExpression>
 
 #include <algorithm>
@@ -92,6 +94,29 @@ QString pictureName(const QString &name, std::int64_t frame)
     QString file = name;
     const QString digits = QString::number(frame).rightJustified(number.captured(1).toInt(), '0');
     return file.replace(number.capturedStart(), number.capturedLength(), digits);
+}
+
+QStringList filesInTheWay(const QString &name, std::int64_t from, std::int64_t to)
+{
+    const QFileInfo file(name);
+    if (filmKind(name) == FilmKind::gif)
+        return file.isFile() ? QStringList(file.fileName()) : QStringList();
+    // The folder is looked through, not the frames: there may be millions of those.
+    const QString pattern = file.fileName();
+    const QRegularExpressionMatch number = numberIn(pattern);
+    const QString before = pattern.left(number.capturedStart());
+    const QString after = pattern.mid(number.capturedEnd());
+    QStringList found;
+    for (const QString &one : file.dir().entryList(QDir::Files, QDir::Name)) {
+        if (!one.startsWith(before) || !one.endsWith(after))
+            continue;
+        const qsizetype digits = one.size() - before.size() - after.size();
+        bool isNumber = false;
+        const qlonglong frame = digits > 0 ? one.mid(before.size(), digits).toLongLong(&isNumber) : 0;
+        if (isNumber && frame >= from && frame <= to && pictureName(pattern, frame) == one)
+            found << one;
+    }
+    return found;
 }
 
 std::unique_ptr<FilmFile> beginFilm(const QString &name, QSize size, std::vector<QRgb> palette)

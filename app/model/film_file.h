@@ -4,6 +4,7 @@
 
 #include <QSize>
 #include <QString>
+#include <QStringList>
 
 #include <cstdint>
 #include <memory>
@@ -33,6 +34,10 @@ enum class FilmKind {
 FilmKind filmKind(const QString &name);
 /// The file of one picture: `name` with the frame's number.
 QString pictureName(const QString &name, std::int64_t frame);
+
+/// The files that a film of the frames `from` to `to` would write over, by name; without their folder.
+/// @throws Refusal: `name` is no film's
+QStringList filesInTheWay(const QString &name, std::int64_t from, std::int64_t to);
 
 /// The most pictures a second that programs show of a GIF: each lasts whole hundredths of a second, two at least.
 constexpr double mostGifRate = 50.0;

@@ -168,11 +168,13 @@ void Workbench::duplicateChosen()
     if (m_chosen.points.empty())
         return;
     const Chosen old = m_chosen;
-    Chosen added;
-    if (change(tr("Duplicate"), [&](sim::Blueprint &plan) { added = duplicate(plan, old, besideCopied); }))
-        choose(added);
-    else if (canBuild())
-        sayFull();
+    std::optional<Chosen> added;
+    const auto edit = [&](sim::Blueprint &plan) { added = duplicate(plan, old, besideCopied); };
+    if (change(tr("Duplicate"), edit))
+        choose(*added);
+    else if (canBuild() && !added)
+        emit m_session.said(tr("There is no room for a copy of all that: choose fewer parts, or delete some "
+                               "first."));
 }
 
 bool Workbench::has(const QString &effect) const

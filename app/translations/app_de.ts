@@ -1596,7 +1596,7 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     </message>
     <message>
         <source>a body&apos;s name</source>
-        <translation>den Namen eines Körpers</translation>
+        <translation>der Name eines Körpers</translation>
     </message>
     <message>
         <source>true or false</source>
@@ -1638,7 +1638,7 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     <name>ExperimentPoints</name>
     <message>
         <source>a point&apos;s name</source>
-        <translation>den Namen eines Punktes</translation>
+        <translation>der Name eines Punktes</translation>
     </message>
     <message>
         <source>there is no point %1 here; there is &quot;p0&quot; to %2.</source>
@@ -3095,6 +3095,14 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <source>Gives this foot a gait group of its own, with a clock of its own</source>
         <translation>Gibt diesem Fuß eine eigene Ganggruppe mit eigener Uhr</translation>
     </message>
+    <message>
+        <source>Click each of its feet. Esc: another body.</source>
+        <translation>Klicke auf jeden seiner Füße. Esc: ein anderer Körper.</translation>
+    </message>
+    <message>
+        <source>Click where it ends; the next goes on from there. Esc: begin elsewhere.</source>
+        <translation>Klicke, wo das andere Ende hinkommt; von dort geht es weiter. Esc: woanders beginnen.</translation>
+    </message>
 </context>
 <context>
     <name>app::CodeCard</name>
@@ -3337,7 +3345,7 @@ Klick klappt ein oder aus (Eingabe)</translation>
     </message>
     <message>
         <source>runs</source>
-        <translation>Läufe</translation>
+        <translation>Male</translation>
     </message>
     <message>
         <source>How often a frame computes it: some methods look several times.</source>
@@ -3560,32 +3568,12 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <translation>Ein Name, der auf .gif endet, ergibt eine Datei. Ein Name wie walk_%04d.png ergibt für jedes Bild eine Datei, mit seiner Nummer anstelle von %04d.</translation>
     </message>
     <message>
-        <source>File</source>
-        <translation>Datei</translation>
-    </message>
-    <message>
-        <source>Where the film goes</source>
-        <translation>Wohin der Film kommt</translation>
-    </message>
-    <message>
-        <source>&amp;Choose…</source>
-        <translation>&amp;Wählen …</translation>
-    </message>
-    <message>
-        <source>Choose a folder and a name</source>
-        <translation>Einen Ordner und einen Namen wählen</translation>
-    </message>
-    <message>
         <source>&amp;Make the film</source>
         <translation>Film e&amp;rstellen</translation>
     </message>
     <message>
         <source>Make the film; the window can be used meanwhile</source>
         <translation>Den Film erstellen; das Fenster ist derweil benutzbar</translation>
-    </message>
-    <message>
-        <source>Films (*.gif);;Pictures of each frame (*.png)</source>
-        <translation>Filme (*.gif);;Ein Bild je Einzelbild (*.png)</translation>
     </message>
     <message>
         <source>Looking at its colours…</source>
@@ -3630,6 +3618,49 @@ Klick klappt ein oder aus (Eingabe)</translation>
     <message>
         <source>&amp;Width</source>
         <translation>&amp;Breite</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>E&amp;rsetzen</translation>
+    </message>
+    <message>
+        <source>Make the film, and write over what is there</source>
+        <translation>Den Film erstellen und überschreiben, was schon da ist</translation>
+    </message>
+</context>
+<context>
+    <name>app::FilmName</name>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Where the film goes</source>
+        <translation>Wohin der Film kommt</translation>
+    </message>
+    <message>
+        <source>&amp;Choose…</source>
+        <translation>&amp;Wählen …</translation>
+    </message>
+    <message>
+        <source>Choose a folder and a name</source>
+        <translation>Einen Ordner und einen Namen wählen</translation>
+    </message>
+    <message>
+        <source>%1 is there already. Replace it, or give another name.</source>
+        <translation>%1 gibt es schon. Ersetze die Datei oder gib einen anderen Namen an.</translation>
+    </message>
+    <message>
+        <source>Such pictures are there already, as %1. Replace them, or give another name.</source>
+        <translation>Solche Bilder gibt es schon, etwa %1. Ersetze sie oder gib einen anderen Namen an.</translation>
+    </message>
+    <message>
+        <source>Film of the run</source>
+        <translation>Film vom Lauf</translation>
+    </message>
+    <message>
+        <source>Films (*.gif);;Pictures of each frame (*.png)</source>
+        <translation>Filme (*.gif);;Jedes Bild als Datei (*.png)</translation>
     </message>
 </context>
 <context>
@@ -4327,11 +4358,11 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     </message>
     <message>
         <source>Everything rests. Touch something, or press &lt;b&gt;Space&lt;/b&gt; to stop.</source>
-        <translation>Alles ruht. Fass etwas an, oder drücke &lt;b&gt;Leertaste&lt;/b&gt;, um anzuhalten.</translation>
+        <translation>Alles ruht. Fass etwas an, oder drück die &lt;b&gt;Leertaste&lt;/b&gt;, um anzuhalten.</translation>
     </message>
     <message>
         <source>Playing. Press &lt;b&gt;Space&lt;/b&gt; to stop anywhere.</source>
-        <translation>Läuft. Drücke &lt;b&gt;Leertaste&lt;/b&gt;, um irgendwo anzuhalten.</translation>
+        <translation>Läuft. Drück die &lt;b&gt;Leertaste&lt;/b&gt;, um irgendwo anzuhalten.</translation>
     </message>
     <message>
         <source>Inside frame %1, after %2. &lt;b&gt;Shift+→&lt;/b&gt; next phase, &lt;b&gt;→&lt;/b&gt; next frame.</source>
@@ -5454,7 +5485,7 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     </message>
     <message>
         <source>turning speed against angle</source>
-        <translation>Drehgeschwindigkeit über Winkel</translation>
+        <translation>Drehtempo über Winkel</translation>
     </message>
     <message>
         <source>Anything else: add one, and choose what it shows</source>
@@ -6618,6 +6649,10 @@ für weniger so genau.</translation>
         <source>Gait group</source>
         <translation>Ganggruppe</translation>
     </message>
+    <message>
+        <source>There is no room for a copy of all that: choose fewer parts, or delete some first.</source>
+        <translation>Für eine Kopie von all dem ist kein Platz: Wähle weniger Teile oder lösche erst welche.</translation>
+    </message>
 </context>
 <context>
     <name>sim</name>
@@ -6635,7 +6670,7 @@ für weniger so genau.</translation>
     </message>
     <message>
         <source>a value of that parameter</source>
-        <translation>einen Wert dieses Parameters</translation>
+        <translation>ein Wert dieses Parameters</translation>
     </message>
     <message>
         <source>joint limits</source>
@@ -7460,6 +7495,14 @@ für weniger so genau.</translation>
     <message>
         <source>Blows everything sideways, wide bodies more, and swells and ebbs.</source>
         <translation>Bläst alles zur Seite, breite Körper mehr, und schwillt an und ab.</translation>
+    </message>
+    <message>
+        <source>ramp</source>
+        <translation>Rampe</translation>
+    </message>
+    <message>
+        <source>Keeps everything on one side of a straight line, which leans as you like.</source>
+        <translation>Hält alles auf einer Seite einer Geraden, die so schräg liegt, wie du willst.</translation>
     </message>
 </context>
 <context>

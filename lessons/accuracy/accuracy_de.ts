@@ -265,7 +265,7 @@ Jeder **Effekt** in der Liste hat seinen Preis, und einer, der nicht darin steht
     </message>
     <message>
         <source>Less than **1&#x2009;px** off, within **0.5&#x2009;µs** a frame. The machine checks both at frame 200.</source>
-        <translation>Weniger als **1&#x2009;px** daneben, innerhalb von **0,5&#x2009;µs** pro Bild. Die Maschine prüft beides bei Bild 200.</translation>
+        <translation>Weniger als **1&#x2009;px** daneben, innerhalb von **0,5&#x2009;µs** pro Bild. Das Programm prüft beides bei Bild 200.</translation>
     </message>
     <message>
         <source>Less than **0.1&#x2009;px** off, within **1&#x2009;µs** a frame.</source>
@@ -289,19 +289,19 @@ Jeder **Effekt** in der Liste hat seinen Preis, und einer, der nicht darin steht
     </message>
     <message>
         <source>Above the picture, press **Step** and choose **1/8&#x2009;frame**. Press **Space**, and stop after frame 100. How far off it is stands above the parameters.</source>
-        <translation>Drücke über der Szene **Zeitschritt** und wähle **1/8&#x2009;Bild**. Drücke **Leertaste** und halte nach Bild 100 an. Wie weit er daneben ist, steht über den Parametern.</translation>
+        <translation>Drücke über der Szene **Zeitschritt** und wähle **1/8&#x2009;Bild**. Drück die **Leertaste** und halte nach Bild 100 an. Wie weit er daneben ist, steht über den Parametern.</translation>
     </message>
     <message>
         <source>Choose **2&#x2009;frames** as step above the picture, press **Space**, and wait.</source>
-        <translation>Wähle über der Szene **2&#x2009;Bilder** als Zeitschritt, drücke **Leertaste** und warte.</translation>
+        <translation>Wähle über der Szene **2&#x2009;Bilder** als Zeitschritt, drück die **Leertaste** und warte.</translation>
     </message>
     <message>
         <source>Choose **1&#x2009;frame** as step. Press **Home**, type 0.02 beside **k**, press **Space**, and wait four seconds.</source>
-        <translation>Wähle **1&#x2009;Bild** als Zeitschritt. Drücke **Pos1**, gib neben **k** 0,02 ein, drücke **Leertaste** und warte vier Sekunden.</translation>
+        <translation>Wähle **1&#x2009;Bild** als Zeitschritt. Drücke **Pos1**, gib neben **k** 0,02 ein, drück die **Leertaste** und warte vier Sekunden.</translation>
     </message>
     <message>
         <source>Above the picture, press **Step**, type 5 into the field **Other**, and press **Enter**. Then press **Space**.</source>
-        <translation>Drücke über der Szene **Zeitschritt**, gib im Feld **Andere** 5 ein und drücke **Eingabe**. Drücke dann **Leertaste**.</translation>
+        <translation>Drücke über der Szene **Zeitschritt**, gib im Feld **Andere** 5 ein und drücke **Eingabe**. Drück dann die **Leertaste**.</translation>
     </message>
     <message>
         <source>Step</source>
@@ -333,15 +333,15 @@ Jeder **Effekt** in der Liste hat seinen Preis, und einer, der nicht darin steht
     </message>
     <message>
         <source>Above the picture, press **Method** and choose **Explicit Euler**. Press **Space** and watch the drift above the parameters.</source>
-        <translation>Drücke über der Szene **Verfahren** und wähle **Explizites Euler**. Drücke **Leertaste** und sieh dir die Drift über den Parametern an.</translation>
+        <translation>Drücke über der Szene **Verfahren** und wähle **Explizites Euler**. Drück die **Leertaste** und sieh dir die Drift über den Parametern an.</translation>
     </message>
     <message>
         <source>Choose **Explicit Euler** as method and **1/8&#x2009;frame** as step. Press **Space** and wait.</source>
-        <translation>Wähle **Explizites Euler** als Verfahren und **1/8&#x2009;Bild** als Zeitschritt. Drücke **Leertaste** und warte.</translation>
+        <translation>Wähle **Explizites Euler** als Verfahren und **1/8&#x2009;Bild** als Zeitschritt. Drück die **Leertaste** und warte.</translation>
     </message>
     <message>
         <source>Choose **Velocity Verlet** as method and **1&#x2009;frame** as step. Press **Space**, and stop after frame 200.</source>
-        <translation>Wähle **Velocity-Verlet** als Verfahren und **1&#x2009;Bild** als Zeitschritt. Drücke **Leertaste** und halte nach Bild 200 an.</translation>
+        <translation>Wähle **Velocity-Verlet** als Verfahren und **1&#x2009;Bild** als Zeitschritt. Drück die **Leertaste** und halte nach Bild 200 an.</translation>
     </message>
     <message>
         <source>Energy</source>
@@ -497,11 +497,11 @@ und das halbe h lässt davon 1/2, 1/4, 1/16 übrig, für p = 1, 2, 4.</translati
     </message>
     <message>
         <source>Above the picture, press **Tolerance** and choose **0.1&#x2009;px**. Press **Space**, and stop after frame 150.</source>
-        <translation>Drücke über der Szene **Toleranz** und wähle **0,1&#x2009;px**. Drücke **Leertaste** und halte nach Bild 150 an.</translation>
+        <translation>Drücke über der Szene **Toleranz** und wähle **0,1&#x2009;px**. Drück die **Leertaste** und halte nach Bild 150 an.</translation>
     </message>
     <message>
         <source>Press **Space**. Take the foot and throw it so that it just passes the dot in the middle.</source>
-        <translation>Drücke **Leertaste**. Nimm den Fuß und wirf ihn so, dass er knapp am Punkt in der Mitte vorbeifliegt.</translation>
+        <translation>Drück die **Leertaste**. Nimm den Fuß und wirf ihn so, dass er knapp am Punkt in der Mitte vorbeifliegt.</translation>
     </message>
     <message>
         <source>Choose **Runge–Kutta 4** as method and **1/4&#x2009;frame** as step, type 150 into the frame counter, and read how far off it is.</source>
@@ -541,7 +541,7 @@ und das halbe h lässt davon 1/2, 1/4, 1/16 übrig, für p = 1, 2, 4.</translati
     </message>
     <message>
         <source>Keep Dormand–Prince. Press **Home**, type 0.5 beside **Bounce**, press **Space**, and wait.</source>
-        <translation>Behalte Dormand–Prince. Drücke **Pos1**, gib neben **Abprall** 0,5 ein, drücke **Leertaste** und warte.</translation>
+        <translation>Behalte Dormand–Prince. Drücke **Pos1**, gib neben **Abprall** 0,5 ein, drück die **Leertaste** und warte.</translation>
     </message>
     <message>
         <source>Event finding</source>
@@ -577,15 +577,15 @@ und das halbe h lässt davon 1/2, 1/4, 1/16 übrig, für p = 1, 2, 4.</translati
     </message>
     <message>
         <source>Type 10000 into the field beside **Creatures**, press **Space**, and wait a moment. Then type 20000, and wait again.</source>
-        <translation>Gib im Feld neben **Figuren** 10000 ein, drücke **Leertaste** und warte einen Moment. Gib dann 20000 ein und warte noch einmal.</translation>
+        <translation>Gib im Feld neben **Figuren** 10000 ein, drück die **Leertaste** und warte einen Moment. Gib dann 20000 ein und warte noch einmal.</translation>
     </message>
     <message>
         <source>Type 0 into the field beside **Gravity**, press **Space**, and wait two seconds.</source>
-        <translation>Gib im Feld neben **Schwerkraft** 0 ein, drücke **Leertaste** und warte zwei Sekunden.</translation>
+        <translation>Gib im Feld neben **Schwerkraft** 0 ein, drück die **Leertaste** und warte zwei Sekunden.</translation>
     </message>
     <message>
         <source>Type 0 into the field beside **Bounce**, press **Space**, and wait. Fewer creatures are sooner done.</source>
-        <translation>Gib im Feld neben **Abprall** 0 ein, drücke **Leertaste** und warte. Mit weniger Figuren geht es schneller.</translation>
+        <translation>Gib im Feld neben **Abprall** 0 ein, drück die **Leertaste** und warte. Mit weniger Figuren geht es schneller.</translation>
     </message>
     <message>
         <source>Effect</source>

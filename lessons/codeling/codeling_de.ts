@@ -349,15 +349,15 @@ Nichts hier wurde Bild für Bild gezeichnet: Federn und Zwangsbedingungen tun da
     </message>
     <message>
         <source>Press **Space**, and click the background near the edge of the picture. Then wait.</source>
-        <translation>Drücke **Leertaste** und klicke nahe am Rand auf den Hintergrund. Warte dann.</translation>
+        <translation>Drück die **Leertaste** und klicke nahe am Rand auf den Hintergrund. Warte dann.</translation>
     </message>
     <message>
         <source>Type 1 into the field beside **Keep**. Press **Space**, click the background, and wait four seconds.</source>
-        <translation>Gib im Feld neben **Erhalt** 1 ein. Drücke **Leertaste**, klicke auf den Hintergrund und warte vier Sekunden.</translation>
+        <translation>Gib im Feld neben **Erhalt** 1 ein. Drück die **Leertaste**, klicke auf den Hintergrund und warte vier Sekunden.</translation>
     </message>
     <message>
         <source>Press **Space**. Take the little disc, swing it quickly, let go on the way, and wait.</source>
-        <translation>Drücke **Leertaste**. Nimm die kleine Scheibe, schwing sie schnell, lass unterwegs los und warte.</translation>
+        <translation>Drück die **Leertaste**. Nimm die kleine Scheibe, schwing sie schnell, lass unterwegs los und warte.</translation>
     </message>
     <message>
         <source>Lead</source>
@@ -417,11 +417,11 @@ Der Ort ändert sich also um ein Sechzehntel, und 0,9 bewirkt so viel wie 0,9 / 
     </message>
     <message>
         <source>Press **Space**. Click far up in the picture, and when it is under way, click far to the left.</source>
-        <translation>Drücke **Leertaste**. Klicke weit oben in die Szene, und wenn es unterwegs ist, klicke weit links.</translation>
+        <translation>Drück die **Leertaste**. Klicke weit oben in die Szene, und wenn es unterwegs ist, klicke weit links.</translation>
     </message>
     <message>
         <source>Press **Space**. Take the tail, carry it across the picture, let go, and wait.</source>
-        <translation>Drücke **Leertaste**. Nimm den Schwanz, trag ihn quer durch die Szene, lass los und warte.</translation>
+        <translation>Drück die **Leertaste**. Nimm den Schwanz, trag ihn quer durch die Szene, lass los und warte.</translation>
     </message>
     <message>
         <source>Click the background far off, and stop at once. Then press **Shift+→** again and again until the lead has moved, and the tail has not.</source>
@@ -449,7 +449,7 @@ Der Ort ändert sich also um ein Sechzehntel, und 0,9 bewirkt so viel wie 0,9 / 
     </message>
     <message>
         <source>Type 0.6 into the field beside **Anticipation**. Press **Space** and click far away.</source>
-        <translation>Gib im Feld neben **Ausholen** 0,6 ein. Drücke **Leertaste** und klicke weit weg.</translation>
+        <translation>Gib im Feld neben **Ausholen** 0,6 ein. Drück die **Leertaste** und klicke weit weg.</translation>
     </message>
     <message>
         <source>Play, click the background, and stop. Drag the timeline back to before the click, type another **Anticipation**, and play on for a second.</source>
@@ -469,11 +469,11 @@ Der Ort ändert sich also um ein Sechzehntel, und 0,9 bewirkt so viel wie 0,9 / 
     </message>
     <message>
         <source>Press **Space**, and click the background in the corner that is farthest away.</source>
-        <translation>Drücke **Leertaste** und klicke in der Ecke, die am weitesten entfernt ist, auf den Hintergrund.</translation>
+        <translation>Drück die **Leertaste** und klicke in der Ecke, die am weitesten entfernt ist, auf den Hintergrund.</translation>
     </message>
     <message>
         <source>Press **Space**. It looks to the right at the start: click the background far to the right, at the same height.</source>
-        <translation>Drücke **Leertaste**. Am Anfang schaut es nach rechts: Klicke weit rechts, auf gleicher Höhe, auf den Hintergrund.</translation>
+        <translation>Drück die **Leertaste**. Am Anfang schaut es nach rechts: Klicke weit rechts, auf gleicher Höhe, auf den Hintergrund.</translation>
     </message>
     <message>
         <source>Play, click the background, and stop. Drag the timeline back to the left, type 1 beside **Soft**, and play on for a second.</source>
@@ -501,7 +501,7 @@ Der Ort ändert sich also um ein Sechzehntel, und 0,9 bewirkt so viel wie 0,9 / 
     </message>
     <message>
         <source>Press **Space**. Take one of the two points at its sides, pull it away from the body, and do not let go.</source>
-        <translation>Drücke **Leertaste**. Nimm einen der zwei Punkte an seinen Seiten, zieh ihn vom Körper weg und lass nicht los.</translation>
+        <translation>Drück die **Leertaste**. Nimm einen der zwei Punkte an seinen Seiten, zieh ihn vom Körper weg und lass nicht los.</translation>
     </message>
     <message>
         <source>Why 2 × area / spine?</source>
@@ -537,11 +537,11 @@ Frag jetzt andersherum. Welche Breite erhält die Fläche?
     </message>
     <message>
         <source>Type 8 into the field beside **Tentacles**. Press **Space**, click the background, and wait.</source>
-        <translation>Gib im Feld neben **Tentakel** 8 ein. Drücke **Leertaste**, klicke auf den Hintergrund und warte.</translation>
+        <translation>Gib im Feld neben **Tentakel** 8 ein. Drück die **Leertaste**, klicke auf den Hintergrund und warte.</translation>
     </message>
     <message>
         <source>Type 0.98 into the field beside **Water**. Press **Space**, and click one corner and the opposite one in turn, twice a second.</source>
-        <translation>Gib im Feld neben **Wasser** 0,98 ein. Drücke **Leertaste** und klicke abwechselnd in eine Ecke und in die gegenüber, zweimal pro Sekunde.</translation>
+        <translation>Gib im Feld neben **Wasser** 0,98 ein. Drück die **Leertaste** und klicke abwechselnd in eine Ecke und in die gegenüber, zweimal pro Sekunde.</translation>
     </message>
     <message>
         <source>Play, click the background, and stop. Drag the timeline back to the left, type another **Water**, and play on for a second.</source>

@@ -77,7 +77,7 @@ Am Boden hält nichts die Füße: Sie gleiten auseinander, und der Körper sinkt
     </message>
     <message>
         <source>Press **Space**, take the large disc, swing it quickly to the left, and let go on the way.</source>
-        <translation>Drücke **Leertaste**, nimm die große Scheibe, schwing sie schnell nach links und lass unterwegs los.</translation>
+        <translation>Drück die **Leertaste**, nimm die große Scheibe, schwing sie schnell nach links und lass unterwegs los.</translation>
     </message>
     <message>
         <source>Throw the creature at a wall and stop just before it is there. Then press **Shift+→** again and again: after a move, look whether an edge is past the wall.</source>
@@ -85,11 +85,11 @@ Am Boden hält nichts die Füße: Sie gleiten auseinander, und der Körper sinkt
     </message>
     <message>
         <source>Type 0 into the field beside **Bounce**, press **Space**, and throw the creature at the left or the right wall.</source>
-        <translation>Gib im Feld neben **Abprall** 0 ein, drücke **Leertaste** und wirf die Figur gegen die linke oder die rechte Wand.</translation>
+        <translation>Gib im Feld neben **Abprall** 0 ein, drück die **Leertaste** und wirf die Figur gegen die linke oder die rechte Wand.</translation>
     </message>
     <message>
         <source>Press **Space**, take the large disc, swing it quickly up past the upper edge, and let go on the way.</source>
-        <translation>Drücke **Leertaste**, nimm die große Scheibe, schwing sie schnell nach oben über den oberen Rand und lass unterwegs los.</translation>
+        <translation>Drück die **Leertaste**, nimm die große Scheibe, schwing sie schnell nach oben über den oberen Rand und lass unterwegs los.</translation>
     </message>
     <message>
         <source>Bounce</source>
@@ -109,7 +109,7 @@ Am Boden hält nichts die Füße: Sie gleiten auseinander, und der Körper sinkt
     </message>
     <message>
         <source>Press **Space**, take the large disc, lift it to the upper edge, and hold it there until the feet have stopped swinging.</source>
-        <translation>Drücke **Leertaste**, nimm die große Scheibe, heb sie an den oberen Rand und halte sie dort, bis die Füße nicht mehr schwingen.</translation>
+        <translation>Drück die **Leertaste**, nimm die große Scheibe, heb sie an den oberen Rand und halte sie dort, bis die Füße nicht mehr schwingen.</translation>
     </message>
     <message>
         <source>Type 0.6 into the field beside **Damping**. Then lift the large disc and hold it, as before.</source>
@@ -121,7 +121,7 @@ Am Boden hält nichts die Füße: Sie gleiten auseinander, und der Körper sinkt
     </message>
     <message>
         <source>Type 240 beside **Left wall** and 300 beside **Right wall**. Press **Space**, lift the large disc until its feet hang under it, let it down slowly until they stand, and let go.</source>
-        <translation>Gib neben **Linke Wand** 240 und neben **Rechte Wand** 300 ein. Drücke **Leertaste**, heb die große Scheibe, bis ihre Füße unter ihr hängen, lass sie langsam herunter, bis sie stehen, und lass los.</translation>
+        <translation>Gib neben **Linke Wand** 240 und neben **Rechte Wand** 300 ein. Drück die **Leertaste**, heb die große Scheibe, bis ihre Füße unter ihr hängen, lass sie langsam herunter, bis sie stehen, und lass los.</translation>
     </message>
     <message>
         <source>gravity</source>

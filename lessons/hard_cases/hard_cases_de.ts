@@ -395,15 +395,15 @@ Hände, Wände und Zeitschritte gehören zu einem Fall. Greifst du ein, ist es d
     </message>
     <message>
         <source>Above the picture, press **Step** and choose **1/2&#x2009;frame**. Press **Space** and wait four seconds.</source>
-        <translation>Drücke über der Szene **Zeitschritt** und wähle **1/2&#x2009;Bild**. Drücke **Leertaste** und warte vier Sekunden.</translation>
+        <translation>Drücke über der Szene **Zeitschritt** und wähle **1/2&#x2009;Bild**. Drück die **Leertaste** und warte vier Sekunden.</translation>
     </message>
     <message>
         <source>Press **Home**, type 3.9 into the field beside **k**, press **Space**, and wait four seconds.</source>
-        <translation>Drücke **Pos1**, gib im Feld neben **k** 3,9 ein, drücke **Leertaste** und warte vier Sekunden.</translation>
+        <translation>Drücke **Pos1**, gib im Feld neben **k** 3,9 ein, drück die **Leertaste** und warte vier Sekunden.</translation>
     </message>
     <message>
         <source>Press **Home**, type 0.9 into the field beside **Damping**, press **Space**, and wait.</source>
-        <translation>Drücke **Pos1**, gib im Feld neben **Dämpfung** 0,9 ein, drücke **Leertaste** und warte.</translation>
+        <translation>Drücke **Pos1**, gib im Feld neben **Dämpfung** 0,9 ein, drück die **Leertaste** und warte.</translation>
     </message>
     <message>
         <source>Stability limit</source>
@@ -491,15 +491,15 @@ Mit weniger bleibt eine Schwingung so weit, wie sie ist. Mit mehr wächst sie.</
     </message>
     <message>
         <source>Above the picture, press **Method** and choose **Semi-implicit Euler**. Press **Space** and wait seven seconds.</source>
-        <translation>Drücke über der Szene **Verfahren** und wähle **Semi-implizites Euler**. Drücke **Leertaste** und warte sieben Sekunden.</translation>
+        <translation>Drücke über der Szene **Verfahren** und wähle **Semi-implizites Euler**. Drück die **Leertaste** und warte sieben Sekunden.</translation>
     </message>
     <message>
         <source>Choose **Published** as method and **1&#x2009;frame** as step. Press **Home**, type 0.2 beside **k**, press **Space**, and wait.</source>
-        <translation>Wähle **Veröffentlicht** als Verfahren und **1&#x2009;Bild** als Zeitschritt. Drücke **Pos1**, gib neben **k** 0,2 ein, drücke **Leertaste** und warte.</translation>
+        <translation>Wähle **Veröffentlicht** als Verfahren und **1&#x2009;Bild** als Zeitschritt. Drücke **Pos1**, gib neben **k** 0,2 ein, drück die **Leertaste** und warte.</translation>
     </message>
     <message>
         <source>Choose **Published** as method and **1/4&#x2009;frame** as step. Press **Space** and wait.</source>
-        <translation>Wähle **Veröffentlicht** als Verfahren und **1/4&#x2009;Bild** als Zeitschritt. Drücke **Leertaste** und warte.</translation>
+        <translation>Wähle **Veröffentlicht** als Verfahren und **1/4&#x2009;Bild** als Zeitschritt. Drück die **Leertaste** und warte.</translation>
     </message>
     <message>
         <source>Sixty soft springs on one body make one that is stiff.</source>
@@ -507,15 +507,15 @@ Mit weniger bleibt eine Schwingung so weit, wie sie ist. Mit mehr wächst sie.</
     </message>
     <message>
         <source>Press **Home**, type 38 into the field beside **Feet**, press **Space**, and wait.</source>
-        <translation>Drücke **Pos1**, gib im Feld neben **Füße** 38 ein, drücke **Leertaste** und warte.</translation>
+        <translation>Drücke **Pos1**, gib im Feld neben **Füße** 38 ein, drück die **Leertaste** und warte.</translation>
     </message>
     <message>
         <source>Above the picture, press **Step** and choose **1/2&#x2009;frame**. Press **Space** and wait.</source>
-        <translation>Drücke über der Szene **Zeitschritt** und wähle **1/2&#x2009;Bild**. Drücke **Leertaste** und warte.</translation>
+        <translation>Drücke über der Szene **Zeitschritt** und wähle **1/2&#x2009;Bild**. Drück die **Leertaste** und warte.</translation>
     </message>
     <message>
         <source>Press **Home**, type 0.1 into the field beside **k**, press **Space**, and wait.</source>
-        <translation>Drücke **Pos1**, gib im Feld neben **k** 0,1 ein, drücke **Leertaste** und warte.</translation>
+        <translation>Drücke **Pos1**, gib im Feld neben **k** 0,1 ein, drück die **Leertaste** und warte.</translation>
     </message>
     <message>
         <source>A method that looks for the place from which its own pulls lead back to where it came from. It holds at any stiffness, and slows what swings.</source>
@@ -527,11 +527,11 @@ Mit weniger bleibt eine Schwingung so weit, wie sie ist. Mit mehr wächst sie.</
     </message>
     <message>
         <source>Above the picture, press **Method** and choose **Semi-implicit Euler**. Press **Space** and wait two seconds.</source>
-        <translation>Drücke über der Szene **Verfahren** und wähle **Semi-implizites Euler**. Drücke **Leertaste** und warte zwei Sekunden.</translation>
+        <translation>Drücke über der Szene **Verfahren** und wähle **Semi-implizites Euler**. Drück die **Leertaste** und warte zwei Sekunden.</translation>
     </message>
     <message>
         <source>Choose **Published** as method, press **Space**, and wait two seconds. Take a foot, carry it up, let go, and wait.</source>
-        <translation>Wähle **Veröffentlicht** als Verfahren, drücke **Leertaste** und warte zwei Sekunden. Nimm einen Fuß, trag ihn nach oben, lass los und warte.</translation>
+        <translation>Wähle **Veröffentlicht** als Verfahren, drück die **Leertaste** und warte zwei Sekunden. Nimm einen Fuß, trag ihn nach oben, lass los und warte.</translation>
     </message>
     <message>
         <source>Choose **Semi-implicit Euler** as method and play two seconds. Type 0 beside **Radius** and wait two seconds. Then type 50, and wait again.</source>
@@ -595,15 +595,15 @@ leistet das, der Winkel (angle) aus der Nummer (number): Der goldene Winkel geht
     </message>
     <message>
         <source>Above the picture, press **Step** and choose **1/64&#x2009;frame**. Press **Space** and wait.</source>
-        <translation>Drücke über der Szene **Zeitschritt** und wähle **1/64&#x2009;Bild**. Drücke **Leertaste** und warte.</translation>
+        <translation>Drücke über der Szene **Zeitschritt** und wähle **1/64&#x2009;Bild**. Drück die **Leertaste** und warte.</translation>
     </message>
     <message>
         <source>Choose **Backward Euler** as method. Press **Home**, type 1000000 beside **k**, and press **Space**.</source>
-        <translation>Wähle **Implizites Euler** als Verfahren. Drücke **Pos1**, gib neben **k** 1000000 ein und drücke **Leertaste**.</translation>
+        <translation>Wähle **Implizites Euler** als Verfahren. Drücke **Pos1**, gib neben **k** 1000000 ein und drück die **Leertaste**.</translation>
     </message>
     <message>
         <source>Choose **Backward Euler** as method. Press **Home**, type 0.2 beside **k** and 1 beside **Damping**, press **Space**, and wait.</source>
-        <translation>Wähle **Implizites Euler** als Verfahren. Drücke **Pos1**, gib neben **k** 0,2 und neben **Dämpfung** 1 ein, drücke **Leertaste** und warte.</translation>
+        <translation>Wähle **Implizites Euler** als Verfahren. Drücke **Pos1**, gib neben **k** 0,2 und neben **Dämpfung** 1 ein, drück die **Leertaste** und warte.</translation>
     </message>
     <message>
         <source>Stiff</source>
@@ -623,15 +623,15 @@ leistet das, der Winkel (angle) aus der Nummer (number): Der goldene Winkel geht
     </message>
     <message>
         <source>Press **Home**, type 1 into the field beside **k**, press **Space**, and wait.</source>
-        <translation>Drücke **Pos1**, gib im Feld neben **k** 1 ein, drücke **Leertaste** und warte.</translation>
+        <translation>Drücke **Pos1**, gib im Feld neben **k** 1 ein, drück die **Leertaste** und warte.</translation>
     </message>
     <message>
         <source>Choose **sticks** beside **Made of**, press **Space**, and wait.</source>
-        <translation>Wähle neben **Material** **Stäbe**, drücke **Leertaste** und warte.</translation>
+        <translation>Wähle neben **Material** **Stäbe**, drück die **Leertaste** und warte.</translation>
     </message>
     <message>
         <source>Two sticks of 20&#x2009;px reach 40&#x2009;px at most. Choose **sticks** beside **Made of**, type 30 beside **Longest**, press **Space**, and wait.</source>
-        <translation>Zwei Stäbe von 20&#x2009;px reichen höchstens 40&#x2009;px weit. Wähle neben **Material** **Stäbe**, gib neben **Längster** 30 ein, drücke **Leertaste** und warte.</translation>
+        <translation>Zwei Stäbe von 20&#x2009;px reichen höchstens 40&#x2009;px weit. Wähle neben **Material** **Stäbe**, gib neben **Längster** 30 ein, drück die **Leertaste** und warte.</translation>
     </message>
     <message>
         <source>What an error adds up to over thousands of frames counts for more than how small it is.</source>
@@ -655,15 +655,15 @@ leistet das, der Winkel (angle) aus der Nummer (number): Der goldene Winkel geht
     </message>
     <message>
         <source>Choose **nearly rigid** beside **Case**, and **Backward Euler** as method above the picture. Press **Space** and wait.</source>
-        <translation>Wähle neben **Fall** **fast starr** und über der Szene **Implizites Euler** als Verfahren. Drücke **Leertaste** und warte.</translation>
+        <translation>Wähle neben **Fall** **fast starr** und über der Szene **Implizites Euler** als Verfahren. Drück die **Leertaste** und warte.</translation>
     </message>
     <message>
         <source>Choose **torn away** beside **Case**, and **Semi-implicit Euler** or **Backward Euler** as method. Press **Space** and wait.</source>
-        <translation>Wähle neben **Fall** **weggerissen** und **Semi-implizites Euler** oder **Implizites Euler** als Verfahren. Drücke **Leertaste** und warte.</translation>
+        <translation>Wähle neben **Fall** **weggerissen** und **Semi-implizites Euler** oder **Implizites Euler** als Verfahren. Drück die **Leertaste** und warte.</translation>
     </message>
     <message>
         <source>Choose **Semi-implicit Euler** as method, and a case with stiff springs. Press **Space** and wait until the run stops by itself.</source>
-        <translation>Wähle **Semi-implizites Euler** als Verfahren und einen Fall mit steifen Federn. Drücke **Leertaste** und warte, bis der Lauf von selbst anhält.</translation>
+        <translation>Wähle **Semi-implizites Euler** als Verfahren und einen Fall mit steifen Federn. Drück die **Leertaste** und warte, bis der Lauf von selbst anhält.</translation>
     </message>
     <message>
         <source>Claim</source>

@@ -93,15 +93,15 @@ Die Federn sind nicht schuld: Mit zwei Zeitschritten von je einem halben Bild ha
     </message>
     <message>
         <source>Press **Space**. Take one of the small discs, pull it to the edge of the picture, let go, and wait.</source>
-        <translation>Drücke **Leertaste**. Nimm eine der kleinen Scheiben, zieh sie an den Rand der Szene, lass los und warte.</translation>
+        <translation>Drück die **Leertaste**. Nimm eine der kleinen Scheiben, zieh sie an den Rand der Szene, lass los und warte.</translation>
     </message>
     <message>
         <source>Press **Space**, take the large disc, and carry it from one side of the picture to the other.</source>
-        <translation>Drücke **Leertaste**, nimm die große Scheibe und trag sie von einer Seite der Szene zur anderen.</translation>
+        <translation>Drück die **Leertaste**, nimm die große Scheibe und trag sie von einer Seite der Szene zur anderen.</translation>
     </message>
     <message>
         <source>Type 0.9 into the field beside **Damping**, press **Space**, and touch nothing.</source>
-        <translation>Gib im Feld neben **Dämpfung** 0,9 ein, drücke **Leertaste** und fass nichts an.</translation>
+        <translation>Gib im Feld neben **Dämpfung** 0,9 ein, drück die **Leertaste** und fass nichts an.</translation>
     </message>
     <message>
         <source>A loop adds the springs, so the same code does for any number of feet.</source>
@@ -109,7 +109,7 @@ Die Federn sind nicht schuld: Mit zwei Zeitschritten von je einem halben Bild ha
     </message>
     <message>
         <source>Press **Space**, pull one of the small discs to the edge of the picture, let go, and wait.</source>
-        <translation>Drücke **Leertaste**, zieh eine der kleinen Scheiben an den Rand der Szene, lass los und warte.</translation>
+        <translation>Drück die **Leertaste**, zieh eine der kleinen Scheiben an den Rand der Szene, lass los und warte.</translation>
     </message>
     <message>
         <source>Type 12 into the field beside **Feet**, press **Space**, and wait seven seconds.</source>
@@ -149,15 +149,15 @@ Die Federn sind nicht schuld: Mit zwei Zeitschritten von je einem halben Bild ha
     </message>
     <message>
         <source>Type 16 into the field beside **Feet**. Above the picture, choose **Semi-implicit Euler** as method. Press **Space** and wait.</source>
-        <translation>Gib im Feld neben **Füße** 16 ein. Wähle über der Szene **Semi-implizites Euler** als Verfahren. Drücke **Leertaste** und warte.</translation>
+        <translation>Gib im Feld neben **Füße** 16 ein. Wähle über der Szene **Semi-implizites Euler** als Verfahren. Drück die **Leertaste** und warte.</translation>
     </message>
     <message>
         <source>Type 60 into the field beside **Feet**, and press **Space**. It takes some seconds.</source>
-        <translation>Gib im Feld neben **Füße** 60 ein und drücke **Leertaste**. Es dauert einige Sekunden.</translation>
+        <translation>Gib im Feld neben **Füße** 60 ein und drück die **Leertaste**. Es dauert einige Sekunden.</translation>
     </message>
     <message>
         <source>Leave 60 in the field beside **Feet**, press **Home** to go to frame 0, choose **1/2 frame** as step above the picture, and press **Space**.</source>
-        <translation>Lass im Feld neben **Füße** 60 stehen, drücke **Pos1**, um zu Bild 0 zu gehen, wähle über der Szene **1/2&#x2009;Bild** als Zeitschritt und drücke **Leertaste**.</translation>
+        <translation>Lass im Feld neben **Füße** 60 stehen, drücke **Pos1**, um zu Bild 0 zu gehen, wähle über der Szene **1/2&#x2009;Bild** als Zeitschritt und drück die **Leertaste**.</translation>
     </message>
     <message>
         <source>Seed</source>

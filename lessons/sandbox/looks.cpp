@@ -75,6 +75,9 @@ Look builtLook(const sim::Scene &scene, const sim::Values &values)
         look.room = roomOf(values);
     if (effectOf<sim::Ground>(scene))
         look.ground = values["ground"];
+    const auto walker = std::find(parts.begin(), parts.end(), Part::body);
+    if (look.ground && !look.room && walker != parts.end()) // an endless ground, to walk along
+        look.follow = static_cast<int>(walker - parts.begin());
     look.stage = stageOf(plan, {0.0, 0.0, 540.0, 400.0});
     return look;
 }

@@ -76,6 +76,30 @@ Parameter distance()
             {}};
 }
 
+std::vector<Parameter> ramp()
+{
+    const auto place = [](const char *id, const QString &name, const QString &help, double preset,
+                          double sliderMax) -> Parameter {
+        return {id, name, {}, Text::tr("px"), help, preset, -1e6, 1e6, 0.0, sliderMax, 0, {}};
+    };
+    return {
+        {"ramp",
+         Text::tr("Ramp"),
+         {},
+         Text::tr("°"),
+         Text::tr("How steeply it rises to the right. 0: level. 90: a wall on the right. 180: a ceiling."),
+         20.0,
+         -180.0,
+         180.0,
+         -180.0,
+         180.0,
+         0,
+         {}},
+        place("ramp_x", Text::tr("Ramp x"), Text::tr("How far to the right a place of the ramp is."), 270.0,
+              540.0),
+        place("ramp_y", Text::tr("Ramp y"), Text::tr("How far down that place is."), 320.0, 400.0)};
+}
+
 Parameter iterations()
 {
     return {"iterations",
@@ -101,7 +125,9 @@ std::vector<Parameter> sceneParameters()
     std::vector<Parameter> all = {of({"gravity"}, gravity(0.3)), of({"damping"}, damping(0.99))};
     for (const Parameter &wall : room())
         all.push_back(of({"walls", "room", "turn_round"}, wall));
-    all.push_back(of({"walls"}, bounce(0.5)));
+    all.push_back(of({"walls", "ramp"}, bounce(0.5)));
+    for (const Parameter &one : ramp())
+        all.push_back(of({"ramp"}, one));
     all.push_back(of({"room"}, share("friction", Text::tr("Friction"),
                                      Text::tr("How much a wall’s push holds back what slides along it. 0: "
                                               "like ice."),

@@ -173,4 +173,9 @@ sim::Room roomOf(const sim::Values &values)
     return {values["left"], values["right"], values["floor"], bounce};
 }
 
+sim::Incline rampOf(const sim::Values &values)
+{
+    return sim::inclineOf({values["ramp_x"], values["ramp_y"]}, values["ramp"], values["bounce"]);
+}
+
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/effects/leg_spring.h"
+#include "sim/effects/ramp.h"
 #include "sim/effects/springs.h"
 #include "sim/effects/walls.h"
 #include "sim/scene.h"
@@ -48,5 +49,6 @@ std::vector<std::vector<int>> matesOf(const sim::Blueprint &plan);
 bool hasClocks(const sim::Blueprint &plan, const sim::Values &values);
 
 sim::Room roomOf(const sim::Values &values);
+sim::Incline rampOf(const sim::Values &values);
 
 }

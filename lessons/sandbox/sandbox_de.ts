@@ -159,6 +159,34 @@ What acts on the whole scene, as gravity or wind, you choose below. Building hap
 
 Was auf die ganze Szene wirkt, wie Schwerkraft oder Wind, wählst du unten. Gebaut wird am Anfang des Laufs: Spiele ab, um zu sehen, was deine Szene tut, und komm zurück, um weiterzubauen.</translation>
     </message>
+    <message>
+        <source>Ramp</source>
+        <translation>Rampe</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>How steeply it rises to the right. 0: level. 90: a wall on the right. 180: a ceiling.</source>
+        <translation>Wie steil sie nach rechts steigt. 0: waagrecht. 90: eine Wand rechts. 180: eine Decke.</translation>
+    </message>
+    <message>
+        <source>Ramp x</source>
+        <translation>Rampe x</translation>
+    </message>
+    <message>
+        <source>How far to the right a place of the ramp is.</source>
+        <translation>Wie weit rechts eine Stelle der Rampe liegt.</translation>
+    </message>
+    <message>
+        <source>Ramp y</source>
+        <translation>Rampe y</translation>
+    </message>
+    <message>
+        <source>How far down that place is.</source>
+        <translation>Wie weit unten diese Stelle liegt.</translation>
+    </message>
 </context>
 <context>
     <name>lesson.json</name>

@@ -8,6 +8,7 @@
 #include "sim/effects/gravity.h"
 #include "sim/effects/ground.h"
 #include "sim/effects/push.h"
+#include "sim/effects/ramp.h"
 #include "sim/effects/room_limits.h"
 #include "sim/effects/sticks.h"
 #include "sim/effects/turn_round.h"
@@ -79,6 +80,9 @@ Scene setUp(const Values &values)
             values["friction"]);
     if (has(plan, "walls"))
         add<Walls>(scene, room,
+            halfWidths(plan));
+    if (has(plan, "ramp"))
+        add<Ramp>(scene, rampOf(values),
             halfWidths(plan));
     if (has(plan, "ground")) {
         Soil soil;

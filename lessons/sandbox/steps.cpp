@@ -26,7 +26,7 @@ std::vector<sim::EffectPtr> catalogueOf(const Step &step)
     all.springs.clear();
     all.feet = {{1, 0, 0.0, 0}};
     all.gaits = {{}};
-    const std::vector<std::string> ids = {"gravity", "damping", "walls", "room",
+    const std::vector<std::string> ids = {"gravity", "damping", "walls", "ramp",      "room",
                                           "ground",  "breeze",  "push",  "turn_round"};
     all.effects = ids;
     sim::Values values = step.presets();

@@ -25,7 +25,7 @@ While you hold the foot, its velocity is the distance that your hand came in the
 The arrow is the pull that a spring to the cross would have. It does not act yet: that is the next step.</source>
         <translation>Dieser Punkt ist ein **Fuß**. Sein Ort sind zwei Zahlen: **x** Pixel (px) nach rechts, **y** Pixel nach unten. Auch seine **Geschwindigkeit** sind zwei Zahlen: wie weit er in x und in y von einem Bild (**Frame**) zum nächsten geht.
 
-Solange du den Fuß hältst, ist seine Geschwindigkeit der Weg, den deine Hand im letzten Bild kam. Wenn du loslässt, behält er sie. Also **wirft ihn eine Hand, die sich bewegt**.
+Solange du den Fuß hältst, ist seine Geschwindigkeit der Weg, den deine Hand im letzten Bild ging. Wenn du loslässt, behält er sie. Also **wirft ihn eine Hand, die sich bewegt**.
 
 **Dämpfung** ist der Anteil seiner Geschwindigkeit, den er in jedem Bild behält. Bei 0,9 gleitet ein Wurf von 10&#x202f;px pro Bild 90&#x202f;px weit und bleibt stehen.
 

@@ -169,10 +169,8 @@ private slots:
             "line 6: \"speed\" is 11; it can be -10 to 10.");
         row("unknown effect", withPair("\"effects\": [\"magic\"]"),
             "line 6: a scene cannot have the effect \"magic\"; it can have \"push\", \"gravity\", "
-            "\"breeze\", "
-            "\"damping\", \"room\", \"walls\", \"ground\", \"turn_round\", and its springs, sticks and feet "
-            "act of "
-            "themselves.");
+            "\"breeze\", \"damping\", \"room\", \"walls\", \"ramp\", \"ground\", \"turn_round\", and its "
+            "springs, sticks and feet act of themselves.");
         row("effect twice", withPair("\"effects\": [\"gravity\", \"gravity\"]"),
             "line 6: the effect \"gravity\" is given twice; keep one.");
         row("nothing moves",

@@ -1,5 +1,6 @@
 #include "tests/app/program.h"
 
+#include <QDir>
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -125,7 +126,8 @@ private slots:
         const Answer answer = springstep({"lessons"});
         QCOMPARE(answer.code, 0);
         QCOMPARE(answer.err, QString());
-        for (const char *wanted : {"single_spring/radial", "two_body/mutual", "damp", "semi_implicit_euler"})
+        for (const char *wanted :
+             {"single_spring/radial", "two_body/mutual", "sandbox/build", "damp", "semi_implicit_euler"})
             QVERIFY2(answer.out.contains(wanted), wanted);
     }
 
@@ -136,7 +138,9 @@ private slots:
         const QJsonObject all = QJsonDocument::fromJson(answer.out.toUtf8()).object();
         QCOMPARE(all.keys(), QStringList({"lessons", "methods"}));
         int order = 0;
+        QStringList ids;
         for (const QJsonValue &lesson : all["lessons"].toArray()) {
+            ids << lesson["id"].toString();
             QCOMPARE(lesson.toObject().keys(), QStringList({"id", "order", "steps", "title"}));
             QVERIFY(lesson["order"].toInt() > order);
             order = lesson["order"].toInt();
@@ -155,6 +159,12 @@ private slots:
             }
         }
         QVERIFY(order > 0);
+        // All that a file can name, the sandbox too.
+        for (const QString &plugin : QDir(LESSON_DIR).entryList({"liblesson_*.so"})) {
+            const QString id = plugin.mid(10).chopped(3);
+            QVERIFY2(ids.removeOne(id), qPrintable(id));
+        }
+        QCOMPARE(ids, QStringList());
         QCOMPARE(all["methods"].toArray().size(), 13);
         QCOMPARE(all["methods"][0].toObject().keys(), QStringList({"id", "needs", "order"}));
         QCOMPARE(all["methods"][0]["id"].toString(), "published");

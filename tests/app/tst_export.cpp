@@ -12,6 +12,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QProgressBar>
+#include <QPushButton>
 #include <QSpinBox>
 #include <QSvgRenderer>
 #include <QTemporaryDir>
@@ -37,6 +38,25 @@ QLineEdit &fileOf(const FilmDialog &dialog)
                           [](const QLineEdit *one) { return one->accessibleName() == "File"; });
 }
 
+void write(const QString &path, const QByteArray &text)
+{
+    QFile file(path);
+    QVERIFY(file.open(QFile::WriteOnly));
+    file.write(text);
+}
+
+QByteArray contents(const QString &path)
+{
+    QFile file(path);
+    return file.open(QFile::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+QPushButton *defaultButton(const FilmDialog &dialog)
+{
+    const auto all = dialog.findChildren<QPushButton *>();
+    return *std::find_if(all.begin(), all.end(), [](const QPushButton *one) { return one->isDefault(); });
+}
+
 }
 
 class ExportTest : public QObject
@@ -50,6 +70,8 @@ private slots:
     void aFilmIsAsWideAsIsTypedAndKeepsItsShape();
     void aFilmCanHaveTheShapeOfTheScene();
     void aFilmThatIsStoppedLeavesNoFile();
+    void aFilmThatIsThereIsWrittenOverWhenThatIsWanted();
+    void picturesThatAreThereAreAskedAboutToo();
     void aFolderThatIsNotThereIsSaid();
     void thePictureIsCopiedAndSaved();
     void theSvgLooksAsThePictureDoes_data();
@@ -155,6 +177,57 @@ void ExportTest::aFilmThatIsStoppedLeavesNoFile()
     QVERIFY(!dialog.isMaking());
     QVERIFY(dialog.said().startsWith("Stopped."));
     QCOMPARE(QDir(m_folder.path()).entryList({"stopped*"}), QStringList());
+}
+
+void ExportTest::aFilmThatIsThereIsWrittenOverWhenThatIsWanted()
+{
+    Bench bench;
+    FilmDialog &dialog = openDialog(bench);
+    boxOf(dialog, "Last frame").setValue(3);
+    const QString path = m_folder.filePath("there.gif");
+    write(path, "precious");
+    QLineEdit &file = fileOf(dialog);
+    file.setFocus();
+    file.selectAll();
+    QTest::keyClicks(&file, path);
+    QTest::keyClick(&file, Qt::Key_Return);
+    QVERIFY(!dialog.isMaking());
+    QCOMPARE(dialog.said(), QString("there.gif is there already. Replace it, or give another name."));
+    QPushButton &make = *defaultButton(dialog);
+    QCOMPARE(make.text(), QString("&Replace"));
+    QTest::keyClick(&file, Qt::Key_End);
+    QTest::keyClick(&file, Qt::Key_Backspace); // another name, and the same again: it is asked about anew
+    QCOMPARE(make.text(), QString("&Make the film"));
+    QVERIFY(dialog.said().isEmpty());
+    QTest::keyClicks(&file, "f");
+    QTest::mouseClick(&make, Qt::LeftButton);
+    QVERIFY(!dialog.isMaking());
+    QCOMPARE(contents(path), QByteArray("precious"));
+    QTest::mouseClick(&make, Qt::LeftButton);
+    QVERIFY(dialog.isMaking());
+    QTRY_VERIFY(!dialog.isMaking());
+    QCOMPARE(decoded(path).pictures.size(), std::size_t(4));
+    QTest::mouseClick(&make, Qt::LeftButton); // and the one that was just made
+    QVERIFY(!dialog.isMaking());
+}
+
+void ExportTest::picturesThatAreThereAreAskedAboutToo()
+{
+    Bench bench;
+    FilmDialog &dialog = openDialog(bench);
+    boxOf(dialog, "Last frame").setValue(3);
+    write(m_folder.filePath("walk_0003.png"), "precious");
+    fileOf(dialog).setText(m_folder.filePath("walk_%04d.png"));
+    QPushButton &make = *defaultButton(dialog);
+    QTest::mouseClick(&make, Qt::LeftButton);
+    QVERIFY(!dialog.isMaking());
+    QVERIFY2(dialog.said().contains("walk_0003.png"), qPrintable(dialog.said()));
+    boxOf(dialog, "Last frame").setValue(2); // that one is not among them now
+    QTest::mouseClick(&make, Qt::LeftButton);
+    QVERIFY(dialog.isMaking());
+    QTRY_VERIFY(!dialog.isMaking());
+    QVERIFY(QFile::exists(m_folder.filePath("walk_0002.png")));
+    QCOMPARE(contents(m_folder.filePath("walk_0003.png")), QByteArray("precious"));
 }
 
 void ExportTest::aFolderThatIsNotThereIsSaid()

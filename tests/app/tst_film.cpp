@@ -7,6 +7,7 @@
 #include "app/model/refusal.h"
 #include "app/ui/film/film.h"
 
+#include <QDir>
 #include <QTemporaryDir>
 
 using namespace app;
@@ -55,6 +56,7 @@ private slots:
     void pngFilesAreThePicturesOfTheSceneExactly();
     void aNameThatIsNoFilmsIsRefused_data();
     void aNameThatIsNoFilmsIsRefused();
+    void filesInTheWayAreThoseThatWouldBeWrittenOver();
     void makingAFilmGetsNothingDone();
 
 private:
@@ -242,6 +244,29 @@ void FilmTest::aNameThatIsNoFilmsIsRefused()
     QCOMPARE(pictureName("walk_%04d.PNG", 41), QString("walk_0041.PNG"));
     QCOMPARE(pictureName("walk_%d.png", 12345), QString("walk_12345.png"));
     QCOMPARE(pictureName("walk_%03d.png", 12345), QString("walk_12345.png"));
+}
+
+void FilmTest::filesInTheWayAreThoseThatWouldBeWrittenOver()
+{
+    const QTemporaryDir folder;
+    QVERIFY(QDir(folder.path()).mkpath("100%_7.png"));
+    for (const char *name : {"walk.gif", "walk_0004.png", "walk_4.png", "walk_0012.png", "walk_12345.png",
+                             "walk_-003.png", "walk_004x.png", "walk_0004.PNG", "xwalk_0005.png"}) {
+        QFile file(folder.filePath(name));
+        QVERIFY(file.open(QFile::WriteOnly));
+    }
+    const auto in = [&](const char *name, std::int64_t from, std::int64_t to) {
+        return filesInTheWay(folder.filePath(name), from, to);
+    };
+    QCOMPARE(in("walk.gif", 0, 3), QStringList("walk.gif"));
+    QCOMPARE(in("new.gif", 0, 3), QStringList());
+    QCOMPARE(in("walk_%04d.png", 4, 12), QStringList({"walk_0004.png", "walk_0012.png"}));
+    QCOMPARE(in("walk_%04d.png", 5, 11), QStringList());
+    QCOMPARE(in("walk_%04d.png", 13, mostFrames), QStringList("walk_12345.png"));
+    QCOMPARE(in("walk_%d.png", 0, 12), QStringList("walk_4.png"));
+    QCOMPARE(in("nowhere/walk_%d.png", 0, 12), QStringList());
+    QCOMPARE(in("100%/_%d.png", 0, 12), QStringList());
+    QVERIFY_EXCEPTION_THROWN(in("walk.mp4", 0, 3), Refusal);
 }
 
 void FilmTest::makingAFilmGetsNothingDone()

@@ -15,9 +15,12 @@
 
 #include <QAction>
 #include <QCheckBox>
+#include <QLabel>
 #include <QPushButton>
 #include <QToolButton>
 #include <QtTest>
+
+#include <cmath>
 
 using namespace app;
 
@@ -54,6 +57,14 @@ struct Bench
     {
         for (PropertyRow *one : panel().rows()) {
             if (one->property().about.id == id)
+                return one;
+        }
+        return nullptr;
+    }
+    QCheckBox *effect(const QString &text) const
+    {
+        for (QCheckBox *one : panel().findChildren<QCheckBox *>()) {
+            if (one->text() == text)
                 return one;
         }
         return nullptr;
@@ -246,6 +257,71 @@ private slots:
             QVERIFY(!row->toolTip().isEmpty());
     }
 
+    void whatDiffersShowsNoNumberUntilOneIsTyped()
+    {
+        Bench bench;
+        bench.build();
+        QTest::keyClick(&bench.window, Qt::Key_A, Qt::ControlModifier);
+        NumberBox &size = *bench.row("size")->findChild<NumberBox *>();
+        QCOMPARE(size.text(), QString());
+        QTest::keyClick(&size, Qt::Key_Up); // from no number to no other
+        size.clearFocus();
+        QCOMPARE(bench.session().deeds().count(), 0);
+        NumberBox &x = *bench.row("x")->findChild<NumberBox *>();
+        type(x, "0");
+        QCOMPARE(x.text(), QString("0"));
+        for (const sim::BuiltPoint &one : bench.plan().points)
+            QCOMPARE(one.x.x, 0.0);
+        bench.session().undo();
+        QCOMPARE(bench.plan().points[1].x.x, 340.0);
+    }
+
+    void theToolInHandSaysWhatToClick()
+    {
+        Bench bench;
+        bench.build();
+        bench.click(bench.plan().points[1].x);
+        bench.key(Qt::Key_F);
+        const QLabel *hint = nullptr;
+        for (const QLabel *one : bench.panel().findChildren<QLabel *>()) {
+            if (one->isVisible() && one->text() == "Click a body, then each of its feet.")
+                hint = one;
+        }
+        QVERIFY(hint); // though what is chosen has properties
+        QTRY_VERIFY(bench.row("mass")->isVisible());
+        bench.click(bench.plan().points[1].x);
+        QVERIFY2(bench.panel().hint().startsWith("Click each of its feet"), qPrintable(bench.panel().hint()));
+    }
+
+    void aRampIsPlacedByItsNumbersAndHoldsWhatFalls()
+    {
+        Bench bench;
+        bench.build();
+        const auto colorAt = [&](sim::Vec2 place) {
+            return bench.view().picture().pixelColor(bench.on(place));
+        };
+        const QColor air = colorAt({105, 305});
+        QTest::mouseClick(bench.effect("Ramp"), Qt::LeftButton, {}, {8, 8});
+        const ParameterPanel &numbers = *bench.window.findChild<ParameterPanel *>();
+        type(*rowOf(numbers, "ramp")->findChild<NumberBox *>(), "-30");
+        type(*rowOf(numbers, "ramp_x")->findChild<NumberBox *>(), "100");
+        type(*rowOf(numbers, "ramp_y")->findChild<NumberBox *>(), "200");
+        QVERIFY(colorAt({105, 305}) != air); // it falls to the right from there: that place is inside
+        QCOMPARE(colorAt({405, 305}), air);
+        bench.session().goTo({200, 0});
+        const sim::State &now = bench.session().timeline().now();
+        const sim::Vec2 from = now.at(1) - sim::Vec2{100, 200};
+        const double rad = 30.0 / 180.0 * 3.141592653589793;
+        QVERIFY(from.x * std::sin(rad) - from.y * std::cos(rad) > 12.0 - 1e-6); // half of its width
+        bench.session().rewind();
+        bench.session().undo();
+        bench.session().undo();
+        bench.session().undo();
+        bench.session().undo();
+        QVERIFY(!bench.bench().has("ramp"));
+        QCOMPARE(colorAt({105, 305}), air);
+    }
+
     void buildingWaitsForTheStart()
     {
         Bench bench;
@@ -276,11 +352,7 @@ private slots:
     {
         Bench bench;
         bench.build();
-        QCheckBox *wind = nullptr;
-        for (QCheckBox *one : bench.panel().findChildren<QCheckBox *>()) {
-            if (one->text() == "Wind")
-                wind = one;
-        }
+        QCheckBox *wind = bench.effect("Wind");
         QVERIFY(wind && !wind->isChecked());
         QVERIFY(!rowOf(*bench.window.findChild<ParameterPanel *>(), "wind"));
         QTest::mouseClick(wind, Qt::LeftButton, {}, {8, 8});

@@ -29,6 +29,7 @@ private slots:
     void theStatusBarTellsTheWorkOfAFrame_data();
     void theStatusBarTellsTheWorkOfAFrame();
     void theStatusBarTellsWhatWasMeasuredAndNothingElse();
+    void figuresGiveWayToASentenceThatNeedsTheirRoom();
     void aSentenceIsThereWhileTheRunPlaysOn();
     void aSentenceGivesWayWhenTheLearnerGoesOn();
 
@@ -80,6 +81,26 @@ void StatusBarTest::theStatusBarTellsWhatWasMeasuredAndNothingElse()
     QCOMPARE(figures.figures().size(), 1);
     bench.session.goTo({10, 0});
     QVERIFY(figures.figures().at(1).endsWith("times a frame until now"));
+}
+
+void StatusBarTest::figuresGiveWayToASentenceThatNeedsTheirRoom()
+{
+    Bench bench;
+    auto &figures = *bench.window.findChild<StatusFigures *>();
+    bench.window.setMode(MainWindow::Mode::measure);
+    QTRY_COMPARE(bench.window.study().stage(), AccuracyStudy::Stage::done);
+    const QStringList all = figures.figures();
+    const auto &sentence = *bench.window.statusBar()->findChild<QLabel *>();
+    emit bench.session.said(QString("Such a long sentence. ").repeated(6).trimmed());
+    QTRY_VERIFY(sentence.width() >= sentence.sizeHint().width());
+    const QStringList some = figures.figures();
+    QVERIFY(some.size() < all.size());
+    QCOMPARE(some, all.mid(all.size() - some.size())); // those that were measured stay longest
+    bench.session.phaseForward();
+    QTRY_COMPARE(figures.figures(), all);
+    bench.window.resize(1000, 800);
+    QTRY_VERIFY(figures.figures().size() < all.size());
+    QTRY_VERIFY(sentence.width() >= sentence.sizeHint().width());
 }
 
 void StatusBarTest::aSentenceIsThereWhileTheRunPlaysOn()

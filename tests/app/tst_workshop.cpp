@@ -1,6 +1,5 @@
-// Building a scene: what edits do to a blueprint, how a lesson's scene becomes one, and that all of it can be undone.
+// Building a scene: that all of it can be undone, and how a lesson's scene becomes one.
 
-#include "app/model/built_properties.h"
 #include "app/model/workbench.h"
 #include "app/model/workshop.h"
 
@@ -63,110 +62,6 @@ private slots:
     {
         QSettings::setDefaultFormat(QSettings::IniFormat);
         QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_folder.path());
-    }
-
-    void aNewPointHasTheFirstFreeName()
-    {
-        sim::Blueprint plan = triangle();
-        plan.points[1].name = "p7";
-        QCOMPARE(addPoint(plan, {5, 6}), std::optional(3));
-        QCOMPARE(plan.points.back().name, std::string("p1"));
-        QCOMPARE(plan.points.back().mass, 1.0);
-    }
-
-    void aNewLinkIsAsLongAsItsEndsAreApart()
-    {
-        sim::Blueprint plan = triangle();
-        plan.points[1].mass = 3.0;
-        QVERIFY(addSpring(plan, 0, 1));
-        QCOMPARE(plan.springs.back().length, 50.0);
-        QVERIFY(addStick(plan, 0, 1));
-        QCOMPARE(plan.sticks.back().share, 0.75); // the light one makes good more of it
-        QVERIFY(!addSpring(plan, 2, 2));
-        QVERIFY(addFoot(plan, 2, 0));
-        QCOMPARE(plan.feet.back().angle, -90.0); // 100 px below, and the legs' middle is 50 below
-        QVERIFY(!addFoot(plan, 2, 1));           // a foot of one body only
-    }
-
-    void thereIsAMost()
-    {
-        sim::Blueprint plan = triangle();
-        while (addPoint(plan, {}))
-            ;
-        QCOMPARE(plan.points.size(), std::size_t(1000));
-    }
-
-    void whatLosesAnEndGoes()
-    {
-        sim::Blueprint plan = triangle();
-        addSpring(plan, 0, 1);
-        addSpring(plan, 1, 2);
-        addStick(plan, 2, 0);
-        addFoot(plan, 2, 1);
-        erase(plan, {{0}, {}, {}});
-        QCOMPARE(plan.points.size(), std::size_t(2));
-        QCOMPARE(plan.points[0].name, std::string("p1"));
-        QCOMPARE(plan.springs.size(), std::size_t(1));
-        QCOMPARE(plan.springs[0].a, 0);
-        QCOMPARE(plan.springs[0].b, 1);
-        QVERIFY(plan.sticks.empty());
-        QCOMPARE(plan.feet[0].body, 0);
-        erase(plan, {{}, {0}, {}});
-        QVERIFY(plan.springs.empty());
-        QCOMPARE(plan.points.size(), std::size_t(2));
-    }
-
-    void whatWasAtItsLengthStaysAtItsLength()
-    {
-        sim::Blueprint plan = triangle();
-        addSpring(plan, 0, 1);
-        addStick(plan, 0, 2);
-        plan.sticks[0].length = 70.0; // it is 30 px too long as it stands
-        moveBy(plan, {0}, {30, 0});
-        QCOMPARE(plan.springs[0].length, 40.0);
-        QCOMPARE(plan.sticks[0].length, 70.0);
-    }
-
-    void aCopyHasItsOwnNamesAndItsOwnLinks()
-    {
-        sim::Blueprint plan = triangle();
-        plan.points[0].mass = 5.0;
-        addSpring(plan, 0, 1);
-        addSpring(plan, 1, 2);
-        addFoot(plan, 1, 0);
-        const Chosen copies = duplicate(plan, {{0, 1}, {}, {}}, {20, 20});
-        QVERIFY(copies == (Chosen{{3, 4}, {2}, {}}));
-        QCOMPARE(plan.points[3].mass, 5.0);
-        QCOMPARE(plan.points[3].name, std::string("p3"));
-        QVERIFY(plan.springs[2].a == 3 && plan.springs[2].b == 4);
-        QCOMPARE(plan.feet.size(), std::size_t(2));
-        QVERIFY(plan.feet[1].foot == 4 && plan.feet[1].body == 3);
-    }
-
-    void aBoxChoosesWhatIsInIt()
-    {
-        sim::Blueprint plan = triangle();
-        addSpring(plan, 0, 1);
-        addStick(plan, 1, 2);
-        QVERIFY(inBox(plan, {50, 60}, {-10, -10}) == (Chosen{{0, 1}, {0}, {}}));
-        QVERIFY(inBox(plan, {200, 200}, {300, 300}).isEmpty());
-    }
-
-    void aPropertyIsSetOfAllThatIsChosen()
-    {
-        sim::Blueprint plan = triangle();
-        plan.points[2].mass = 4.0;
-        const Chosen chosen{{0, 2}, {}, {}};
-        for (const BuiltProperty &one : propertiesOf(plan, chosen)) {
-            if (one.about.id != "mass")
-                continue;
-            QVERIFY(!one.get(plan, chosen)); // they differ
-            one.set(plan, chosen, 2.0);
-            QCOMPARE(one.get(plan, chosen), std::optional(2.0));
-        }
-        QCOMPARE(plan.points[0].mass, 2.0);
-        QCOMPARE(plan.points[1].mass, 1.0);
-        QCOMPARE(plan.points[2].mass, 2.0);
     }
 
     void eachDeedIsOneEntryAndComesBackWithTheSameBits()
@@ -256,6 +151,46 @@ private slots:
         world.bench.use({50, 50}, -1); // no point without its spring, either
         QVERIFY2(world.lastSaid().startsWith("There is no room"), qPrintable(world.lastSaid()));
         QVERIFY(world.plan() == full);
+    }
+
+    void whereNotAllOfACopyHasRoomNothingIsCopiedAndThatIsSaid_data()
+    {
+        QTest::addColumn<QString>("full");
+        for (const char *full : {"points", "springs", "sticks", "far away"})
+            QTest::newRow(full) << QString(full);
+    }
+    void whereNotAllOfACopyHasRoomNothingIsCopiedAndThatIsSaid()
+    {
+        QFETCH(QString, full);
+        World world;
+        sim::Blueprint plan = triangle();
+        addSpring(plan, 0, 1);
+        addStick(plan, 0, 1);
+        while (full == "points" && plan.points.size() < 998)
+            addPoint(plan, {300, 300});
+        while (full == "springs" && addSpring(plan, 0, 1))
+            ;
+        while (full == "sticks" && addStick(plan, 0, 1))
+            ;
+        if (full == "far away")
+            plan.points[2].x = {1e6, 0};
+        QVERIFY(world.session.build({"full", {}, {}}, plan));
+        world.said.clear();
+        const int deeds = world.session.deeds().count();
+        world.bench.choose({{0, 1, 2}, {}, {}});
+        world.bench.duplicateChosen();
+        QVERIFY(world.plan() == plan);
+        QCOMPARE(world.session.deeds().count(), deeds);
+        QCOMPARE(world.said.count(), 1);
+        QVERIFY2(world.lastSaid().startsWith("There is no room for a copy"), qPrintable(world.lastSaid()));
+        world.bench.choose({{2}, {}, {}}); // one has room, where it is points that are many
+        world.bench.duplicateChosen();
+        QCOMPARE(world.session.deeds().count(), deeds + (full == "far away" ? 0 : 1));
+        if (full == "far away")
+            return;
+        QCOMPARE(world.plan().points.size(), plan.points.size() + 1);
+        world.session.undo(); // one entry
+        QVERIFY(world.plan() == plan);
     }
 
     void aLinkIsNoLongerThanAFileCanHold()

@@ -10,6 +10,7 @@
 #include "sim/effects/point_spring.h"
 #include "sim/effects/push.h"
 #include "sim/effects/radial_spring.h"
+#include "sim/effects/ramp.h"
 #include "sim/effects/steering.h"
 #include "sim/effects/turn_round.h"
 #include "sim/error.h"
@@ -79,6 +80,15 @@ sim::Scene heavyPair(const Values &v)
     return scene;
 }
 
+/// The creature, on a ramp that ends at a wall.
+sim::Scene onRamp(const Values &v)
+{
+    sim::Scene scene = creature(v);
+    const Eigen::ArrayXd half = Eigen::ArrayXd::Constant(scene.start.points(), 5.0);
+    scene.effects.push_back(make_shared<sim::Ramp>(sim::inclineOf({270.0, 300.0}, 25.0, 0.5), half));
+    return scene;
+}
+
 /// Two creatures that walk into each other and into walls; the first can be steered.
 sim::Scene walkers(const Values &v)
 {
@@ -123,6 +133,13 @@ const std::vector<Sample> &samples()
                  {"gravity", 0.5},
                  {"feet", 5},
                  {"spread", 300.0}})},
+        {"creature on a ramp", onRamp,
+         values({{"k", 0.2},
+                 {"damp", 0.9},
+                 {"radius", 50.0},
+                 {"gravity", 0.5},
+                 {"feet", 3},
+                 {"spread", 100.0}})},
         {"walkers", walkers, values({{"k", 0.1}, {"damp", 0.9}, {"speed", 0.1}})},
         {"creature from one place", creature,
          values(

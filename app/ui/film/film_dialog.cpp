@@ -3,8 +3,8 @@
 #include "app/model/refusal.h"
 #include "app/model/sentences.h"
 #include "app/model/words.h"
+#include "app/ui/film/film_name.h"
 #include "app/ui/film/film_size.h"
-#include "app/ui/panels/ask_file.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -37,15 +37,6 @@ QString folder()
     return QDir(pictures).exists() ? pictures : QDir::homePath();
 }
 
-/// The name, or with a number what no file has yet: a film that was made before stays.
-QString freeName(const QString &name, const QString &ending)
-{
-    QString free = name + ending;
-    for (int i = 2; QFileInfo::exists(free); ++i)
-        free = QStringLiteral("%1_%2%3").arg(name, QString::number(i), ending);
-    return free;
-}
-
 }
 
 FilmDialog::FilmDialog(const Session &session, const SceneView &view, const Theme &theme, QWidget *parent)
@@ -74,6 +65,12 @@ FilmDialog::FilmDialog(const Session &session, const SceneView &view, const Them
     column->addWidget(buttons());
     resize(pageWidth, sizeHint().height());
     connect(&m_next, &QTimer::timeout, this, &FilmDialog::goOn);
+    connect(m_name, &FilmName::changed, this, &FilmDialog::askAgain);
+    for (const QSpinBox *frame : {m_from, m_to})
+        connect(frame, &QSpinBox::valueChanged, this, [this] {
+            m_name->forbidReplacing();
+            askAgain();
+        });
     showState();
 }
 
@@ -111,8 +108,8 @@ QWidget *FilmDialog::fields()
     add(tr("&Last frame"), m_to, m_to);
     add(tr("Frames a &second"), m_rate, m_rate);
     add(tr("&Width"), m_size, &m_size->width());
-    QWidget *file = fileRow();
-    add(tr("F&ile"), file, m_file);
+    m_name = new FilmName(fields);
+    add(tr("F&ile"), m_name, &m_name->field());
     grid->setColumnStretch(1, 1);
     auto *hint =
         new QLabel(tr("A name that ends in .gif makes one file. A name such as walk_%04d.png makes a "
@@ -125,32 +122,13 @@ QWidget *FilmDialog::fields()
     return fields;
 }
 
-QWidget *FilmDialog::fileRow()
-{
-    auto *file = new QWidget(this);
-    auto *row = new QHBoxLayout(file);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(8);
-    m_file = new QLineEdit(file);
-    m_file->setAccessibleName(tr("File"));
-    m_file->setToolTip(tr("Where the film goes"));
-    auto *choose = new QPushButton(tr("&Choose…"), file);
-    choose->setToolTip(tr("Choose a folder and a name"));
-    choose->setAutoDefault(false);
-    row->addWidget(m_file, 1);
-    row->addWidget(choose);
-    connect(choose, &QPushButton::clicked, this, &FilmDialog::choose);
-    return file;
-}
-
 QWidget *FilmDialog::buttons()
 {
     auto *buttons = new QWidget(this);
     auto *row = new QHBoxLayout(buttons);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(8);
-    m_make = new QPushButton(tr("&Make the film"), buttons);
-    m_make->setToolTip(tr("Make the film; the window can be used meanwhile"));
+    m_make = new QPushButton(buttons);
     m_make->setDefault(true);
     m_stop = new QPushButton(buttons);
     m_stop->setAutoDefault(false);
@@ -172,33 +150,29 @@ void FilmDialog::offer()
     if (!isMaking()) {
         m_from->setValue(0);
         m_to->setValue(static_cast<int>(m_session.experiment().frames));
-        const QString suggestion = freeName(folder() + '/' + m_session.step().id, ".gif");
-        if (m_file->text() == m_suggested)
-            m_file->setText(suggestion);
-        m_suggested = suggestion;
-        m_said->clear();
-        m_progress->setValue(0);
+        m_name->suggest(folder(), m_session.step().id);
+        m_name->forbidReplacing();
+        askAgain();
     }
     show();
     raise();
     activateWindow();
 }
 
-void FilmDialog::choose()
+/// What was allowed was allowed for another film.
+void FilmDialog::askAgain()
 {
-    const QString path = askWhereToSave(this, tr("Film of the run"), m_file->text(),
-                                        tr("Films (*.gif);;Pictures of each frame (*.png)"));
-    if (path.endsWith(".png", Qt::CaseInsensitive) && !path.contains('%'))
-        m_file->setText(path.chopped(4) + "_%04d.png");
-    else if (!path.isEmpty())
-        m_file->setText(path);
+    if (isMaking())
+        return;
+    m_said->clear();
+    showState();
 }
 
 FilmPlan FilmDialog::plan() const
 {
     FilmPlan plan;
     plan.experiment = m_session.experiment();
-    plan.out = m_file->text();
+    plan.out = m_name->name();
     plan.size = m_size->size();
     plan.scheme = m_theme.scheme();
     plan.extras = m_view.extras();
@@ -210,8 +184,15 @@ FilmPlan FilmDialog::plan() const
 
 void FilmDialog::start()
 {
-    m_making = m_file->text();
+    m_making = m_name->name();
     try {
+        const QString objection = m_name->objection(m_from->value(), m_to->value());
+        if (!objection.isEmpty()) {
+            m_name->allowReplacing();
+            showState();
+            m_said->setText(objection);
+            return;
+        }
         m_film = std::make_unique<Film>(plan(), m_session.library());
         m_next.start(0);
         m_said->setText(tr("Looking at its colours…"));
@@ -254,6 +235,7 @@ void FilmDialog::end(const QString &sentence)
 {
     m_next.stop();
     m_film.reset();
+    m_name->forbidReplacing();
     m_said->setText(sentence);
     showState();
 }
@@ -262,6 +244,10 @@ void FilmDialog::showState()
 {
     m_fields->setEnabled(!isMaking());
     m_make->setEnabled(!isMaking());
+    const bool replaces = m_name->mayReplace() && !isMaking();
+    m_make->setText(replaces ? tr("&Replace") : tr("&Make the film"));
+    m_make->setToolTip(replaces ? tr("Make the film, and write over what is there")
+                                : tr("Make the film; the window can be used meanwhile"));
     m_stop->setText(isMaking() ? tr("S&top") : tr("Close"));
     m_stop->setToolTip(isMaking() ? tr("Give the film up (Esc)") : tr("Close this page (Esc)"));
     m_progress->setMaximum(m_film ? static_cast<int>(m_film->total()) : 1);

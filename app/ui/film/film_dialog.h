@@ -6,13 +6,13 @@
 #include <QTimer>
 
 class QLabel;
-class QLineEdit;
 class QProgressBar;
 class QPushButton;
 class QSpinBox;
 
 namespace app {
 
+class FilmName;
 class FilmSize;
 
 /// Asks what film of the run to make, and makes it while the window goes on.
@@ -34,10 +34,9 @@ public:
 private:
     QSpinBox *frameBox(const QString &name, const QString &help);
     QWidget *fields();
-    QWidget *fileRow();
     QWidget *buttons();
-    void choose();
     void start();
+    void askAgain();
     void goOn();
     void stop();
     void end(const QString &sentence);
@@ -51,15 +50,14 @@ private:
     QSpinBox *m_to;
     QSpinBox *m_rate;
     FilmSize *m_size;
-    QLineEdit *m_file;
+    FilmName *m_name;
     QWidget *m_fields; ///< all that is asked
     QProgressBar *m_progress;
     QLabel *m_said;
     QPushButton *m_make;
     QPushButton *m_stop;
-    QString m_suggested; ///< the file's name, as long as the learner has given no other
     std::unique_ptr<Film> m_film;
-    QString m_making; ///< its file
+    QString m_making; ///< its name
     QTimer m_next;    ///< for the next picture; runs while a film is made
 };
 

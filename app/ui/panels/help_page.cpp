@@ -3,7 +3,6 @@
 #include "app/ui/panels/key_caps.h"
 
 #include <QAction>
-#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QScreen>
@@ -19,6 +18,7 @@ namespace {
 constexpr int columnWidth = 360;
 constexpr int margin = 24;
 constexpr int rowHeight = 28;
+constexpr int rowGap = 2; ///< above and below a text
 constexpr int longestPage = 720;
 constexpr int headHeight = 90;
 
@@ -54,7 +54,7 @@ HelpPage::HelpPage(const Theme &theme, QWidget *parent) : QDialog(parent), m_the
     for (QVBoxLayout *&column : m_columns) {
         column = new QVBoxLayout;
         column->setSpacing(20);
-        column->setAlignment(Qt::AlignTop);
+        column->addStretch(1); // an alignment would give it the height of texts that do not wrap
         columns->addLayout(column, 1);
     }
     auto *page = new QVBoxLayout(m_page);
@@ -96,14 +96,13 @@ HelpPage::Group &HelpPage::groupCalled(const QString &name)
     if (found != m_groups.end())
         return found->second;
     auto *box = new QWidget(m_page);
-    auto *grid = new QGridLayout(box);
-    grid->setContentsMargins(0, 0, 0, 0);
-    grid->setHorizontalSpacing(16);
-    grid->setVerticalSpacing(0);
-    grid->setColumnStretch(0, 1);
-    grid->addWidget(label(name, "heading", box), 0, 0, 1, 2);
-    grid->setRowMinimumHeight(0, rowHeight);
-    return m_groups.emplace(name, Group{box, grid, 0}).first->second;
+    auto *column = new QVBoxLayout(box);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    QLabel *heading = label(name, "heading", box);
+    heading->setMinimumHeight(rowHeight);
+    column->addWidget(heading);
+    return m_groups.emplace(name, Group{box, column, 0}).first->second;
 }
 
 void HelpPage::addRow(const QString &group, const QString &text, QWidget *caps)
@@ -112,10 +111,15 @@ void HelpPage::addRow(const QString &group, const QString &text, QWidget *caps)
     ++to.rows;
     auto *what = label(text, "action", to.box);
     what->setWordWrap(true);
-    what->setMinimumHeight(rowHeight); // a grid forgets the least height of a row whose text wraps
+    what->setMinimumHeight(rowHeight - 2 * rowGap);
     what->setAccessibleName(tr("%1: %2").arg(text, caps->accessibleName()));
-    to.grid->addWidget(what, to.rows, 0, Qt::AlignVCenter);
-    to.grid->addWidget(caps, to.rows, 1, Qt::AlignRight | Qt::AlignVCenter);
+    auto *row =
+        new QHBoxLayout; // of its own: a short text beside many keys has less room than one beside few
+    row->setContentsMargins(0, rowGap, 0, rowGap);
+    row->setSpacing(16);
+    row->addWidget(what, 1);
+    row->addWidget(caps, 0, Qt::AlignVCenter);
+    to.column->addLayout(row);
 }
 
 void HelpPage::arrange()
@@ -131,7 +135,7 @@ void HelpPage::arrange()
         const int column = rows[1] < rows[0] ? 1 : 0;
         m_columns[0]->removeWidget(group->box);
         m_columns[1]->removeWidget(group->box);
-        m_columns[column]->addWidget(group->box);
+        m_columns[column]->insertWidget(m_columns[column]->count() - 1, group->box);
         group->box->show();
         rows[column] += group->rows + 2;
     }
@@ -144,6 +148,11 @@ void HelpPage::arrange()
 void HelpPage::resizeEvent(QResizeEvent *event)
 {
     QDialog::resizeEvent(event);
+    makeRoom();
+}
+
+void HelpPage::makeRoom()
+{
     // A scroll area does not ask how high its page is at the width that it gives it: texts that wrap would be squashed.
     // Less than 0 stands for a page whose height its width does not change.
     m_page->setMinimumHeight(std::max(0, m_page->layout()->totalHeightForWidth(m_area->viewport()->width())));
@@ -154,6 +163,12 @@ void HelpPage::setVisible(bool visible)
     if (visible && !isVisible())
         arrange();
     QDialog::setVisible(visible);
+    if (!visible)
+        return;
+    makeRoom(); // while it was hidden, its groups had no height
+    // The page got its height as it was shown, and its layout was not told.
+    m_page->layout()->invalidate();
+    m_page->layout()->activate();
 }
 
 }

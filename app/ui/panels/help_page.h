@@ -7,7 +7,6 @@
 #include <map>
 
 class QAction;
-class QGridLayout;
 class QScrollArea;
 class QVBoxLayout;
 
@@ -35,11 +34,13 @@ private:
     struct Group
     {
         QWidget *box;
-        QGridLayout *grid;
+        QVBoxLayout *column;
         int rows = 0;
     };
 
     void arrange();
+    /// Makes the page as high as its texts are at the width that they have.
+    void makeRoom();
     void addRow(const QString &group, const QString &text, QWidget *caps);
     Group &groupCalled(const QString &name);
 

@@ -56,10 +56,22 @@ void NumberBox::show(double value)
 {
     if (hasFocus() && lineEdit()->isModified())
         return;
-    if (value == this->value())
+    if (value == this->value() && !m_isEmpty)
         return;
+    m_isEmpty = false;
     const QSignalBlocker silent(this);
     setValue(value);
+    write(); // the same number, that it was just given, may not be written yet
+}
+
+void NumberBox::showNothing()
+{
+    if (m_isEmpty || (hasFocus() && lineEdit()->isModified()))
+        return;
+    m_isEmpty = true;
+    const QSignalBlocker silent(this);
+    setValue(farthest); // whatever is typed is another number
+    write();
 }
 
 QString NumberBox::exactText(double value) const
@@ -69,6 +81,8 @@ QString NumberBox::exactText(double value) const
 
 QString NumberBox::textFromValue(double value) const
 {
+    if (m_isEmpty)
+        return {};
     const QString exact = exactText(value);
     if (m_inFull || fontMetrics().horizontalAdvance(exact) <= width_ - 14)
         return exact;
@@ -111,6 +125,8 @@ double NumberBox::stepFrom(double value, int steps) const
 
 void NumberBox::stepBy(int steps)
 {
+    if (m_isEmpty)
+        return; // there is no number to step from
     const double wanted = std::clamp(value() + steps * stepFrom(value(), steps), m_min, m_max);
     setValue(QString::number(wanted, 'f', m_decimals).toDouble());
     selectAll();

@@ -18,6 +18,8 @@ public:
 
     /// Shows a value without chosen(). While the learner types, it waits.
     void show(double value);
+    /// Shows nothing, as where several values are meant; a number that is typed is chosen.
+    void showNothing();
     /// The number in full, with at least the declared decimals.
     QString exactText(double value) const;
 
@@ -54,6 +56,7 @@ private:
     int m_decimals;
     lessons::Scale m_scale;
     bool m_inFull = false; ///< while it has the focus
+    bool m_isEmpty = false;
 };
 
 }

@@ -3,17 +3,15 @@
 #include "app/model/sentences.h"
 #include "app/model/workshop.h"
 #include "app/ui/panels/panel_title.h"
+#include "app/ui/sandbox/effect_switches.h"
 #include "app/ui/sandbox/example_gallery.h"
 #include "app/ui/sandbox/property_row.h"
-#include "sim/purpose.h"
 
 #include <QAction>
-#include <QCheckBox>
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
-#include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -72,16 +70,12 @@ BuildPanel::BuildPanel(Session &session, Workbench &bench, const QList<QAction *
     column->addWidget(dividerIn(this));
     column->addWidget(feet());
     connect(&bench, &Workbench::changed, this, &BuildPanel::refresh);
-    connect(&session, &Session::stepOpened, this, [this] {
-        makeEffects();
-        refresh();
-    });
+    connect(&session, &Session::stepOpened, this, &BuildPanel::refresh);
     connect(&session, &Session::runChanged, this, &BuildPanel::refresh);
     connect(&session, &Session::moved, this, [this] {
         if (m_bench.isOpen() && !m_bench.canBuild())
             refreshProperties(); // it says where the run is
     });
-    makeEffects();
     refresh();
 }
 
@@ -136,12 +130,11 @@ QWidget *BuildPanel::page()
     m_column = new QVBoxLayout(m_properties);
     m_column->setContentsMargins(0, 0, 0, 4);
     m_column->setSpacing(0);
-    m_effects = new QWidget(content);
     column->addWidget(m_hint);
     column->addWidget(m_away);
     column->addWidget(m_properties);
     column->addWidget(heading(tr("Acts on everything")));
-    column->addWidget(m_effects);
+    column->addWidget(new EffectSwitches(m_session, m_bench, content));
     column->addStretch(1);
     area->setWidget(content);
     return area;
@@ -170,30 +163,6 @@ QWidget *BuildPanel::feet()
     return box;
 }
 
-void BuildPanel::makeEffects()
-{
-    m_switches.clear();
-    delete m_effects->layout();
-    qDeleteAll(m_effects->findChildren<QCheckBox *>(Qt::FindDirectChildrenOnly));
-    auto *grid = new QGridLayout(m_effects);
-    grid->setContentsMargins(sideMargin, 2, sideMargin, 4);
-    grid->setSpacing(6);
-    int place = 0;
-    for (const sim::EffectPtr &effect : m_session.step().catalogue) {
-        const QString id = QString::fromStdString(effect->id());
-        auto *box = new QCheckBox(capitalised(phrase(effect->title())), m_effects);
-        box->setToolTip(phrase(sim::purposeOf(*effect)));
-        box->setAccessibleDescription(box->toolTip());
-        connect(box, &QCheckBox::clicked, this, [this, id](bool on) {
-            m_bench.setEffect(id, on);
-            refreshEffects(); // it may not have been the time for it
-        });
-        grid->addWidget(box, place / 2, place % 2);
-        m_switches[id] = box;
-        ++place;
-    }
-}
-
 QString BuildPanel::hint() const
 {
     return m_hint->text();
@@ -205,7 +174,6 @@ void BuildPanel::refresh()
         return;
     refreshTitle();
     refreshProperties();
-    refreshEffects();
 }
 
 void BuildPanel::refreshTitle()
@@ -213,14 +181,6 @@ void BuildPanel::refreshTitle()
     const sim::Blueprint &plan = m_bench.plan();
     const std::size_t links = plan.springs.size() + plan.sticks.size() + plan.feet.size();
     m_title->setCaption(tr("points %1, links %2").arg(plan.points.size()).arg(links));
-}
-
-void BuildPanel::refreshEffects()
-{
-    for (const auto &[id, box] : m_switches) {
-        const QSignalBlocker silent(box);
-        box->setChecked(m_bench.has(id));
-    }
 }
 
 QString BuildPanel::waitHint() const
@@ -233,6 +193,10 @@ QString BuildPanel::waitHint() const
 
 QString BuildPanel::toolHint() const
 {
+    if (m_bench.first())
+        return m_bench.tool() == BuildTool::foot
+                   ? tr("Click each of its feet. Esc: another body.")
+                   : tr("Click where it ends; the next goes on from there. Esc: begin elsewhere.");
     switch (m_bench.tool()) {
     case BuildTool::point:
         return tr("Click where a point shall be.");
@@ -255,7 +219,7 @@ void BuildPanel::refreshProperties()
     const bool can = m_bench.canBuild();
     const bool any = can && !m_bench.chosen().isEmpty();
     m_away->setVisible(!can);
-    m_hint->setVisible(!any);
+    m_hint->setVisible(!any || m_bench.tool() != BuildTool::select);
     m_properties->setVisible(any);
     m_hint->setText(can ? toolHint() : waitHint());
     if (!any) {

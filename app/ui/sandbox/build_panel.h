@@ -7,11 +7,9 @@
 #include <QPointer>
 #include <QWidget>
 
-#include <map>
 #include <vector>
 
 class QActionGroup;
-class QCheckBox;
 class QLabel;
 class QToolButton;
 class QVBoxLayout;
@@ -51,11 +49,9 @@ private:
     /// What to do with the tool in hand, and why it has to wait.
     QString toolHint() const;
     QString waitHint() const;
-    void makeEffects();
     void refresh();
     void refreshTitle();
     void refreshProperties();
-    void refreshEffects();
     void makeRows(std::vector<BuiltProperty> properties);
     void makeGaitButton();
 
@@ -67,10 +63,8 @@ private:
     QLabel *m_hint;        ///< in place of properties
     QWidget *m_properties; ///< of what is chosen
     QVBoxLayout *m_column; ///< of those
-    QWidget *m_effects;
     std::vector<PropertyRow *> m_rows;
     QString m_shownKey; ///< which properties the rows are of
-    std::map<QString, QCheckBox *> m_switches;
     ExampleGallery *m_gallery;
 };
 

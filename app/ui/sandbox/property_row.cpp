@@ -84,8 +84,8 @@ void PropertyRow::refresh()
         return;
     const std::optional<double> value = m_property.get(m_bench.plan(), m_bench.chosen());
     m_unit->setText(value ? m_property.about.unit : tr("differ"));
-    if (m_box && value)
-        m_box->show(*value);
+    if (m_box)
+        value ? m_box->show(*value) : m_box->showNothing();
     if (!m_switch)
         return;
     const QSignalBlocker silent(m_switch);

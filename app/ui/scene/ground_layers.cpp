@@ -2,6 +2,7 @@
 
 #include "app/ui/scene/layers.h"
 #include "app/ui/scene/sky.h"
+#include "sim/effects/ramp.h"
 
 #include <QCoreApplication>
 
@@ -77,6 +78,34 @@ void drawDistances(const Canvas &canvas, double y)
     p.drawLines(ticks);
 }
 
+void drawRamp(const Canvas &canvas, const sim::Incline &edge)
+{
+    const QPointF normal(edge.normal.x, edge.normal.y), way(-normal.y(), normal.x());
+    const QPointF place = canvas.camera.at(edge.through);
+    const QPointF middle = canvas.area.center();
+    const double reach = canvas.area.width() + canvas.area.height();
+    if (std::abs(QPointF::dotProduct(middle - place, normal)) > reach)
+        return;
+    // The part of the line that the view is beside, from a hatch to a hatch.
+    const double along = QPointF::dotProduct(middle - place, way);
+    const double first = firstHatch(along - reach, 0.0), last = along + reach;
+    const QPointF from = place + first * way, to = place + last * way;
+    QPainter &p = canvas.painter;
+    p.setPen(Qt::NoPen);
+    p.setBrush(canvas.tokens().win);
+    p.drawPolygon(QPolygonF{from, to, to - 2.0 * reach * normal, from - 2.0 * reach * normal});
+    p.setBrush(Qt::NoBrush);
+    QList<QLineF> hatch;
+    for (double at = first; at < last; at += hatchStep) {
+        const QPointF on = place + at * way;
+        hatch << QLineF(on - 10.0 * normal, on + 8.0 * way - normal);
+    }
+    p.setPen(QPen(canvas.tokens().line2, 1.3, Qt::SolidLine, Qt::FlatCap));
+    p.drawLines(hatch);
+    p.setPen(QPen(canvas.tokens().contact, 2.0, Qt::SolidLine, Qt::FlatCap));
+    p.drawLine(from, to);
+}
+
 }
 
 void RoomLayer::draw(const Canvas &canvas) const
@@ -110,6 +139,14 @@ void RoomLayer::draw(const Canvas &canvas) const
     const double top = area.top() - 4.0;
     p.drawPolyline(
         QPolygonF{QPointF(left, top), QPointF(left, floor), QPointF(right, floor), QPointF(right, top)});
+}
+
+void RampLayer::draw(const Canvas &canvas) const
+{
+    for (const sim::EffectPtr &effect : canvas.shown.picture.segment->scene.effects) {
+        if (const auto *ramp = dynamic_cast<const sim::Ramp *>(effect.get()))
+            drawRamp(canvas, ramp->edge());
+    }
 }
 
 void GroundLayer::draw(const Canvas &canvas) const

@@ -60,6 +60,16 @@ protected:
     void draw(const Canvas &canvas) const override;
 };
 
+/// A slanted wall, hatched on its solid side. It is looked for among what acts: a look knows rooms only.
+class RampLayer : public Layer
+{
+public:
+    RampLayer(const Shown &shown, const Theme &theme) : Layer(shown, theme, Height::ground) {}
+
+protected:
+    void draw(const Canvas &canvas) const override;
+};
+
 /// An endless ground, hatched, with a distance every so many px: what stands on it does not stand still.
 class GroundLayer : public Layer
 {

@@ -104,10 +104,12 @@ void MainWindow::makeStatus()
     m_status->setContentsMargins(8, 0, 8, 0);
     m_status->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     statusBar()->addWidget(m_status, 1);
-    statusBar()->addPermanentWidget(new StatusFigures(m_session, *m_study, this));
+    m_figures = new StatusFigures(m_session, *m_study, this);
+    statusBar()->addPermanentWidget(m_figures);
     statusBar()->setSizeGripEnabled(false);
     statusBar()->setFixedHeight(28);
     statusBar()->addPermanentWidget(m_gauge);
+    connect(m_stability, &StabilityWatch::changed, this, &MainWindow::shareStatusBar);
     m_saidLong.setSingleShot(true);
     m_saidLong.setInterval(readMilliseconds);
     connect(&m_saidLong, &QTimer::timeout, this, &MainWindow::followRun);
@@ -168,6 +170,14 @@ void MainWindow::showStatus()
     }
     if (text != m_status->text())
         m_status->setText(text);
+    shareStatusBar();
+}
+
+void MainWindow::shareStatusBar()
+{
+    constexpr int between = 24; // px that the bar itself takes
+    const int taken = m_status->sizeHint().width() + m_gauge->sizeHint().width() + between;
+    m_figures->setMost(width() - taken);
 }
 
 void MainWindow::restore()

@@ -42,6 +42,7 @@ class SceneCard;
 class SceneView;
 class StabilityGauge;
 class StabilityPanel;
+class StatusFigures;
 class StopNotice;
 class TimelineStrip;
 class Tour;
@@ -188,6 +189,8 @@ private:
     void say(const QString &sentence);
     void followRun();
     void showStatus();
+    /// The sentence has the room that it needs; the figures have what is left.
+    void shareStatusBar();
     void showHelp();
     void makeDocument();
     void startNew();
@@ -295,6 +298,7 @@ private:
     QDockWidget *m_stabilityDock = nullptr;
     QDockWidget *m_replaced = nullptr; ///< what stands aside while stability is shown
     QLabel *m_status = nullptr;
+    StatusFigures *m_figures = nullptr;
     QString m_said; ///< a sentence that is still to be read; empty: the status bar tells how the run stands
     sim::Cursor m_saidAt;       ///< where the run stood then
     QTimer m_saidLong;          ///< until it was there long enough to be read while the run plays

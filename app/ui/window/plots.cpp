@@ -121,6 +121,7 @@ void MainWindow::resizeEvent(QResizeEvent *event)
     QMainWindow::resizeEvent(event);
     if (isVisible())
         giveWay();
+    shareStatusBar();
     const auto hasRoom = [](QSize size) { return size.width() >= wide && size.height() >= high; };
     if (event->oldSize().isValid() && hasRoom(event->oldSize()) == hasRoom(event->size()))
         return;

@@ -11,6 +11,8 @@ namespace app {
 namespace {
 
 constexpr int gap = 18; ///< px between two figures
+constexpr int leftMargin = 8;
+constexpr int rightMargin = 14;
 
 }
 
@@ -18,7 +20,7 @@ StatusFigures::StatusFigures(const Session &session, const AccuracyStudy &study,
     : QWidget(parent), m_session(session), m_study(study)
 {
     auto *row = new QHBoxLayout(this);
-    row->setContentsMargins(8, 0, 14, 0);
+    row->setContentsMargins(leftMargin, 0, rightMargin, 0);
     row->setSpacing(gap);
     const QString tips[count] = {
         tr("How many points the scene has: each body, foot or joint is one"),
@@ -75,6 +77,7 @@ void StatusFigures::refresh()
         isMeasured
             ? tr("%1 off over %2 frames").arg(pixels(row->error)).arg(m_study.accuracy()->framesCompared())
             : QString());
+    showWhatFits();
 }
 
 QString StatusFigures::workWords() const
@@ -96,11 +99,30 @@ QString StatusFigures::workWords() const
 
 void StatusFigures::put(Figure figure, const QString &text)
 {
-    QLabel *label = m_labels[figure];
-    if (label->text() != text)
-        label->setText(text);
-    if (label->isHidden() != text.isEmpty())
-        label->setVisible(!text.isEmpty());
+    if (m_labels[figure]->text() != text)
+        m_labels[figure]->setText(text);
+}
+
+void StatusFigures::setMost(int px)
+{
+    if (px == m_most)
+        return;
+    m_most = px;
+    showWhatFits();
+}
+
+void StatusFigures::showWhatFits()
+{
+    int left = m_most - leftMargin - rightMargin + gap;
+    for (int i = count - 1; i >= 0; --i) {
+        QLabel &label = *m_labels[i];
+        const bool isEmpty = label.text().isEmpty();
+        if (!isEmpty)
+            left -= gap + label.sizeHint().width();
+        const bool isShown = !isEmpty && left >= 0;
+        if (label.isHidden() == isShown)
+            label.setVisible(isShown);
+    }
 }
 
 }

@@ -23,6 +23,9 @@ public:
 
     /// What is shown, from left to right.
     QStringList figures() const;
+    /// They take at most so many px: the sentence beside them has the rest. Without the room for all of them the first
+    /// ones go.
+    void setMost(int px);
 
     static constexpr int refreshMilliseconds = 100; ///< between two changes while the run plays
 
@@ -33,11 +36,13 @@ private:
     /// As refresh(), but no more often than the eye can read.
     void refreshSoon();
     void put(Figure figure, const QString &text);
+    void showWhatFits();
     QString workWords() const;
 
     const Session &m_session;
     const AccuracyStudy &m_study;
     QLabel *m_labels[count];
+    int m_most = 0; ///< px
     QTimer m_later;
     QElapsedTimer m_since;
 };

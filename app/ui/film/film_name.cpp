@@ -1,0 +1,88 @@
+#include "app/ui/film/film_name.h"
+
+#include "app/model/film_file.h"
+#include "app/ui/panels/ask_file.h"
+
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLineEdit>
+#include <QPushButton>
+
+namespace app {
+
+namespace {
+
+/// The name, or with a number what no file has yet: a film that was made before stays.
+QString freeName(const QString &name, const QString &ending)
+{
+    QString free = name + ending;
+    for (int i = 2; QFileInfo::exists(free); ++i)
+        free = QStringLiteral("%1_%2%3").arg(name, QString::number(i), ending);
+    return free;
+}
+
+}
+
+FilmName::FilmName(QWidget *parent) : QWidget(parent), m_field(new QLineEdit(this))
+{
+    auto *row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(8);
+    m_field->setAccessibleName(tr("File"));
+    m_field->setToolTip(tr("Where the film goes"));
+    auto *choose = new QPushButton(tr("&Choose…"), this);
+    choose->setToolTip(tr("Choose a folder and a name"));
+    choose->setAutoDefault(false);
+    row->addWidget(m_field, 1);
+    row->addWidget(choose);
+    connect(choose, &QPushButton::clicked, this, &FilmName::choose);
+    connect(m_field, &QLineEdit::textChanged, this, [this] {
+        forbidReplacing();
+        emit changed();
+    });
+}
+
+QString FilmName::name() const
+{
+    return m_field->text();
+}
+
+void FilmName::setName(const QString &name)
+{
+    m_field->setText(name);
+}
+
+void FilmName::suggest(const QString &folder, const QString &name)
+{
+    const QString suggestion = freeName(folder + '/' + name, ".gif");
+    if (m_field->text() == m_suggested)
+        m_field->setText(suggestion);
+    m_suggested = suggestion;
+}
+
+QString FilmName::objection(std::int64_t from, std::int64_t to) const
+{
+    const QStringList files = filesInTheWay(name(), from, to);
+    if (files.isEmpty() || mayReplace())
+        return {};
+    if (filmKind(name()) == FilmKind::gif)
+        return tr("%1 is there already. Replace it, or give another name.").arg(files.first());
+    return tr("Such pictures are there already, as %1. Replace them, or give another name.")
+        .arg(files.first());
+}
+
+void FilmName::choose()
+{
+    const QString path = askWhereToSave(this, tr("Film of the run"), name(),
+                                        tr("Films (*.gif);;Pictures of each frame (*.png)"));
+    if (path.isEmpty())
+        return;
+    const bool isPicture = path.endsWith(".png", Qt::CaseInsensitive) && !path.contains('%');
+    setName(isPicture ? path.chopped(4) + "_%04d.png" : path);
+    forbidReplacing();
+    if (name() == path && QFileInfo(path).isFile())
+        allowReplacing(); // the chooser has asked
+    emit changed();
+}
+
+}

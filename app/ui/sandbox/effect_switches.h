@@ -1,0 +1,31 @@
+#pragma once
+
+#include "app/model/workbench.h"
+
+#include <QWidget>
+
+#include <map>
+
+class QCheckBox;
+
+namespace app {
+
+/// A switch for each effect that can act on the whole of a scene that is built.
+class EffectSwitches : public QWidget
+{
+    Q_OBJECT
+
+public:
+    /// Both must outlive this.
+    EffectSwitches(Session &session, Workbench &bench, QWidget *parent = nullptr);
+
+private:
+    void make();
+    void refresh();
+
+    Session &m_session;
+    Workbench &m_bench;
+    std::map<QString, QCheckBox *> m_switches; ///< by effect
+};
+
+}

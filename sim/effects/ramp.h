@@ -1,0 +1,67 @@
+#pragma once
+
+#include "sim/effects/walls.h"
+
+namespace sim {
+
+/// A straight edge without an end, which leans as it likes.
+struct Incline
+{
+    Vec2 through;        ///< px, a place that it goes through
+    Vec2 normal;         ///< of length 1, to the side where bodies are
+    double bounce = 0.0; ///< share of the speed into it that is kept, turned round
+};
+
+/// `angle` in degrees: 0 is level, with bodies above it; 45 rises to the right; 90 is a wall on the right, and 180 a
+/// ceiling.
+Incline inclineOf(Vec2 through, double angle, double bounce);
+
+/// Puts a body that is past the edge back to where it touches it, and turns the part of its velocity round that goes into
+/// it. `half` is half the body's width.
+/// Source: reflection at a plane; Moore and Wilhelms, "Collision detection and response for computer animation", 1988.
+// Shown lines are short.
+// clang-format off
+inline
+//! [ramp]
+Motion ramp(
+    Vec2 x, Vec2 v, double half,
+    const Incline &edge)
+{
+    Vec2 n = edge.normal;
+    Vec2 from = x - edge.through;
+    double gap = from.x * n.x
+        + from.y * n.y - half;
+    double into = v.x * n.x + v.y * n.y;
+    if (gap < 0)
+        x = x - gap * n;
+    if (gap < 0 && into < 0)
+        v = v - (1 + edge.bounce) * into * n;
+    return {x, v};
+}
+//! [ramp]
+// clang-format on
+
+/// A slanted wall without friction, which bodies slide along.
+class Ramp : public Contact
+{
+public:
+    /// `half`: half of each point's width in px, one row per point.
+    Ramp(Incline edge, Eigen::ArrayXd half) : m_edge(edge), m_half(std::move(half)) {}
+
+    std::string id() const override { return "ramp"; }
+    std::string title() const override { return SIM_TEXT("ramp"); }
+    Kind kind() const override { return Kind::contact; }
+    std::vector<Region> regions(Directions directions) const override;
+    int count(const State &state, Points points) const override;
+    Sees sees() const override { return Sees::tied; }
+    void resolve(State &state, Points points) const override;
+    std::vector<Surface> surfaces(int point) const override;
+
+    const Incline &edge() const { return m_edge; }
+
+private:
+    Incline m_edge;
+    Eigen::ArrayXd m_half;
+};
+
+}

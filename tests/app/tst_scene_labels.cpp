@@ -1,0 +1,209 @@
+// What is written in the picture: names, numbers and signs, and that they keep apart.
+
+#include "app/model/sentences.h"
+#include "app/ui/scene/body_text.h"
+#include "app/ui/scene/free_area.h"
+#include "app/ui/scene/guide_labels.h"
+#include "app/ui/scene/label_places.h"
+#include "look_scenes.h"
+#include "scene_bench.h"
+
+#include "app/model/numbers.h"
+
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include <cmath>
+#include <numbers>
+
+using namespace app;
+
+class SceneLabelsTest : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { useOwnSettings(m_settings); }
+    void signsAtTheEdgeKeepApart_data();
+    void signsAtTheEdgeKeepApart();
+    void namesKeepApart_data();
+    void namesKeepApart();
+    void aNameCoversNoArrow_data();
+    void aNameCoversNoArrow();
+    void whatABoxCoversOfALine_data();
+    void whatABoxCoversOfALine();
+    void namesAndNumbersAreReadable_data();
+    void namesAndNumbersAreReadable();
+    void arrowsHaveAReadableScale_data();
+    void arrowsHaveAReadableScale();
+
+private:
+    QTemporaryDir m_settings;
+};
+
+void SceneLabelsTest::signsAtTheEdgeKeepApart_data()
+{
+    QTest::addColumn<QPointF>("middle");
+    QTest::addColumn<int>("least");
+    QTest::newRow("all in one direction") << QPointF(2000, 200) << 1;
+    QTest::newRow("to all sides") << QPointF(275, 240) << 2;
+    QTest::newRow("far beyond") << QPointF(4e5, -3e5) << 1;
+    QTest::newRow("so far that its square is no number") << QPointF(1e200, -1e200) << 1;
+}
+
+void SceneLabelsTest::signsAtTheEdgeKeepApart()
+{
+    QFETCH(QPointF, middle);
+    QFETCH(int, least);
+    SceneBench bench;
+    Shown shown;
+    shown.picture = bench.session.picture();
+    shown.text = bench.theme.ui(12);
+    const Camera camera(QTransform().translate(300, 235).scale(12, 12).translate(-middle.x(), -middle.y()));
+    const QRectF view(0, 0, 600, 470);
+    const QRectF free = view.adjusted(12, 40, -12, -48);
+    const std::vector<EdgeMarker> markers = edgeMarkers(shown, camera, view, free, {});
+    QVERIFY(static_cast<int>(markers.size()) >= least);
+    int bodies = 0;
+    for (std::size_t i = 0; i < markers.size(); ++i) {
+        bodies += markers[i].bodies;
+        QVERIFY2(!markers[i].text.contains("inf"), qPrintable(markers[i].text));
+        QVERIFY(free.adjusted(-1, -1, 1, 1).contains(markers[i].label));
+        for (std::size_t j = 0; j < i; ++j)
+            QVERIFY(!markers[i].label.intersects(markers[j].label));
+    }
+    QCOMPARE(bodies, 3);
+}
+
+void SceneLabelsTest::namesKeepApart_data()
+{
+    QTest::addColumn<int>("frame");
+    QTest::addColumn<int>("phase");
+    QTest::newRow("at the start") << 0 << 0;
+    QTest::newRow("in the middle of a swing") << 3 << 0;
+    QTest::newRow("inside a frame") << 3 << 1;
+}
+
+void SceneLabelsTest::namesKeepApart()
+{
+    QFETCH(int, frame);
+    QFETCH(int, phase);
+    SceneBench bench("lone");
+    bench.session.goTo({frame, phase});
+    Shown shown;
+    shown.picture = bench.session.picture();
+    shown.gathered = bench.session.gathered();
+    shown.text = bench.theme.ui(12);
+    shown.selected = 0;
+    const Camera camera(bench.view.viewportTransform());
+    const QRectF view(bench.view.viewport()->rect());
+    const QRectF name = nameBox(shown, camera, view);
+    QCOMPARE(name.isEmpty(), phase > 0); // a card stands in its place
+    const std::vector<GuideLabel> labels = guideLabels(shown, camera, bench.theme, view);
+    QCOMPARE(labels.size(), 1U);
+    QVERIFY(!labels[0].box.intersects(name));
+    for (const QRectF &body : bodyBoxes(shown, camera))
+        QVERIFY(!labels[0].box.intersects(body));
+}
+
+void SceneLabelsTest::aNameCoversNoArrow_data()
+{
+    QTest::addColumn<double>("degrees");
+    for (int degrees = 0; degrees < 360; degrees += 30)
+        QTest::addRow("%d degrees", degrees) << double(degrees);
+}
+
+void SceneLabelsTest::aNameCoversNoArrow()
+{
+    QFETCH(double, degrees);
+    SceneBench bench("lone");
+    Shown shown;
+    shown.picture = bench.session.picture();
+    shown.text = bench.theme.ui(12);
+    const double angle = degrees * std::numbers::pi / 180.0;
+    const sim::Vec2 pull = {3.0 * std::cos(angle), 3.0 * std::sin(angle)};
+    shown.picture.guides = {
+        {lessons::Guide::Shape::arrow, shown.state().at(0), pull, 0.0, "a pull with a long name"}};
+    const Camera camera(bench.view.viewportTransform());
+    const QRectF view(bench.view.viewport()->rect());
+    const std::vector<GuideLabel> labels = guideLabels(shown, camera, bench.theme, view);
+    QCOMPARE(labels.size(), 1U);
+    const std::vector<QLineF> strokes = explainingStrokes(shown, camera, bench.theme);
+    QCOMPARE(strokes.size(), 1U);
+    QVERIFY(strokes[0].length() > 100.0);
+    QCOMPARE(lengthWithin(strokes[0], labels[0].box), 0.0);
+}
+
+void SceneLabelsTest::whatABoxCoversOfALine_data()
+{
+    QTest::addColumn<QLineF>("line");
+    QTest::addColumn<double>("covered");
+    QTest::newRow("through the middle") << QLineF(-5, 2, 20, 2) << 10.0;
+    QTest::newRow("beside") << QLineF(-5, 5, 20, 5) << 0.0;
+    QTest::newRow("within") << QLineF(8, 1, 5, 1) << 3.0;
+    QTest::newRow("ends inside") << QLineF(5, -3, 5, 1) << 1.0;
+    QTest::newRow("corner to corner") << QLineF(0, 0, 10, 4) << std::sqrt(116.0);
+    QTest::newRow("past a corner") << QLineF(-2, 1, 1, -2) << 0.0;
+}
+
+void SceneLabelsTest::whatABoxCoversOfALine()
+{
+    QFETCH(QLineF, line);
+    QFETCH(double, covered);
+    QVERIFY(std::abs(lengthWithin(line, QRectF(0, 0, 10, 4)) - covered) < 1e-12);
+}
+
+void SceneLabelsTest::namesAndNumbersAreReadable_data()
+{
+    QTest::addColumn<QString>("shown");
+    QTest::addColumn<QString>("expected");
+    QTest::newRow("a numbered foot") << bodyTitle("foot12") << "foot 12";
+    QTest::newRow("a foot of one of several") << bodyTitle("creature1.foot0") << "creature 1, foot 0";
+    QTest::newRow("a letter") << bodyTitle("p12") << "p12";
+    QTest::newRow("a link of a tentacle") << bodyTitle("tentacle2_5") << "tentacle 2, 5";
+    QTest::newRow("minus") << fixedNumber(-3.26, 1) << "−3.3";
+    QTest::newRow("no minus nought") << fixedNumber(-0.01, 1) << "0.0";
+    QTest::newRow("almost nothing") << shownMagnitude(0.0004) << "< 0.01";
+    QTest::newRow("nothing") << shownMagnitude(0.0) << "0.00";
+    QTest::newRow("at rest") << bodySentence("foot0", {310, 240}, {0.01, 0})
+                             << "foot 0 at (310, 240), at rest";
+    QTest::newRow("moving") << bodySentence("foot0", {310, -240}, {0, 2.3})
+                            << "foot 0 at (310, −240), moving 2.3 px a frame";
+    QTest::newRow("as far as numbers reach")
+        << bodySentence("foot0", {1.7e308, -2e200}, {1e308, -1e308})
+        << "foot 0 at (1.7·10³⁰⁸, −2·10²⁰⁰), moving 1.4·10³⁰⁸ px a frame";
+    QTest::newRow("faster than numbers reach") << bodySentence("foot0", {0, 0}, {1.7e308, 1.7e308})
+                                               << "foot 0 at (0, 0), moving 1.8·10³⁰⁸ px a frame";
+}
+
+void SceneLabelsTest::namesAndNumbersAreReadable()
+{
+    QFETCH(QString, shown);
+    QFETCH(QString, expected);
+    QCOMPARE(shown, expected);
+}
+
+void SceneLabelsTest::arrowsHaveAReadableScale_data()
+{
+    QTest::addColumn<double>("longest");
+    QTest::addColumn<double>("settled");
+    QTest::addColumn<double>("unit");
+    QTest::newRow("of a calm scene") << 2.3 << 0.0 << 1.0;
+    QTest::newRow("of a strong pull") << 34.0 << 0.0 << 20.0;
+    QTest::newRow("of a weak one") << 0.004 << 0.0 << 0.002;
+    QTest::newRow("of nothing") << 0.0 << 0.0 << 1.0;
+    QTest::newRow("that still fits stays") << 2.3 << 5.0 << 5.0;
+    QTest::newRow("that is too small goes") << 2.3 << 0.5 << 1.0;
+    QTest::newRow("that is far too large goes") << 2.3 << 50.0 << 1.0;
+}
+
+void SceneLabelsTest::arrowsHaveAReadableScale()
+{
+    QFETCH(double, longest);
+    QFETCH(double, settled);
+    QFETCH(double, unit);
+    QCOMPARE(arrowUnit(longest, settled > 0.0 ? std::optional(settled) : std::nullopt), unit);
+}
+
+QTEST_MAIN(SceneLabelsTest)
+#include "tst_scene_labels.moc"

@@ -1,0 +1,154 @@
+// A slanted wall: where it lies, and that bodies slide and bounce on it as they do by the closed forms.
+
+#include "support.h"
+
+#include "sim/effects/gravity.h"
+#include "sim/effects/ramp.h"
+#include "sim/methods/methods.h"
+
+#include <QTest>
+
+#include <numbers>
+
+using namespace sim;
+
+Q_DECLARE_METATYPE(sim::Motion)
+
+namespace {
+
+constexpr double gravity = 0.5; ///< px/frame^2
+
+/// A ball of width 10 that touches a ramp through (0, 0), with gravity.
+Scene ballOn(double angle, double bounce, double above, Vec2 v)
+{
+    const Incline edge = inclineOf({0.0, 0.0}, angle, bounce);
+    Scene scene;
+    scene.start = State::ofPoints(1);
+    scene.start.place(0, (5.0 + above) * edge.normal);
+    scene.start.push(0, v);
+    scene.names = {"ball"};
+    scene.groups = {{"ball", {0, 1}}};
+    scene.effects = {std::make_shared<Gravity>(gravity),
+                     std::make_shared<Ramp>(edge, Eigen::ArrayXd::Constant(1, 5.0))};
+    return scene;
+}
+
+State stateAfter(const Scene &scene, const Method &method, double h, int frames)
+{
+    Script script = support::script(scene, method.id());
+    script.step = support::stepFor(method, h);
+    Timeline run(script);
+    run.seek({frames, 0});
+    return run.now();
+}
+
+}
+
+class TestRamp : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void bodiesAreKeptOnItsFreeSide_data()
+    {
+        QTest::addColumn<double>("angle");
+        QTest::addColumn<Motion>("before");
+        QTest::addColumn<Motion>("after");
+        const auto row = [](const char *name, double angle, Motion before, Motion after) {
+            QTest::newRow(name) << angle << before << after;
+        };
+        row("above what is level", 0, {{70, 90}, {3, 4}}, {{70, 90}, {3, 4}});
+        row("below what is level", 0, {{70, 100}, {3, 4}}, {{70, 95}, {3, -2}});
+        row("on its way back already", 0, {{70, 100}, {3, -4}}, {{70, 95}, {3, -4}});
+        row("a wall on the right", 90, {{70, 70}, {3, 4}}, {{45, 70}, {-1.5, 4}});
+        row("a wall on the left", -90, {{30, 70}, {-3, 4}}, {{55, 70}, {1.5, 4}});
+        row("a ceiling", 180, {{70, 20}, {3, -4}}, {{70, 105}, {3, 2}});
+        const double root = std::numbers::sqrt2;
+        row("rising to the right", 45, {{50, 100}, {1, 1}},
+            {{50 - 2.5 * root, 100 - 2.5 * root}, {-0.5, -0.5}});
+        row("falling to the right", -45, {{50, 100}, {-1, 1}},
+            {{50 + 2.5 * root, 100 - 2.5 * root}, {0.5, -0.5}});
+    }
+    void bodiesAreKeptOnItsFreeSide()
+    {
+        QFETCH(double, angle);
+        QFETCH(Motion, before);
+        QFETCH(Motion, after);
+        State state = State::ofPoints(2);
+        for (const int point : {0, 1}) {
+            state.place(point, before.x);
+            state.push(point, before.v);
+        }
+        state.inverseMass[1] = 0.0;
+        const Ramp ramp(inclineOf({50, 100}, angle, 0.5), Eigen::ArrayXd::Constant(2, 5.0));
+        QCOMPARE(ramp.count(state, {0, 2}), 1);
+        ramp.resolve(state, {0, 2});
+        QVERIFY(length(state.at(0) - after.x) < 1e-12);
+        QVERIFY(length(state.speed(0) - after.v) < 1e-12);
+        QVERIFY(state.at(1) == before.x); // what is held meets nothing
+    }
+
+    /// Along it there is nothing but gravity: g sin(angle).
+    void aBallSlidesDownAsItDoesByTheClosedForm_data()
+    {
+        QTest::addColumn<double>("angle");
+        for (const double angle : {20.0, -35.0, 70.0})
+            QTest::addRow("%g degrees", angle) << angle;
+    }
+    void aBallSlidesDownAsItDoesByTheClosedForm()
+    {
+        QFETCH(double, angle);
+        constexpr int frames = 60;
+        const Scene scene = ballOn(angle, 0.0, 0.0, {0, 0});
+        const double rad = angle / 180.0 * std::numbers::pi;
+        const double pull = gravity * std::sin(rad);
+        const Vec2 down{-std::cos(rad), std::sin(rad)};
+        int methods = 0;
+        for (const MethodPtr &method : allMethods()) {
+            if (!support::fits(scene, *method))
+                continue;
+            const bool isAdaptive = method->stepping() == Stepping::adaptive;
+            constexpr double h = 0.25;
+            const State end = stateAfter(scene, *method, h, frames);
+            const Vec2 way = end.at(0) - scene.start.at(0);
+            const double slid = way.x * down.x + way.y * down.y;
+            const double off = way.x * down.y - way.y * down.x;
+            // A step of h adds at most g h / 2 to a way that is g t / 2: methods differ by which end of it counts.
+            const double most = isAdaptive ? 0.01 : std::abs(pull) * frames * h / 2.0 + 1e-9;
+            QVERIFY2(std::abs(slid - 0.5 * pull * frames * frames) <= most, method->id().c_str());
+            QVERIFY2(std::abs(off) < (isAdaptive ? 0.01 : 1e-9), method->id().c_str());
+            ++methods;
+        }
+        QVERIFY(methods >= 10);
+    }
+
+    void aFullBounceKeepsAllEnergy_data()
+    {
+        QTest::addColumn<double>("angle");
+        for (const double angle : {0.0, 20.0, -35.0})
+            QTest::addRow("%g degrees", angle) << angle;
+    }
+    void aFullBounceKeepsAllEnergy()
+    {
+        QFETCH(double, angle);
+        const Scene scene = ballOn(angle, 1.0, 40.0, {0.7, -1.0});
+        const auto energy = [](const State &state) {
+            const Vec2 v = state.speed(0);
+            return 0.5 * (v.x * v.x + v.y * v.y) - gravity * state.at(0).y;
+        };
+        for (const char *id : {"dormand_prince", "dop853"}) {
+            const MethodPtr method = findMethod(id);
+            double least = 1e9;
+            for (const int frames : {10, 35, 60, 90}) {
+                const State end = stateAfter(scene, *method, 0.01, frames);
+                QVERIFY2(std::abs(energy(end) - energy(scene.start)) < 0.01, id);
+                const Vec2 normal = inclineOf({0, 0}, angle, 1.0).normal;
+                least = std::min(least, end.at(0).x * normal.x + end.at(0).y * normal.y);
+            }
+            QVERIFY(least > 5.0 - 1e-3);
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(TestRamp)
+#include "tst_ramp.moc"
