@@ -1860,10 +1860,6 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>Es sucht den Moment, in dem ein Körper frei von allen Wänden ist, und den gibt es hier nicht.</translation>
     </message>
     <message>
-        <source>It would need about %1 steps a frame, and gives up at 20000.</source>
-        <translation>Es würde etwa %1 Zeitschritte pro Bild brauchen und gibt bei 20000 auf.</translation>
-    </message>
-    <message>
         <source>Nothing damps, so what its steps are off adds up: to %1 px in %2 frames at worst.</source>
         <translation>Nichts dämpft, darum summiert sich die Abweichung seiner Zeitschritte: schlimmstenfalls auf %1 px in %2 Bildern.</translation>
     </message>
@@ -1922,6 +1918,14 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     <message>
         <source>It should end with a word about what is not finite, and does not.</source>
         <translation>Es sollte mit einem Wort darüber enden, was nicht endlich ist, und tut es nicht.</translation>
+    </message>
+    <message>
+        <source>It would need about %1 steps a frame, and gives up at %2.</source>
+        <translation>Es bräuchte etwa %1 Zeitschritte pro Bild und gibt bei %2 auf.</translation>
+    </message>
+    <message>
+        <source>After frame %1 it needs more steps for a frame than it may take.</source>
+        <translation>Nach Bild %1 braucht es für ein Bild mehr Zeitschritte, als es darf.</translation>
     </message>
 </context>
 <context>
