@@ -1,4 +1,4 @@
-#include "app/model/experiment.h"
+#include "experiment_bench.h"
 #include "sim/methods/methods.h"
 
 #include <QDir>
@@ -11,14 +11,9 @@
 #include <limits>
 
 using namespace app;
+using namespace experiment_bench;
 
 namespace {
-
-const LessonLibrary &library()
-{
-    static const LessonLibrary loaded = LessonLibrary::load({LESSON_DIR});
-    return loaded;
-}
 
 QByteArray read(const QString &path)
 {
@@ -44,85 +39,6 @@ QString refusalOf(const QString &path)
     }
 }
 
-/// Fails unless the two run alike.
-void compareExperiments(const Experiment &a, const Experiment &b)
-{
-    QCOMPARE(a.lesson, b.lesson);
-    QCOMPARE(a.step, b.step);
-    QCOMPARE(a.frames, b.frames);
-    QVERIFY(a.script.values == b.script.values);
-    QVERIFY(a.script.bodies == b.script.bodies);
-    QVERIFY(a.script.effectsOff == b.script.effectsOff);
-    QCOMPARE(a.script.method->id(), b.script.method->id());
-    QVERIFY(a.script.step == b.script.step);
-    QVERIFY(a.script.input == b.script.input);
-    QVERIFY(sameMarked(a.branches, b.branches));
-    for (std::size_t i = 0; i < a.branches.all().size(); ++i)
-        QCOMPARE(a.branches.all()[i].end, b.branches.all()[i].end);
-}
-
-void compareAfterRoundTrip(const Experiment &experiment)
-{
-    const QByteArray text = experimentText(experiment, library());
-    const Experiment back = parseExperiment(text, "x.json", library());
-    compareExperiments(back, experiment);
-    QCOMPARE(experimentText(back, library()), text);
-}
-
-/// Feet, with one of everything that a file can have.
-Experiment everything()
-{
-    Experiment experiment = newExperiment("multi_foot", "any_number", library());
-    sim::Script &script = experiment.script;
-    experiment.frames = mostFrames;
-    script.method = newExperiment("multi_foot", "any_number", library()).script.method;
-    script.step = sim::StepSize::of(1.0 / 3.0);
-    script.values.set("k", 0.1 + 0.2);
-    script.values.set("feet", 7.0);
-    script.values.seed = std::uint64_t{1} << 53;
-    script.bodies["foot6"] = {{1.0 / 3.0, -0.0}, sim::Vec2{std::numeric_limits<double>::denorm_min(), -1e22}};
-    script.bodies["body"] = {{std::numeric_limits<double>::max(), 123456789012345678.0}, {}};
-    script.effectsOff = {script.build(script.values).effects.front()->id()};
-    script.input = {{0, sim::Grab{"foot0"}},         {0, sim::Move{{-1.5, 2e-7}}}, {3, sim::Grab{"body"}},
-                    {4, sim::Set{"damp", 0.95}},     {4, sim::Set{"feet", 9.0}},   {5, sim::Release{}},
-                    {10'000'000, sim::Grab{"foot8"}}};
-    return experiment;
-}
-
-Branch branchOf(const QString &name, bool isNamed, bool isKept, sim::Script script)
-{
-    return {1, name, isNamed, isKept, 77, std::make_shared<const sim::Script>(std::move(script))};
-}
-
-/// The same with three runs beside it: one shares its first frames, two share nothing, as their parameters are others.
-Experiment withBranches(double h = 1.0 / 3.0)
-{
-    Experiment experiment = everything();
-    experiment.script.step = sim::StepSize::of(h);
-    sim::Script forked = experiment.script;
-    forked.input.resize(6);
-    forked.input.push_back({8, sim::Grab{"foot1"}});
-    forked.input.push_back({8, sim::Move{{0.1 + 0.2, 1e-300}}});
-    sim::Script other = experiment.script;
-    other.values.set("k", 1.0 / 3.0);
-    other.effectsOff.clear();
-    sim::Script untouched = newExperiment("multi_foot", "any_number", library()).script;
-    experiment.branches.add(branchOf("softer “here”", true, false, forked));
-    experiment.branches.add(branchOf("before: k 0.2", false, true, other));
-    experiment.branches.add(branchOf("as published", true, true, untouched));
-    experiment.branches.setOwn({"mine", "mine", true, 0});
-    return experiment;
-}
-
-/// A file with one branch, whose fields begin on line 6.
-QByteArray withBranch(const QByteArray &fields)
-{
-    return "{\n\"format\": \"springstep-experiment/1\",\n\"lesson\": \"multi_foot\", \"step\": "
-           "\"any_number\",\n"
-           "\"input\": [{\"frame\": 4, \"event\": \"grab\", \"body\": \"body\"}],\n\"branches\": [{\n" +
-           fields + "\n}]}";
-}
-
 }
 
 class TestExperimentFile : public QObject
@@ -145,107 +61,6 @@ private slots:
     }
 
     void everyFieldComesBackExactly() { compareAfterRoundTrip(everything()); }
-
-    void runsBesideItComeBackExactly_data()
-    {
-        QTest::addColumn<double>("h");
-        QTest::newRow("a third of a frame") << 1.0 / 3.0;
-        QTest::newRow("a frame") << 1.0;
-        QTest::newRow("five frames") << 5.0;
-    }
-    void runsBesideItComeBackExactly()
-    {
-        QFETCH(double, h);
-        const Experiment experiment = withBranches(h);
-        compareAfterRoundTrip(experiment);
-        const QByteArray text = experimentText(experiment, library());
-        QCOMPARE(text.count("\"fork\": "), 1);
-        QVERIFY(text.contains(h == 5.0 ? "\"fork\": 6" : "\"fork\": 8"));
-    }
-
-    void whatIsNeitherNamedNorKeptIsNotWritten()
-    {
-        Experiment experiment = everything();
-        const QByteArray before = experimentText(experiment, library());
-        experiment.branches.add(
-            branchOf("passing", false, false, newExperiment("multi_foot", "any_number", library()).script));
-        QCOMPARE(experimentText(experiment, library()), before);
-        experiment.branches.setOwn({"after: k 0.3", {}, false, 7});
-        QCOMPARE(experimentText(experiment, library()), before);
-    }
-
-    void aBranchByHandNeedsLittle()
-    {
-        const Experiment read = parseExperiment(
-            withBranch(
-                "\"name\": \"let go\", \"fork\": 9, \"input\": [{\"frame\": 9, \"event\": \"release\"}]"),
-            "x.json", library());
-        const Branch &branch = read.branches.all().front();
-        QVERIFY(branch.isNamed && branch.isKept);
-        QCOMPARE(branch.name, QString("let go"));
-        QCOMPARE(branch.script->input.size(), std::size_t(2));
-        QCOMPARE(firstDifferent(*branch.script, read.script), 9);
-    }
-
-    void aBranchThatIsWrongIsRefusedWithItsLine_data()
-    {
-        QTest::addColumn<QByteArray>("fields");
-        QTest::addColumn<QString>("sentence");
-        const auto row = [](const char *name, const char *fields, const char *sentence) {
-            QTest::newRow(name) << QByteArray(fields) << QString(sentence);
-        };
-        row("no name", "\"fork\": 9",
-            "line 5: a branch has no \"name\"; it takes a text that tells it from others.");
-        row("a name of nothing", "\"name\": \" \"", "line 6: \"name\" has 0 letters; it can have 1 to 200.");
-        row("an event before the fork",
-            "\"name\": \"a\", \"fork\": 9,\n\"input\": [{\"frame\": 8, \"event\": \"release\"}]",
-            "line 7: frame 8 comes before the branch does, whose \"fork\" is 9; begin there or later.");
-        row("nothing held",
-            "\"name\": \"a\", \"fork\": 4,\n\"input\": [{\"frame\": 8, \"event\": \"release\"}]",
-            "line 7: nothing is held at frame 8; a \"release\" comes after a \"grab\".");
-        row("parameters after a fork", "\"name\": \"a\", \"fork\": 4,\n\"parameters\": {\"k\": 0.3}",
-            "line 7: a branch has no field \"parameters\"; there is \"name\", \"named\", \"kept\", \"fork\", "
-            "\"frames\", \"input\".");
-        row("a parameter out of range", "\"name\": \"a\",\n\"parameters\": {\"feet\": 1e9}",
-            "line 7: \"feet\"");
-        row("no body", "\"name\": \"a\",\n\"bodies\": {\"head\": {\"x\": 1, \"y\": 2}}",
-            "line 7: there is no body \"head\" here;");
-        row("a branch of a branch", "\"name\": \"a\",\n\"branches\": []", "line 7: a branch has no field");
-        row("kept as a number", "\"name\": \"a\",\n\"kept\": 1",
-            "line 7: \"kept\" is 1; it takes true or false.");
-    }
-    void aBranchThatIsWrongIsRefusedWithItsLine()
-    {
-        QFETCH(QByteArray, fields);
-        QFETCH(QString, sentence);
-        try {
-            parseExperiment(withBranch(fields), "x.json", library());
-            QFAIL("it was read");
-        } catch (const Refusal &refusal) {
-            QVERIFY2(refusal.sentence().startsWith("x.json: " + sentence), qPrintable(refusal.sentence()));
-        }
-    }
-
-    void tooManyBranchesAreRefused()
-    {
-        Experiment experiment = everything();
-        for (int i = 0; i <= int(mostKeptBranches); ++i) {
-            sim::Script script = experiment.script;
-            script.values.set("k", 0.001 * i);
-            experiment.branches.add(branchOf(QString::number(i), true, true, script));
-        }
-        QVERIFY_EXCEPTION_THROWN(experimentText(experiment, library()), Refusal);
-        QByteArray list;
-        for (int i = 0; i <= int(mostKeptBranches); ++i)
-            list += "\"name\": \"a\"}, {";
-        try {
-            parseExperiment(withBranch(list + "\"name\": \"a\""), "x.json", library());
-            QFAIL("it was read");
-        } catch (const Refusal &refusal) {
-            QCOMPARE(refusal.sentence(),
-                     QString("x.json: line 5: \"branches\" has 102 runs; it can have up to 100."));
-        }
-    }
 
     void aToleranceComesBackExactly_data()
     {
