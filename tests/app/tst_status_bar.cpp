@@ -29,6 +29,7 @@ private slots:
     void theStatusBarTellsTheWorkOfAFrame_data();
     void theStatusBarTellsTheWorkOfAFrame();
     void theStatusBarTellsWhatWasMeasuredAndNothingElse();
+    void figuresGiveWayToTheSentence();
     void aSentenceIsThereWhileTheRunPlaysOn();
     void aSentenceGivesWayWhenTheLearnerGoesOn();
 
@@ -80,6 +81,23 @@ void StatusBarTest::theStatusBarTellsWhatWasMeasuredAndNothingElse()
     QCOMPARE(figures.figures().size(), 1);
     bench.session.goTo({10, 0});
     QVERIFY(figures.figures().at(1).endsWith("times a frame until now"));
+}
+
+void StatusBarTest::figuresGiveWayToTheSentence()
+{
+    Bench bench;
+    const auto &figures = *bench.window.findChild<StatusFigures *>();
+    bench.window.setMode(MainWindow::Mode::measure);
+    QTRY_COMPARE(bench.window.study().stage(), AccuracyStudy::Stage::done);
+    QTRY_COMPARE(figures.figures().size(), 4);
+    bench.window.resize(760, 600);
+    QTest::qWait(20);
+    QVERIFY(figures.figures().size() < 4);
+    QVERIFY(!figures.figures().contains("2 points"));
+    auto *sentence = bench.window.statusBar()->findChild<QLabel *>(QString(), Qt::FindDirectChildrenOnly);
+    QVERIFY2(sentence->width() >= sentence->sizeHint().width(), qPrintable(sentence->text()));
+    bench.window.resize(1280, 800);
+    QTRY_COMPARE(figures.figures().size(), 4);
 }
 
 void StatusBarTest::aSentenceIsThereWhileTheRunPlaysOn()

@@ -32,6 +32,7 @@ namespace app {
 namespace {
 
 constexpr int wide = 1600;             ///< px, from here on the docks are broader
+constexpr int betweenParts = 24;       ///< px in the status bar, in all
 constexpr int readMilliseconds = 4000; ///< that a sentence takes to be read
 
 }
@@ -162,6 +163,9 @@ void MainWindow::showStatus()
     }
     if (text != m_status->text())
         m_status->setText(text);
+    // The sentence comes first.
+    statusBar()->findChild<StatusFigures *>()->setRoom(statusBar()->width() - m_gauge->sizeHint().width() -
+                                                       m_status->sizeHint().width() - betweenParts);
 }
 
 void MainWindow::restore()

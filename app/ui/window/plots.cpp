@@ -113,6 +113,7 @@ void MainWindow::resizeEvent(QResizeEvent *event)
     QMainWindow::resizeEvent(event);
     if (isVisible())
         giveWay();
+    showStatus();
     const auto hasRoom = [](QSize size) { return size.width() >= wide && size.height() >= high; };
     if (event->oldSize().isValid() && hasRoom(event->oldSize()) == hasRoom(event->size()))
         return;

@@ -97,10 +97,29 @@ QString StatusFigures::workWords() const
 void StatusFigures::put(Figure figure, const QString &text)
 {
     QLabel *label = m_labels[figure];
-    if (label->text() != text)
-        label->setText(text);
-    if (label->isHidden() != text.isEmpty())
-        label->setVisible(!text.isEmpty());
+    if (label->text() == text)
+        return;
+    label->setText(text);
+    fit();
+}
+
+void StatusFigures::setRoom(int width)
+{
+    if (width == m_room)
+        return;
+    m_room = width;
+    fit();
+}
+
+void StatusFigures::fit()
+{
+    const QMargins margins = layout()->contentsMargins();
+    int room = m_room - margins.left() - margins.right() + layout()->spacing();
+    for (int i = count - 1; i >= 0; --i) {
+        QLabel *label = m_labels[i];
+        room -= label->text().isEmpty() ? 0 : label->sizeHint().width() + layout()->spacing();
+        label->setVisible(!label->text().isEmpty() && room >= 0);
+    }
 }
 
 }

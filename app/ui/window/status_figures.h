@@ -23,6 +23,8 @@ public:
 
     /// What is shown, from left to right.
     QStringList figures() const;
+    /// Shows those that fit into `width`, px; what was measured comes before what is counted.
+    void setRoom(int width);
 
     static constexpr int refreshMilliseconds = 100; ///< between two changes while the run plays
 
@@ -33,11 +35,13 @@ private:
     /// As refresh(), but no more often than the eye can read.
     void refreshSoon();
     void put(Figure figure, const QString &text);
+    void fit();
     QString workWords() const;
 
     const Session &m_session;
     const AccuracyStudy &m_study;
     QLabel *m_labels[count];
+    int m_room = QWIDGETSIZE_MAX; ///< px
     QTimer m_later;
     QElapsedTimer m_since;
 };
