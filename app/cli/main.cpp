@@ -4,6 +4,7 @@
 #include "app/cli/screenshot_arguments.h"
 #include "app/cli/terminal.h"
 #include "app/ui/window/appearance.h"
+#include "app/ui/window/gui.h"
 
 #include <QApplication>
 
@@ -45,6 +46,17 @@ Command readCommand(int argc, char **argv)
     return std::visit(widen, app::readWindowArguments(arguments));
 }
 
+/// Qt reads the factor when an application begins.
+constexpr const char *scaleFactor = "QT_SCALE_FACTOR";
+
+void scaleBy(int percent)
+{
+    if (percent == 100)
+        qunsetenv(scaleFactor);
+    else
+        qputenv(scaleFactor, QByteArray::number(percent / 100.0));
+}
+
 int start(int argc, char **argv, const QString &file)
 {
     if (!hasDisplay())
@@ -53,10 +65,15 @@ int start(int argc, char **argv, const QString &file)
                                                  "verb that needs none: %1.")
                                   .arg(app::verbs().join(", ")));
     qInstallMessageHandler(nullptr);
-    if (const int size = app::keptSize(); size != 100 && qEnvironmentVariableIsEmpty("QT_SCALE_FACTOR"))
-        qputenv("QT_SCALE_FACTOR", QByteArray::number(size / 100.0));
-    QApplication application(argc, argv);
-    return app::runWindow(application, file);
+    const bool isScaled = !qEnvironmentVariableIsEmpty(scaleFactor);
+    app::WindowEnd end = {};
+    do {
+        if (!isScaled)
+            scaleBy(app::keptSize());
+        QApplication application(argc, argv);
+        end = app::runWindow(application, file, end.left);
+    } while (end.left);
+    return end.code;
 }
 
 /// The same picture everywhere, with a display or without.

@@ -5119,6 +5119,14 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <source>The marks of the lessons alone, and more room for the rest (Ctrl+Shift+1)</source>
         <translation>Nur die Zeichen der Lektionen, und mehr Platz für den Rest (Strg+Umschalt+1)</translation>
     </message>
+    <message>
+        <source>Start again now</source>
+        <translation>Jetzt neu starten</translation>
+    </message>
+    <message>
+        <source>Closes the window and opens it again with this scene. Undo begins anew.</source>
+        <translation>Schließt das Fenster und öffnet es wieder mit dieser Szene. Rückgängig beginnt von vorn.</translation>
+    </message>
 </context>
 <context>
     <name>app::MeasurePanel</name>

@@ -88,7 +88,7 @@ int main(int argc, char **argv)
     qputenv("QT_QPA_PLATFORM", "offscreen");
     if (argc > 1 && QByteArray(argv[1]) == asWindow) {
         Application application(argc, argv);
-        return app::runWindow(application, {});
+        return app::runWindow(application, {}).code;
     }
     const QCoreApplication application(argc, argv);
     benchmark::Initialize(&argc, argv);

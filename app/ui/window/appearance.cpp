@@ -5,6 +5,7 @@
 #include "app/ui/scene/scene_bar.h"
 #include "app/ui/scene/scene_view.h"
 #include "app/ui/window/main_window.h"
+#include "app/ui/window/notice.h"
 
 #include <QAction>
 #include <QActionGroup>
@@ -130,20 +131,24 @@ void MainWindow::makeSizeActions()
     auto *menu = m_view->addMenu(tr("Si&ze of text and controls"));
     auto *group = new QActionGroup(this);
     menu->setToolTipsVisible(true);
+    const int drawn = keptSize();
     for (const int size : sizes) {
         QAction *made = menu->addAction(tr("%1\u2009%").arg(size));
         made->setCheckable(true);
-        made->setChecked(size == keptSize());
+        made->setChecked(size == drawn);
         group->addAction(made);
-        connect(menu, &QMenu::aboutToShow, made, [this, made, size] {
-            made->setEnabled(hasRoomFor(size, screen()->availableSize() * keptSize() / 100));
+        connect(menu, &QMenu::aboutToShow, made, [this, made, size, drawn] {
+            made->setEnabled(hasRoomFor(size, screen()->availableSize() * drawn / 100));
             made->setToolTip(made->isEnabled()
                                  ? tr("Text, buttons and the picture, from the next start on")
                                  : tr("This screen is too small for the scene with its time at that size"));
         });
-        connect(made, &QAction::triggered, this, [this, size] {
+        connect(made, &QAction::triggered, this, [this, size, drawn] {
             QSettings().setValue(sizeKey, size);
-            emit m_session.said(tr("At its next start, Springstep is drawn at %1\u2009%.").arg(size));
+            if (size == drawn)
+                m_notice->say({}); // as it is
+            else
+                offerNewStart(tr("At its next start, Springstep is drawn at %1\u2009%.").arg(size));
         });
     }
 }

@@ -35,6 +35,7 @@ void MainWindow::makeDocument()
     m_document = std::make_unique<Document>(m_session);
     connect(m_document.get(), &Document::stateChanged, this, &MainWindow::nameWindow);
     connect(&m_session, &Session::stepOpened, this, &MainWindow::nameWindow);
+    connect(&m_session, &Session::stepOpened, this, &MainWindow::rememberStep);
     setAcceptDrops(true);
     nameWindow();
 }

@@ -37,24 +37,28 @@ QString noLessons()
 
 }
 
-int runWindow(QApplication &application, const QString &file)
+WindowEnd runWindow(QApplication &application, const QString &file, const std::optional<Left> &from)
 {
     Language language(Language::chosen(QSettings().value("window/language").toString()));
     const LessonLibrary library = LessonLibrary::load(LessonLibrary::folders(), &language);
     if (library.lessons.empty())
-        return refuse(noLessons());
+        return {refuse(noLessons()), {}};
     Theme theme(keptScheme());
     theme.apply(application);
     Session session(library);
     MainWindow window(session, theme);
     window.fitInto(window.screen()->availableSize());
+    window.openLast();
     window.show();
-    if (!file.isEmpty())
+    if (from)
+        window.goOn(*from);
+    else if (!file.isEmpty())
         window.openFile(file);
     else if (MainWindow::wantsTour())
         QTimer::singleShot(0, &window, &MainWindow::startTour);
     window.keepScenesIn(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/scenes");
-    return QApplication::exec();
+    const int code = QApplication::exec();
+    return {code, window.left()};
 }
 
 int takeScreenshot(QApplication &application, const ScreenshotRequest &request)
@@ -116,5 +120,4 @@ int takeScreenshot(QApplication &application, const ScreenshotRequest &request)
     }
     return 0;
 }
-
 }

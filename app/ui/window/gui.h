@@ -2,6 +2,7 @@
 
 #include "app/model/map_plane.h"
 #include "app/ui/theme/theme.h"
+#include "app/ui/window/left.h"
 
 #include <QSize>
 #include <QString>
@@ -31,9 +32,16 @@ struct ScreenshotRequest
     QString out;                 ///< a file name; its ending tells the format
 };
 
-/// Shows the window, with the experiment `file` unless that is empty, and runs until it is closed.
-/// Returns the exit code.
-int runWindow(QApplication &application, const QString &file);
+/// How a window ended.
+struct WindowEnd
+{
+    int code = 0;             ///< the exit code
+    std::optional<Left> left; ///< for another window that is to open at once
+};
+
+/// Shows the window, with the experiment `file` unless that is empty, or with what another one has left for it, and runs
+/// until it is closed.
+WindowEnd runWindow(QApplication &application, const QString &file, const std::optional<Left> &from = {});
 
 /// Draws the window without showing it. Returns the exit code; says on stderr what is wrong.
 int takeScreenshot(QApplication &application, const ScreenshotRequest &request);

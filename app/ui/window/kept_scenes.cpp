@@ -7,6 +7,9 @@
 
 #include <QLocale>
 
+#include <algorithm>
+#include <limits>
+
 namespace app {
 
 namespace {
@@ -27,6 +30,8 @@ void MainWindow::keepScenesIn(const QString &folder, int within)
     m_keptScenes = keptScenes(folder);
     m_keeper = std::make_unique<SceneKeeper>(m_session, *m_document, folder, within);
     connect(m_keeper.get(), &SceneKeeper::failed, m_notice, &Notice::say);
+    if (openWhatWasLeft())
+        return;
     if (m_notice->sentence().isEmpty()) // else there is something to read first; they stay for the next start
         offerKept();
 }
@@ -47,7 +52,9 @@ void MainWindow::offerKept()
     const QString sentence =
         scene.wasEnded ? tr("Springstep was ended by something else. Your scene of %1 from %2 is here.")
                        : tr("Your scene of %1 from %2 was not saved. It is here.");
-    const auto open = [this, scene] { unlessLost([this, scene] { openKept(scene); }); };
+    const auto open = [this, scene] {
+        unlessLost([this, scene] { openKept(scene, std::numeric_limits<std::int64_t>::max()); });
+    };
     const auto drop = [this, scene] {
         forget(scene);
         offerKept();
@@ -57,7 +64,7 @@ void MainWindow::offerKept()
                    {tr("Forget it"), tr("Delete it; it will not be offered again"), drop}});
 }
 
-void MainWindow::openKept(const KeptScene &scene)
+void MainWindow::openKept(const KeptScene &scene, std::int64_t upTo)
 {
     std::int64_t frames = 0;
     const bool isOpen = opens([&] {
@@ -67,7 +74,7 @@ void MainWindow::openKept(const KeptScene &scene)
     });
     if (!isOpen)
         return;
-    m_session.goTo({frames, 0});
+    m_session.goTo({std::min(frames, upTo), 0});
     m_keeper->keepNow(); // it is never nowhere
     forget(scene);
     offerKept();

@@ -6,6 +6,7 @@
 #include "app/model/session.h"
 #include "app/model/stability_watch.h"
 #include "app/ui/theme/theme.h"
+#include "app/ui/window/left.h"
 
 #include <QMainWindow>
 #include <QTimer>
@@ -13,6 +14,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 class QActionGroup;
@@ -61,7 +63,7 @@ public:
     ~MainWindow() override;
 
     /// What the window is arranged for.
-    enum class Mode { learn, measure, build };
+    using Mode = WindowMode;
     void setMode(Mode mode);
     Mode mode() const { return m_mode; }
     const AccuracyStudy &study() const { return *m_study; }
@@ -99,6 +101,16 @@ public:
     bool savePictureAs(const QString &path);
     /// Keeps what is not saved in `folder` from now on, `within` ms, and offers what programs before have left there.
     void keepScenesIn(const QString &folder, int within = SceneKeeper::keepWithin);
+
+    /// Opens the step that was open last, in this program or one before; nothing where there is none.
+    void openLast();
+    /// Closes the window so that another one can go on with what is in it: see left(). Where it is not closed, as there is
+    /// something to save first, nothing happens.
+    void startAgain();
+    /// What another window is to go on with; empty where this one is simply closed.
+    const std::optional<Left> &left() const { return m_leaves; }
+    /// Goes on with what a window before left, in place of offering it in keepScenesIn(), which is to be called after it.
+    void goOn(const Left &from);
 
 protected:
     bool event(QEvent *event) override;
@@ -158,7 +170,7 @@ private:
     /// Changes to a preset, without what belongs to it besides its panels.
     void arrangeFor(Mode mode);
     void makeLanguageMenu();
-    void chooseLanguage(const QString &code);
+    void chooseLanguage(const QString &code, const QString &spoken);
     void makeBuilding();
     QList<QAction *> makeToolActions();
     void makeBuildActions();
@@ -213,7 +225,13 @@ private:
     bool attempt(const QString &failure, const std::function<void()> &deed);
     bool opens(const std::function<void()> &deed);
     void offerKept();
-    void openKept(const KeptScene &scene);
+    /// Opens what the window before has left of the open step, when this one goes on with it. Returns whether it did.
+    bool openWhatWasLeft();
+    void rememberStep();
+    /// Says what comes with the next start, and offers that.
+    void offerNewStart(const QString &sentence);
+    /// Opens it, and goes to the end of its run, or to frame `upTo` if that is before it.
+    void openKept(const KeptScene &scene, std::int64_t upTo);
     void makeExportActions();
     void copyPicture();
     void askPicture();
@@ -233,7 +251,9 @@ private:
     std::unique_ptr<Document> m_document;
     std::unique_ptr<SceneKeeper> m_keeper; ///< null: nothing is kept
     std::vector<KeptScene> m_keptScenes;   ///< by programs before, and not offered yet
-    Course *m_course;                      ///< what the steps measure
+    std::optional<Left> m_leaves;
+    std::optional<Left> m_cameFrom;
+    Course *m_course; ///< what the steps measure
     AccuracyStudy *m_study;
     StabilityWatch *m_stability;
     Mode m_mode = Mode::learn;
