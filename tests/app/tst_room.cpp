@@ -189,8 +189,9 @@ private slots:
         QFETCH(const QSize, size);
         Bench bench(size, "walking_gait", "swing");
         const QDockWidget &parameters = bench.dock("parameters");
-        QVERIFY2(std::abs(parameters.height() - parameters.sizeHint().height()) <= 2,
-                 qPrintable(QString("%1 for %2").arg(parameters.height()).arg(parameters.sizeHint().height())));
+        QVERIFY2(
+            std::abs(parameters.height() - parameters.sizeHint().height()) <= 2,
+            qPrintable(QString("%1 for %2").arg(parameters.height()).arg(parameters.sizeHint().height())));
     }
 
     void accuracyStaysInAMeasureOfHalfTheSize()

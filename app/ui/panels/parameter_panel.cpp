@@ -21,7 +21,7 @@ constexpr int labelWidth = 88;
 constexpr int unitWidth = 53;
 constexpr int disclosureHeight = 28;
 constexpr int bottomMargin = 12;
-constexpr int slack = 8; ///< px of that margin that may be missing
+constexpr int slack = 8;                    ///< px of that margin that may be missing
 constexpr qint64 refreshMilliseconds = 100; ///< while playing: numbers that change faster cannot be read
 
 }
