@@ -365,7 +365,7 @@ void WindowTest::theModesArrangeTheWindowAndBack()
     QTest::keyClick(&bench.view, Qt::Key_F6);
     QTRY_VERIFY(dock("accuracy")->isVisible());
     QVERIFY(bench.window.study().isWatched());
-    QTRY_COMPARE(dock("lessons")->width() > 44, lessonsStay); // else they are a rail
+    QTRY_COMPARE(dock("lessons")->width() > 44, lessonsStay);        // else they are a rail
     QCOMPARE(!dock("code")->visibleRegion().isEmpty(), lessonsStay); // else a tab behind accuracy
     QVERIFY(dock("parameters")->isVisible());
     QVERIFY(bench.view.width() >= 480);
