@@ -56,7 +56,8 @@ private slots:
         QVERIFY(!all.contains(u'!'));
         QVERIFY2(!all.contains(QRegularExpression(u"\\d (px|rad|°|frames?)\\b"_qs)),
                  "a thin space belongs before a unit");
-        const bool isBuilt = step.points == lessons::PointsFrom::scene; // there the learner finds things to try
+        const bool isBuilt =
+            step.points == lessons::PointsFrom::scene; // there the learner finds things to try
         QVERIFY(isBuilt || (step.tries.size() >= 2 && step.tries.size() <= 4));
     }
 
