@@ -24,7 +24,7 @@ namespace app {
 namespace {
 
 constexpr int besideColumn = 68;      ///< px of the window's height: header and status bar
-constexpr int readableAccuracy = 430; ///< px, its tab included
+constexpr int readableAccuracy = 490; ///< px, its tab included
 
 }
 
