@@ -139,6 +139,24 @@ private slots:
         QCOMPARE(bench.session().step().id, QString("any_number"));
     }
 
+    void thePictureStaysUnderThePointerAsLongAsAllIsSeen()
+    {
+        Bench bench;
+        bench.build();
+        const auto stage = [&] { return bench.session().picture().look->stage; };
+        const QRectF before = stage();
+        const QPoint middle = bench.on({270, 200});
+        bench.key(Qt::Key_P);
+        const QPointF nearTop(bench.view().viewport()->width() / 2.0, 40.0);
+        bench.click(Camera(bench.view().viewportTransform()).back(nearTop));
+        QVERIFY(stage() != before); // else nothing would have moved anyway
+        QCOMPARE(bench.on({270, 200}), middle);
+        bench.session().setParameter("floor", 900); // is not seen, and the next part shows it
+        bench.click(Camera(bench.view().viewportTransform()).back({nearTop.x(), 2.0}));
+        QVERIFY(bench.on({270, 200}) != middle);
+        QVERIFY(bench.view().viewport()->rect().contains(bench.on({270, 900})));
+    }
+
     void aMouseBuilds()
     {
         Bench bench;

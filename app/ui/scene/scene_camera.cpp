@@ -108,6 +108,14 @@ QRectF homeOf(const Picture &picture, const Shown &beside)
     return isSmall ? area : look.stage.united(area);
 }
 
+/// Whether walls and floor are where they were in what was shown before.
+bool hasSameRoom(const lessons::Look &look, QRectF home, QRectF before)
+{
+    return !before.isEmpty() &&
+           (!look.room || (home.left() == before.left() && home.right() == before.right() &&
+                           home.bottom() == before.bottom()));
+}
+
 /// The most that what a step shows first is enlarged.
 double mostAtHome(const lessons::Look &look)
 {
@@ -125,10 +133,16 @@ double SceneView::zoom() const
 
 void SceneView::showHome()
 {
+    const QRectF before = m_atHome ? m_home : QRectF();
     m_home = homeOf(m_shown.picture, m_beside);
     m_stage = m_shown.look().stage;
     m_atHome = true;
-    showArea(m_home, mostAtHome(m_shown.look()));
+    // Whoever puts one part after the other goes on where the last one was: the picture moves only for what is not seen.
+    const QRectF seen = viewportTransform().inverted().mapRect(viewRect());
+    const bool stays = m_session.isWorkshop() && hasSameRoom(m_shown.look(), m_home, before) &&
+                       seen.contains(creatureArea(m_shown.picture));
+    if (!stays)
+        showArea(m_home, mostAtHome(m_shown.look()));
     follow();
 }
 

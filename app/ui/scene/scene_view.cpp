@@ -94,6 +94,7 @@ void SceneView::open()
     m_tools.letUp();
     m_shown.trail.clear();
     m_follows = true;
+    m_atHome = false; // another scene is shown as a whole
     refresh();
     takeExtrasOfStep();
     showHome();
