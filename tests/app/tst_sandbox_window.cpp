@@ -157,6 +157,23 @@ private slots:
         QVERIFY(bench.view().viewport()->rect().contains(bench.on({270, 900})));
     }
 
+    void linksAreDraggedOneAfterTheOther()
+    {
+        Bench bench;
+        bench.build();
+        bench.key(Qt::Key_P);
+        for (const sim::Vec2 place : {sim::Vec2{100, 100}, {160, 100}, {130, 50}})
+            bench.click(place);
+        bench.key(Qt::Key_T);
+        bench.drag({100, 100}, {160, 100});
+        bench.drag({160, 100}, {130, 50}); // from where the last one ended
+        bench.drag({130, 50}, {100, 100});
+        QCOMPARE(bench.plan().sticks.size(), std::size_t(3));
+        QVERIFY(bench.bench().first());
+        bench.click({100, 100}); // there a click ends it
+        QVERIFY(!bench.bench().first());
+    }
+
     void aMouseBuilds()
     {
         Bench bench;

@@ -170,9 +170,11 @@ bool SceneBuilder::press(const QMouseEvent &event)
     m_marks.cursor.reset();
     m_pressed = event.position();
     m_moved = {};
-    if (builds)
+    // Where the chain has come to it ends with a click, and goes on with a drag: which it is, the release tells.
+    m_isOnFirst = builds && m_bench.first() == pointAt(event.position());
+    if (builds && !m_isOnFirst)
         m_bench.use(rounded(placeOf(event.position())), pointAt(event.position()));
-    else
+    else if (!builds)
         choosePart(event);
     return true;
 }
@@ -244,7 +246,7 @@ bool SceneBuilder::release(const QMouseEvent &event)
     m_isDragging = m_isBoxing = false;
     // A link can be dragged from one point to the other, too.
     const bool dragged = QLineF(pressed, event.position()).length() > dragLink;
-    if (dragged && m_bench.first() && m_bench.canBuild())
+    if ((dragged || m_isOnFirst) && m_bench.first() && m_bench.canBuild())
         m_bench.use(rounded(placeOf(event.position())), pointAt(event.position()));
     return true;
 }

@@ -81,6 +81,7 @@ private:
     sim::Vec2 m_moved;                ///< px, how far the chosen points were dragged
     bool m_isDragging = false;
     bool m_isBoxing = false;
+    bool m_isOnFirst = false; ///< the button went down on the point that the next link goes on from
 };
 
 }
