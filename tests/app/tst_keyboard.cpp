@@ -2,6 +2,7 @@
 
 #include "app/model/session.h"
 #include "app/ui/panels/learn_panel.h"
+#include "app/ui/panels/lesson_list.h"
 #include "app/ui/panels/parameter_panel.h"
 #include "app/ui/scene/scene_view.h"
 #include "app/ui/window/appearance.h"
@@ -21,11 +22,13 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
+#include <QPushButton>
 #include <QScrollBar>
 #include <QSettings>
 #include <QTabBar>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QToolButton>
 
 #include <algorithm>
 #include <cmath>
@@ -135,6 +138,7 @@ private slots:
     void tabReachesEverythingAndComesRound();
     void everythingThatTakesTheFocusHasANameForReadersOfTheScreen_data();
     void everythingThatTakesTheFocusHasANameForReadersOfTheScreen();
+    void spacePlaysAfterAnyClick();
     void theSceneAloneIsOneKeyAwayAndBack();
     void panelsGiveWayOnASmallScreen_data();
     void panelsGiveWayOnASmallScreen();
@@ -214,6 +218,33 @@ void KeyboardTest::everythingThatTakesTheFocusHasANameForReadersOfTheScreen()
             nameless << nameOf(*widget);
     }
     QVERIFY2(nameless.isEmpty(), qPrintable("Nameless:\n" + nameless.join('\n')));
+}
+
+void KeyboardTest::spacePlaysAfterAnyClick()
+{
+    Bench bench("single_spring", "drag");
+    const auto plays = [&](QWidget *clicked, QPoint at) {
+        bench.window.findChild<SceneView *>()->setFocus();
+        QTest::mouseClick(clicked, Qt::LeftButton, {}, at);
+        const QString step = bench.session.step().id;
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
+        const bool isPlaying = bench.session.isPlaying() && bench.session.step().id == step;
+        bench.session.pause();
+        return isPlaying;
+    };
+    auto *next = bench.window.findChild<QPushButton *>("next");
+    QVERIFY(plays(next, next->rect().center()));
+    QVERIFY(plays(next, next->rect().center()));
+    auto *list = bench.window.findChild<LessonList *>();
+    QVERIFY(plays(list->viewport(), list->visualRect(list->currentIndex()).center()));
+    auto *reset = bench.window.findChild<QToolButton *>("resetAll");
+    QVERIFY(plays(reset, reset->rect().center()));
+    // Whoever comes there by keys presses it with Space.
+    const QString before = bench.session.step().id;
+    next->setFocus(Qt::TabFocusReason);
+    QTest::keyClick(next, Qt::Key_Space);
+    QVERIFY(bench.session.step().id != before);
+    QVERIFY(!bench.session.isPlaying());
 }
 
 void KeyboardTest::theSceneAloneIsOneKeyAwayAndBack()

@@ -45,6 +45,16 @@ bool needsKey(const QWidget *widget, const QKeyEvent &key)
     return false;
 }
 
+/// After a click Space plays, and arrows go from frame to frame, wherever the click was: buttons and lists take keys only
+/// from whoever goes there by Tab.
+void leaveKeysToTime(QWidget *widget, const QWidget *window)
+{
+    const bool takesKeys = qobject_cast<QAbstractButton *>(widget) || qobject_cast<QComboBox *>(widget) ||
+                           qobject_cast<QAbstractItemView *>(widget);
+    if (takesKeys && widget->window() == window && (widget->focusPolicy() & Qt::ClickFocus) == Qt::ClickFocus)
+        widget->setFocusPolicy(Qt::TabFocus);
+}
+
 }
 
 QAction *MainWindow::action(const QString &text, const QList<QKeySequence> &keys, const QString &group)
@@ -264,6 +274,8 @@ bool MainWindow::eventFilter(QObject *watched, QEvent *event)
 {
     if (takesDrop(watched, *event))
         return true;
+    if (event->type() == QEvent::Show)
+        leaveKeysToTime(qobject_cast<QWidget *>(watched), this);
     if (event->type() == QEvent::MouseButtonPress || event->type() == QEvent::ShortcutOverride ||
         event->type() == QEvent::KeyPress)
         m_session.endGlance(); // whoever does something does it where the run stands
