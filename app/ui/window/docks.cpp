@@ -118,7 +118,8 @@ void MainWindow::fitParameters()
     // What is above them gets all the height that the parameters do not need.
     const int separator = style()->pixelMetric(QStyle::PM_DockWidgetSeparatorExtent, nullptr, this);
     const int all = height() - besideColumn - separator;
-    m_parameterDock->widget()->updateGeometry(); // else the dock knows what it holds only after the next events
+    m_parameterDock->widget()
+        ->updateGeometry(); // else the dock knows what it holds only after the next events
     int wanted = m_parameterDock->sizeHint().height();
     if (m_mode == Mode::measure) { // a plot is read as a whole; parameters can be scrolled
         const int least = m_parameterDock->minimumSizeHint().height();
