@@ -4,6 +4,7 @@
 
 #include "sim/effects/point_spring.h"
 #include "sim/methods/methods.h"
+#include "tests/sizes.h"
 
 #include <QTest>
 
@@ -35,6 +36,8 @@ Script rounds()
     };
     return support::script(sample, "semi_implicit_euler");
 }
+
+constexpr int histories = tests::sized(200, 70);
 
 /// The state at `timeline`'s cursor in a run of its script that knows nothing of how it came about.
 State freshState(const Timeline &timeline)
@@ -174,7 +177,7 @@ private slots:
     {
         QFETCH(int, budget);
         const int slept = tryHistories(rounds(), budget, disturbRounds);
-        QVERIFY2(slept > 500, qPrintable(QString::number(slept))); // of 5000: else nothing was tried
+        QVERIFY2(slept > 2 * histories, qPrintable(QString::number(slept))); // else little was tried
     }
 
 private:
@@ -182,7 +185,7 @@ private:
     static int tryHistories(const Script &script, int budget, void (*act)(Timeline &, Dice &))
     {
         int slept = 0;
-        for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+        for (std::uint64_t seed = 1; seed <= std::uint64_t(histories); ++seed) {
             Dice dice(seed);
             Timeline timeline(script, std::size_t(budget));
             for (int i = 0; i < 25; ++i) {
