@@ -1,13 +1,13 @@
-// The whole window without a mouse, and how the learner wants it to look.
+// The whole window without a mouse.
 
 #include "app/model/session.h"
 #include "app/ui/panels/learn_panel.h"
 #include "app/ui/panels/lesson_list.h"
 #include "app/ui/panels/parameter_panel.h"
 #include "app/ui/scene/scene_view.h"
-#include "app/ui/window/appearance.h"
 #include "app/ui/window/main_window.h"
 #include "app/ui/window/notice.h"
+#include "keyboard_bench.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
@@ -31,42 +31,12 @@
 #include <QToolButton>
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 using namespace app;
+using keyboard_bench::Bench;
 
 namespace {
-
-struct Bench
-{
-    LessonLibrary library = LessonLibrary::load({LESSON_DIR});
-    Theme theme{keptScheme()};
-    Session session{library};
-    MainWindow window{session, theme};
-
-    explicit Bench(const char *lesson = "gravity_walls", const char *step = "gravity")
-    {
-        theme.apply(*qApp);
-        session.openStep(lesson, step);
-        window.resize(1920, 1080);
-        window.show();
-        QApplication::setActiveWindow(&window);
-        QCoreApplication::processEvents();
-    }
-
-    QAction *action(const char *name) const { return window.findChild<QAction *>(name); }
-    QStringList docksSeen() const
-    {
-        QStringList seen;
-        for (const QDockWidget *dock : window.findChildren<QDockWidget *>()) {
-            if (dock->isVisible())
-                seen << dock->objectName();
-        }
-        seen.sort();
-        return seen;
-    }
-};
 
 /// Something that answers to a learner: a control, or a widget of ours that takes the focus.
 bool isInteractive(const QWidget &widget)
@@ -142,13 +112,6 @@ private slots:
     void theSceneAloneIsOneKeyAwayAndBack();
     void panelsGiveWayOnASmallScreen_data();
     void panelsGiveWayOnASmallScreen();
-    void theColoursChosenAreThereAtTheNextStart_data();
-    void theColoursChosenAreThereAtTheNextStart();
-    void textHasItsContrast_data();
-    void textHasItsContrast();
-    void theSizeChosenHoldsFromTheNextStartOn();
-    void whatThePictureShowsIsRemembered();
-    void lessMotionStopsWhatOnlyDecorates();
     void escapeClosesANoticeFromWithinAFieldThatHasNoUseForIt();
 
 private:
@@ -290,144 +253,6 @@ void KeyboardTest::panelsGiveWayOnASmallScreen()
                     Qt::ControlModifier | Qt::ShiftModifier); // comes back when asked for
     QTest::qWait(20);
     QCOMPARE(isRail(), !rail);
-}
-
-void KeyboardTest::theColoursChosenAreThereAtTheNextStart_data()
-{
-    QTest::addColumn<Qt::Key>("key");
-    QTest::addColumn<Scheme>("scheme");
-    QTest::newRow("dark") << Qt::Key_D << Scheme::dark;
-    QTest::newRow("high contrast") << Qt::Key_H << Scheme::highContrast;
-}
-
-void KeyboardTest::theColoursChosenAreThereAtTheNextStart()
-{
-    QFETCH(const Qt::Key, key);
-    QFETCH(const Scheme, scheme);
-    {
-        Bench bench;
-        QCOMPARE(bench.theme.scheme(), Scheme::light);
-        QTest::keyClick(&bench.window, key, Qt::ControlModifier | Qt::ShiftModifier);
-        QCOMPARE(bench.theme.scheme(), scheme);
-    }
-    QCOMPARE(keptScheme(), scheme);
-    Bench again;
-    QCOMPARE(again.theme.scheme(), scheme);
-    QTest::keyClick(&again.window, key, Qt::ControlModifier | Qt::ShiftModifier);
-    QCOMPARE(keptScheme(), Scheme::light);
-}
-
-namespace {
-
-/// Relative luminance and contrast as in WCAG 2.1.
-double luminance(const QColor &color)
-{
-    const auto part = [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
-    return 0.2126 * part(color.redF()) + 0.7152 * part(color.greenF()) + 0.0722 * part(color.blueF());
-}
-
-double contrast(const QColor &one, const QColor &other)
-{
-    const double a = luminance(one);
-    const double b = luminance(other);
-    return (std::max(a, b) + 0.05) / (std::min(a, b) + 0.05);
-}
-
-}
-
-void KeyboardTest::textHasItsContrast_data()
-{
-    QTest::addColumn<Scheme>("scheme");
-    QTest::addColumn<double>("least");
-    QTest::newRow("light") << Scheme::light << 4.5;
-    QTest::newRow("dark") << Scheme::dark << 4.5;
-    QTest::newRow("high contrast") << Scheme::highContrast << 7.0;
-}
-
-void KeyboardTest::textHasItsContrast()
-{
-    QFETCH(const Scheme, scheme);
-    QFETCH(const double, least);
-    const Tokens t = Theme(scheme).tokens();
-    for (const QColor &text : {t.ink, t.ink2, t.ink3, t.link, t.past}) {
-        for (const QColor &ground : {t.win, t.panel, t.scene})
-            QVERIFY2(contrast(text, ground) >= least, qPrintable(text.name() + " on " + ground.name()));
-    }
-    QVERIFY(contrast(t.onSunk, t.sunk) >= least);
-    QVERIFY(contrast(t.ink, t.hover) >= least);
-    QVERIFY(contrast(t.buttonText, t.button) >= least);
-    QVERIFY(contrast(t.nowText, t.now) >= 4.5);
-    for (const QColor &mark :
-         {t.near, t.ok, t.spring, t.gravity, t.damping, t.contact, t.driver, t.wind, t.stick})
-        QVERIFY2(contrast(mark, t.panel) >= 3.0, qPrintable(mark.name()));
-}
-
-void KeyboardTest::theSizeChosenHoldsFromTheNextStartOn()
-{
-    QCOMPARE(keptSize(), 100);
-    {
-        Bench bench;
-        QAction *larger = nullptr;
-        for (QAction *one : bench.window.findChildren<QAction *>()) {
-            if (one->text().startsWith("150"))
-                larger = one;
-        }
-        QVERIFY(larger);
-        larger->trigger();
-    }
-    QCOMPARE(keptSize(), 150);
-    QVERIFY(hasRoomFor(200, {1920, 1080}));
-    QVERIFY(hasRoomFor(150, {1280, 800}) && !hasRoomFor(175, {1280, 800}));
-    QVERIFY(hasRoomFor(100, {640, 480}));
-    QSettings().setValue("window/size", 17); // by another hand
-    QCOMPARE(keptSize(), 100);
-}
-
-void KeyboardTest::whatThePictureShowsIsRemembered()
-{
-    const auto grid = [](const Bench &bench) { return bench.window.findChild<SceneView *>()->extras().grid; };
-    {
-        Bench bench;
-        QVERIFY(grid(bench));
-        for (QAction *one : bench.window.findChildren<QAction *>()) {
-            if (one->data().toString() == "grid")
-                one->trigger();
-        }
-        QVERIFY(!grid(bench));
-    }
-    const Bench again;
-    QVERIFY(!grid(again));
-    QVERIFY(again.window.findChild<SceneView *>()->extras().trails);
-}
-
-void KeyboardTest::lessMotionStopsWhatOnlyDecorates()
-{
-    // A piece of the picture with nothing in it but wind, at one moment and ten frames later.
-    const auto moves = [](Bench &bench) {
-        auto *view = bench.window.findChild<SceneView *>();
-        QTest::mousePress(view->viewport(), Qt::LeftButton, {}, {150, 300});
-        bench.session.goTo({bench.session.timeline().at().frame + 1, 0});
-        const auto look = [view] { return view->viewport()->grab(QRect(0, 150, 260, 300)).toImage(); };
-        const QImage before = look();
-        bench.session.goTo({bench.session.timeline().at().frame + 10, 0});
-        const bool differs = look() != before;
-        QTest::mouseRelease(view->viewport(), Qt::LeftButton, {}, {150, 300});
-        return differs;
-    };
-    {
-        Bench bench("swaying_tree", "wind");
-        QVERIFY(bench.window.isAnimated());
-        QVERIFY(moves(bench));
-        bench.action("lessMotion")->trigger();
-        QVERIFY(!bench.window.isAnimated());
-        QVERIFY(!QApplication::isEffectEnabled(Qt::UI_AnimateMenu));
-        QVERIFY(!moves(bench));
-    }
-    Bench again("swaying_tree", "wind");
-    QVERIFY(!again.window.isAnimated());
-    QVERIFY(!moves(again));
-    again.action("lessMotion")->trigger();
-    QVERIFY(moves(again));
 }
 
 void KeyboardTest::escapeClosesANoticeFromWithinAFieldThatHasNoUseForIt()
