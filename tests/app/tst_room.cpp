@@ -160,6 +160,23 @@ private slots:
         QCOMPARE(bench.window.findChild<SceneView *>()->minimumSize(), QSize(480, 220));
     }
 
+    void whatComesBackIsAsBroadAndHighAsBefore()
+    {
+        Bench bench({1280, 800});
+        const QSize before = bench.dock("parameters").size();
+        QVERIFY(before.width() >= 380);
+        const auto isCodeInFront = [&] { return !bench.dock("code").visibleRegion().isEmpty(); };
+        QVERIFY(isCodeInFront());
+        bench.force({700, 500});
+        QVERIFY(bench.dock("code").isHidden());
+        bench.force({1280, 800});
+        const QSize after = bench.dock("parameters").size();
+        QVERIFY2(std::abs(after.width() - before.width()) <= 2, qPrintable(QString::number(after.width())));
+        QVERIFY2(std::abs(after.height() - before.height()) <= 2,
+                 qPrintable(QString::number(after.height())));
+        QVERIFY(isCodeInFront());
+    }
+
     void whatIsAskedForInASmallWindowMakesOthersStepAside()
     {
         Bench bench({1280, 800});

@@ -8,6 +8,7 @@
 #include <QDockWidget>
 #include <QEvent>
 #include <QLayout>
+#include <QTimer>
 
 #include <algorithm>
 
@@ -57,12 +58,30 @@ bool MainWindow::isShortOfRoom()
 void MainWindow::giveWay()
 {
     const std::vector<QDockWidget *> asked = takeAsked();
+    const auto areSidesAside = [this] {
+        return std::any_of(m_aside.begin(), m_aside.end(), [](const Aside &aside) {
+            return aside.way == Way::numbers || aside.way == Way::right || aside.way == Way::left;
+        });
+    };
+    const bool wereSidesAside = areSidesAside();
     while (!m_aside.empty() && m_aside.back().least.width() <= width() &&
            m_aside.back().least.height() <= height()) {
         const Aside last = m_aside.back();
         m_aside.pop_back();
         bringBack(last);
+        // Later, as others that are arranged meanwhile come to the front, too.
+        QTimer::singleShot(0, this, [panels = last.panels] {
+            for (QDockWidget *panel : panels)
+                panel->raise();
+        });
     }
+    // They were as narrow as they can be before they went. Later: what has just come back has no size yet.
+    if (wereSidesAside && !areSidesAside())
+        QTimer::singleShot(0, this, [this] {
+            if (m_mode != Mode::measure)
+                placeSides();
+            fitParameters();
+        });
     // What the learner has just asked for stays, if others can make room for it.
     for (const std::vector<QDockWidget *> &spared : {asked, std::vector<QDockWidget *>()}) {
         for (const Way way : {Way::rail, Way::below, Way::smallScene, Way::numbers, Way::right, Way::left}) {
@@ -92,6 +111,9 @@ bool MainWindow::stepAside(Way way, const std::vector<QDockWidget *> &asked)
             if (!contains(asked, panel) && (way != Way::numbers || panel == m_parameterDock))
                 aside.panels.push_back(panel);
         }
+        // Of tabs the last one comes back in front: that is to be the one that is now.
+        std::stable_partition(aside.panels.begin(), aside.panels.end(),
+                              [](const QDockWidget *one) { return one->visibleRegion().isEmpty(); });
         for (QDockWidget *panel : aside.panels)
             panel->hide();
     }
