@@ -3518,6 +3518,104 @@ Klick klappt ein oder aus (Eingabe)</translation>
     </message>
 </context>
 <context>
+    <name>app::ExperimentFiles</name>
+    <message>
+        <source>Experiment not opened: %1 Your scene is unchanged.</source>
+        <translation>Experiment nicht geöffnet: %1 Deine Szene ist unverändert.</translation>
+    </message>
+    <message>
+        <source>Experiment not saved: %1</source>
+        <translation>Experiment nicht gespeichert: %1</translation>
+    </message>
+    <message>
+        <source>Saved as %1.</source>
+        <translation>Gespeichert als %1.</translation>
+    </message>
+    <message>
+        <source>What you did in “%1” is not saved.</source>
+        <translation>Was du in „%1“ getan hast, ist nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>%1 has changes that are not saved.</source>
+        <translation>%1 hat Änderungen, die nicht gespeichert sind.</translation>
+    </message>
+    <message>
+        <source>Save it first</source>
+        <translation>Erst speichern</translation>
+    </message>
+    <message>
+        <source>Save it, then go on</source>
+        <translation>Speichern und dann weiter</translation>
+    </message>
+    <message>
+        <source>Go on without</source>
+        <translation>Ohne weiter</translation>
+    </message>
+    <message>
+        <source>Go on; what was not saved is gone</source>
+        <translation>Weiter; was nicht gespeichert war, ist weg</translation>
+    </message>
+    <message>
+        <source>Open an experiment</source>
+        <translation>Experiment öffnen</translation>
+    </message>
+    <message>
+        <source>Experiments (*.json)</source>
+        <translation>Experimente (*.json)</translation>
+    </message>
+    <message>
+        <source>Save the experiment</source>
+        <translation>Experiment speichern</translation>
+    </message>
+    <message>
+        <source>The step as it is published.</source>
+        <translation>Der Schritt, wie er veröffentlicht ist.</translation>
+    </message>
+    <message>
+        <source>&amp;%1  %2</source>
+        <translation>&amp;%1  %2</translation>
+    </message>
+    <message>
+        <source>No file yet</source>
+        <translation>Noch keine Datei</translation>
+    </message>
+    <message>
+        <source>Experiments that you open or save will be listed here</source>
+        <translation>Experimente, die du öffnest oder speicherst, stehen dann hier</translation>
+    </message>
+    <message>
+        <source>%1 is not there any more, and was taken out of the list. If you moved it, open it from where it is now.</source>
+        <translation>%1 ist nicht mehr da und wurde aus der Liste genommen. Wenn du die Datei verschoben hast, öffne sie dort, wo sie jetzt ist.</translation>
+    </message>
+    <message>
+        <source>Experiment not copied: %1</source>
+        <translation>Experiment nicht kopiert: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Copied: %n character(s), in one line.</source>
+        <translation>
+            <numerusform>Kopiert: %n Zeichen, in einer Zeile.</numerusform>
+            <numerusform>Kopiert: %n Zeichen, in einer Zeile.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Springstep</source>
+        <translation>Springstep</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>Close &amp;without saving</source>
+        <translation>&amp;Ohne Speichern schließen</translation>
+    </message>
+    <message>
+        <source>&amp;Stay</source>
+        <translation>&amp;Bleiben</translation>
+    </message>
+</context>
+<context>
     <name>app::FilmDialog</name>
     <message>
         <source>Film of the run</source>
@@ -3877,6 +3975,37 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>app::KeptOffer</name>
+    <message>
+        <source>“%1: %2”</source>
+        <translation>„%1: %2“</translation>
+    </message>
+    <message>
+        <source>Springstep was ended by something else. Your scene of %1 from %2 is here.</source>
+        <translation>Springstep wurde von außen beendet. Deine Szene zu %1 (%2) ist noch da.</translation>
+    </message>
+    <message>
+        <source>Your scene of %1 from %2 was not saved. It is here.</source>
+        <translation>Deine Szene zu %1 (%2) war nicht gespeichert. Sie ist noch da.</translation>
+    </message>
+    <message>
+        <source>Open it</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Go on with it</source>
+        <translation>Damit weitermachen</translation>
+    </message>
+    <message>
+        <source>Forget it</source>
+        <translation>Vergessen</translation>
+    </message>
+    <message>
+        <source>Delete it; it will not be offered again</source>
+        <translation>Sie löschen; sie wird nicht noch einmal angeboten</translation>
     </message>
 </context>
 <context>
@@ -4289,28 +4418,8 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>Code</translation>
     </message>
     <message>
-        <source>Experiment not opened: %1 Your scene is unchanged.</source>
-        <translation>Experiment nicht geöffnet: %1 Deine Szene ist unverändert.</translation>
-    </message>
-    <message>
-        <source>Experiment not saved: %1</source>
-        <translation>Experiment nicht gespeichert: %1</translation>
-    </message>
-    <message>
         <source>Saved as %1.</source>
         <translation>Gespeichert als %1.</translation>
-    </message>
-    <message>
-        <source>Open an experiment</source>
-        <translation>Experiment öffnen</translation>
-    </message>
-    <message>
-        <source>Experiments (*.json)</source>
-        <translation>Experimente (*.json)</translation>
-    </message>
-    <message>
-        <source>Save the experiment</source>
-        <translation>Experiment speichern</translation>
     </message>
     <message>
         <source>Changes</source>
@@ -4359,22 +4468,6 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>Springstep speaks %1 from its next start on.</source>
         <translation>Ab dem nächsten Start spricht Springstep %1.</translation>
-    </message>
-    <message>
-        <source>Everything rests. Touch something, or press &lt;b&gt;Space&lt;/b&gt; to stop.</source>
-        <translation>Alles ruht. Fass etwas an, oder drück die &lt;b&gt;Leertaste&lt;/b&gt;, um anzuhalten.</translation>
-    </message>
-    <message>
-        <source>Playing. Press &lt;b&gt;Space&lt;/b&gt; to stop anywhere.</source>
-        <translation>Läuft. Drück die &lt;b&gt;Leertaste&lt;/b&gt;, um irgendwo anzuhalten.</translation>
-    </message>
-    <message>
-        <source>Inside frame %1, after %2. &lt;b&gt;Shift+→&lt;/b&gt; next phase, &lt;b&gt;→&lt;/b&gt; next frame.</source>
-        <translation>Innerhalb von Bild %1, nach „%2“. &lt;b&gt;Umschalt+→&lt;/b&gt; nächste Phase, &lt;b&gt;→&lt;/b&gt; nächstes Bild.</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Space&lt;/b&gt; plays, &lt;b&gt;→&lt;/b&gt; next frame, &lt;b&gt;Shift+→&lt;/b&gt; into the frame. Drag anything.</source>
-        <translation>&lt;b&gt;Leertaste&lt;/b&gt; spielt ab, &lt;b&gt;→&lt;/b&gt; nächstes Bild, &lt;b&gt;Umschalt+→&lt;/b&gt; ins Bild. Zieh an etwas.</translation>
     </message>
     <message>
         <source>L&amp;earn</source>
@@ -4821,77 +4914,6 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>%1[*] – Springstep</translation>
     </message>
     <message>
-        <source>What you did in “%1” is not saved.</source>
-        <translation>Was du in „%1“ getan hast, ist nicht gespeichert.</translation>
-    </message>
-    <message>
-        <source>%1 has changes that are not saved.</source>
-        <translation>%1 hat Änderungen, die nicht gespeichert sind.</translation>
-    </message>
-    <message>
-        <source>Save it first</source>
-        <translation>Erst speichern</translation>
-    </message>
-    <message>
-        <source>Save it, then go on</source>
-        <translation>Speichern und dann weiter</translation>
-    </message>
-    <message>
-        <source>Go on without</source>
-        <translation>Ohne weiter</translation>
-    </message>
-    <message>
-        <source>Go on; what was not saved is gone</source>
-        <translation>Weiter; was nicht gespeichert war, ist weg</translation>
-    </message>
-    <message>
-        <source>The step as it is published.</source>
-        <translation>Der Schritt, wie er veröffentlicht ist.</translation>
-    </message>
-    <message>
-        <source>&amp;%1  %2</source>
-        <translation>&amp;%1  %2</translation>
-    </message>
-    <message>
-        <source>No file yet</source>
-        <translation>Noch keine Datei</translation>
-    </message>
-    <message>
-        <source>Experiments that you open or save will be listed here</source>
-        <translation>Experimente, die du öffnest oder speicherst, stehen dann hier</translation>
-    </message>
-    <message>
-        <source>%1 is not there any more, and was taken out of the list. If you moved it, open it from where it is now.</source>
-        <translation>%1 ist nicht mehr da und wurde aus der Liste genommen. Wenn du die Datei verschoben hast, öffne sie dort, wo sie jetzt ist.</translation>
-    </message>
-    <message>
-        <source>Experiment not copied: %1</source>
-        <translation>Experiment nicht kopiert: %1</translation>
-    </message>
-    <message numerus="yes">
-        <source>Copied: %n character(s), in one line.</source>
-        <translation>
-            <numerusform>Kopiert: %n Zeichen, in einer Zeile.</numerusform>
-            <numerusform>Kopiert: %n Zeichen, in einer Zeile.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Springstep</source>
-        <translation>Springstep</translation>
-    </message>
-    <message>
-        <source>&amp;Save</source>
-        <translation>&amp;Speichern</translation>
-    </message>
-    <message>
-        <source>Close &amp;without saving</source>
-        <translation>&amp;Ohne Speichern schließen</translation>
-    </message>
-    <message>
-        <source>&amp;Stay</source>
-        <translation>&amp;Bleiben</translation>
-    </message>
-    <message>
         <source>&amp;Copy the experiment as text</source>
         <translation>Experiment als Text &amp;kopieren</translation>
     </message>
@@ -4902,34 +4924,6 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>Copy the p&amp;icture of the scene</source>
         <translation>&amp;Bild der Szene kopieren</translation>
-    </message>
-    <message>
-        <source>“%1: %2”</source>
-        <translation>„%1: %2“</translation>
-    </message>
-    <message>
-        <source>Springstep was ended by something else. Your scene of %1 from %2 is here.</source>
-        <translation>Springstep wurde von außen beendet. Deine Szene zu %1 (%2) ist noch da.</translation>
-    </message>
-    <message>
-        <source>Your scene of %1 from %2 was not saved. It is here.</source>
-        <translation>Deine Szene zu %1 (%2) war nicht gespeichert. Sie ist noch da.</translation>
-    </message>
-    <message>
-        <source>Open it</source>
-        <translation>Öffnen</translation>
-    </message>
-    <message>
-        <source>Go on with it</source>
-        <translation>Damit weitermachen</translation>
-    </message>
-    <message>
-        <source>Forget it</source>
-        <translation>Vergessen</translation>
-    </message>
-    <message>
-        <source>Delete it; it will not be offered again</source>
-        <translation>Sie löschen; sie wird nicht noch einmal angeboten</translation>
     </message>
     <message>
         <source>Show a &amp;hint</source>
@@ -5094,14 +5088,6 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>look at that moment; the run stays where it stands</source>
         <translation>einen Blick auf diesen Moment werfen; der Lauf bleibt, wo er steht</translation>
-    </message>
-    <message>
-        <source>A look inside frame %1. The run stays where it is.</source>
-        <translation>Ein Blick in Bild %1 hinein. Der Lauf bleibt, wo er ist.</translation>
-    </message>
-    <message>
-        <source>A look at frame %1. The run stays at frame %2.</source>
-        <translation>Ein Blick auf Bild %1. Der Lauf bleibt bei Bild %2.</translation>
     </message>
     <message>
         <source>Where energy and momentum went (Ctrl+3)</source>
@@ -6168,6 +6154,33 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>forces %1 times a frame until now</source>
         <translation>Kräfte bisher %1-mal/Bild</translation>
+    </message>
+</context>
+<context>
+    <name>app::StatusLine</name>
+    <message>
+        <source>A look inside frame %1. The run stays where it is.</source>
+        <translation>Ein Blick in Bild %1 hinein. Der Lauf bleibt, wo er ist.</translation>
+    </message>
+    <message>
+        <source>A look at frame %1. The run stays at frame %2.</source>
+        <translation>Ein Blick auf Bild %1. Der Lauf bleibt bei Bild %2.</translation>
+    </message>
+    <message>
+        <source>Everything rests. Touch something, or press &lt;b&gt;Space&lt;/b&gt; to stop.</source>
+        <translation>Alles ruht. Fass etwas an, oder drück die &lt;b&gt;Leertaste&lt;/b&gt;, um anzuhalten.</translation>
+    </message>
+    <message>
+        <source>Playing. Press &lt;b&gt;Space&lt;/b&gt; to stop anywhere.</source>
+        <translation>Läuft. Drück die &lt;b&gt;Leertaste&lt;/b&gt;, um irgendwo anzuhalten.</translation>
+    </message>
+    <message>
+        <source>Inside frame %1, after %2. &lt;b&gt;Shift+→&lt;/b&gt; next phase, &lt;b&gt;→&lt;/b&gt; next frame.</source>
+        <translation>Innerhalb von Bild %1, nach „%2“. &lt;b&gt;Umschalt+→&lt;/b&gt; nächste Phase, &lt;b&gt;→&lt;/b&gt; nächstes Bild.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Space&lt;/b&gt; plays, &lt;b&gt;→&lt;/b&gt; next frame, &lt;b&gt;Shift+→&lt;/b&gt; into the frame. Drag anything.</source>
+        <translation>&lt;b&gt;Leertaste&lt;/b&gt; spielt ab, &lt;b&gt;→&lt;/b&gt; nächstes Bild, &lt;b&gt;Umschalt+→&lt;/b&gt; ins Bild. Zieh an etwas.</translation>
     </message>
 </context>
 <context>

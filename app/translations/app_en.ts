@@ -12,7 +12,7 @@
     </message>
 </context>
 <context>
-    <name>app::MainWindow</name>
+    <name>app::ExperimentFiles</name>
     <message numerus="yes">
         <source>Copied: %n character(s), in one line.</source>
         <translation>

@@ -8,6 +8,7 @@
 #include "app/ui/scene/scene_view.h"
 #include "app/ui/time/timeline_strip.h"
 #include "app/ui/time/transport_bar.h"
+#include "app/ui/window/experiment_files.h"
 #include "app/ui/window/main_window.h"
 
 #include <QAbstractButton>
@@ -95,14 +96,14 @@ void MainWindow::makeFileActions()
         connect(made, &QAction::triggered, this, slot);
         m_file->addAction(made);
     };
-    add(tr("&New: the step as published"), QKeySequence::New, &MainWindow::startNew);
-    add(tr("&Open an experiment…"), QKeySequence::Open, &MainWindow::askOpen);
-    m_recent = m_file->addMenu(tr("Open &recent"));
-    m_recent->setToolTipsVisible(true);
-    connect(m_recent, &QMenu::aboutToShow, this, &MainWindow::showRecent);
+    add(tr("&New: the step as published"), QKeySequence::New, [this] { m_files->startNew(); });
+    add(tr("&Open an experiment…"), QKeySequence::Open, [this] { m_files->askOpen(); });
+    QMenu *recent = m_file->addMenu(tr("Open &recent"));
+    recent->setToolTipsVisible(true);
+    connect(recent, &QMenu::aboutToShow, this, [this, recent] { m_files->fillRecent(*recent); });
     m_file->addSeparator();
-    add(tr("&Save the experiment"), QKeySequence::Save, &MainWindow::saveOrAsk);
-    add(tr("Save &as…"), QKeySequence("Ctrl+Shift+S"), &MainWindow::askSave);
+    add(tr("&Save the experiment"), QKeySequence::Save, [this] { m_files->saveOrAsk(); });
+    add(tr("Save &as…"), QKeySequence("Ctrl+Shift+S"), [this] { m_files->askSave(); });
     makeExportActions();
     m_file->addSeparator();
     add(tr("&Quit"), QKeySequence("Ctrl+Q"), [this] { close(); });
@@ -272,7 +273,7 @@ void MainWindow::showHelp()
 
 bool MainWindow::eventFilter(QObject *watched, QEvent *event)
 {
-    if (takesDrop(watched, *event))
+    if (m_files->takesDrop(watched, *event))
         return true;
     if (event->type() == QEvent::Show)
         leaveKeysToTime(qobject_cast<QWidget *>(watched), this);

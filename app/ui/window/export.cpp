@@ -3,6 +3,7 @@
 #include "app/ui/film/film_dialog.h"
 #include "app/ui/film/picture_file.h"
 #include "app/ui/panels/ask_file.h"
+#include "app/ui/window/attempt.h"
 #include "app/ui/window/main_window.h"
 
 #include <QAction>
@@ -46,7 +47,7 @@ void MainWindow::askPicture()
 
 bool MainWindow::savePictureAs(const QString &path)
 {
-    if (!attempt(tr("Picture not saved: %1"), [&] { savePicture(*m_scene, path); }))
+    if (!attempt(*m_notice, tr("Picture not saved: %1"), [&] { savePicture(*m_scene, path); }))
         return false;
     emit m_session.said(tr("Saved as %1.").arg(QFileInfo(path).fileName()));
     return true;

@@ -1,6 +1,7 @@
 // The header of the window with its menus and buttons, and what can be undone.
 
 #include "app/ui/theme/icons.h"
+#include "app/ui/window/experiment_files.h"
 #include "app/ui/window/main_window.h"
 
 #include <QAction>
@@ -91,8 +92,8 @@ void MainWindow::makeEditActions()
         connect(made, &QAction::triggered, this, slot);
         m_edit->addAction(made);
     };
-    add(tr("&Copy the experiment as text"), "Ctrl+Shift+C", &MainWindow::copyAsText);
-    add(tr("&Paste an experiment"), "Ctrl+Shift+V", &MainWindow::pasteText);
+    add(tr("&Copy the experiment as text"), "Ctrl+Shift+C", [this] { m_files->copyAsText(); });
+    add(tr("&Paste an experiment"), "Ctrl+Shift+V", [this] { m_files->pasteText(); });
     add(tr("Copy the p&icture of the scene"), "Ctrl+Shift+P", &MainWindow::copyPicture);
 }
 

@@ -1,9 +1,6 @@
 #include "app/ui/window/main_window.h"
 
 #include "app/model/course.h"
-#include "app/model/document.h"
-#include "app/model/scene_keeper.h"
-#include "app/model/sentences.h"
 #include "app/ui/panels/help_page.h"
 #include "app/ui/scene/scene_bar.h"
 #include "app/ui/scene/scene_view.h"
@@ -12,27 +9,27 @@
 #include "app/ui/time/timeline_strip.h"
 #include "app/ui/time/transport_bar.h"
 #include "app/ui/window/divider.h"
+#include "app/ui/window/experiment_files.h"
+#include "app/ui/window/kept_offer.h"
 #include "app/ui/window/notice.h"
 #include "app/ui/window/room.h"
-#include "app/ui/window/status_figures.h"
+#include "app/ui/window/status_line.h"
 #include "app/ui/window/stop_notice.h"
 
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
+#include <QFileInfo>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QMenuBar>
 #include <QSettings>
-#include <QStatusBar>
 #include <QVBoxLayout>
 
 namespace app {
 
 namespace {
 
-constexpr int wide = 1600;             ///< px, from here on the docks are broader
-constexpr int readMilliseconds = 4000; ///< that a sentence takes to be read
+constexpr int wide = 1600; ///< px, from here on the docks are broader
 
 }
 
@@ -55,9 +52,9 @@ MainWindow::MainWindow(Session &session, Theme &theme, StudyFunction study, Cost
     makeActions();
     makeBuilding();
     setMenuWidget(header());
-    makeStatus();
+    setStatusBar(new StatusLine(m_session, *m_study, *m_stability, m_gauge, this));
     connect(&theme, &Theme::changed, this, [this] { m_theme.apply(*qApp); });
-    makeDocument();
+    makeFiles();
     restore();
     qApp->installEventFilter(this);
     m_scene->setFocus();
@@ -97,87 +94,39 @@ QWidget *MainWindow::centre()
     return centre;
 }
 
-void MainWindow::makeStatus()
+void MainWindow::makeFiles()
 {
-    m_status = new QLabel(this);
-    m_status->setTextFormat(Qt::RichText);
-    m_status->setContentsMargins(8, 0, 8, 0);
-    m_status->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    statusBar()->addWidget(m_status, 1);
-    m_figures = new StatusFigures(m_session, *m_study, this);
-    statusBar()->addPermanentWidget(m_figures);
-    statusBar()->setSizeGripEnabled(false);
-    statusBar()->setFixedHeight(28);
-    statusBar()->addPermanentWidget(m_gauge);
-    connect(m_stability, &StabilityWatch::changed, this, &MainWindow::shareStatusBar);
-    m_saidLong.setSingleShot(true);
-    m_saidLong.setInterval(readMilliseconds);
-    connect(&m_saidLong, &QTimer::timeout, this, &MainWindow::followRun);
-    connect(&m_session, &Session::moved, this, &MainWindow::followRun);
-    connect(&m_session, &Session::playingChanged, this, &MainWindow::followRun);
-    connect(&m_session, &Session::runChanged, this, [this] {
-        if (!m_session.isPlaying())
-            m_said.clear(); // it was about what was done before
-    });
-    connect(&m_session, &Session::said, this, &MainWindow::say);
-    connect(&m_session, &Session::stepOpened, this, [this] { m_said.clear(); });
-    showStatus();
+    m_files = std::make_unique<ExperimentFiles>(m_session, *m_notice, *this);
+    m_kept = std::make_unique<KeptOffer>(m_session, *m_files, *m_notice);
+    connect(m_files.get(), &ExperimentFiles::said, &m_session, &Session::said);
+    connect(&m_files->document(), &Document::stateChanged, this, &MainWindow::nameWindow);
+    connect(&m_session, &Session::stepOpened, this, &MainWindow::nameWindow);
+    connect(&m_session, &Session::stepOpened, this, &MainWindow::rememberStep);
+    setAcceptDrops(true);
+    nameWindow();
 }
 
-void MainWindow::say(const QString &sentence)
+void MainWindow::nameWindow()
 {
-    m_said = sentence;
-    m_saidAt = m_session.timeline().at();
-    m_saidLong.start();
-    showStatus();
+    const QString path = m_files->document().path();
+    const QString name = path.isEmpty() ? m_session.step().title : QFileInfo(path).fileName();
+    setWindowTitle(tr("%1[*] – Springstep").arg(name));
+    setWindowModified(m_files->document().isChanged());
 }
 
-/// A sentence stays until the learner goes on, and while the run plays until there was time to read it.
-void MainWindow::followRun()
+void MainWindow::openFile(const QString &path)
 {
-    const bool isElsewhere = m_session.timeline().at() != m_saidAt;
-    if (m_session.isPlaying() ? !m_saidLong.isActive() : isElsewhere)
-        m_said.clear();
-    showStatus();
+    m_files->open(path);
 }
 
-void MainWindow::showStatus()
+bool MainWindow::saveFile(const QString &path)
 {
-    const sim::Track &track = m_session.timeline().track();
-    const sim::Cursor at = track.at();
-    QString text;
-    if (m_session.isGlancing()) {
-        text = m_session.shown().at().phase > 0
-                   ? tr("A look inside frame %1. The run stays where it is.").arg(at.frame)
-                   : tr("A look at frame %1. The run stays at frame %2.")
-                         .arg(m_session.shown().at().frame)
-                         .arg(at.frame);
-    } else if (!m_said.isEmpty()) {
-        text = m_said.toHtmlEscaped();
-    } else if (m_session.stoppedBy() && !m_session.isPlaying()) {
-        text = m_session.stoppedBy()->sentence.toHtmlEscaped();
-    } else if (m_session.isResting()) {
-        text = tr("Everything rests. Touch something, or press <b>Space</b> to stop.");
-    } else if (m_session.isPlaying()) {
-        text = tr("Playing. Press <b>Space</b> to stop anywhere.");
-    } else if (at.phase > 0) {
-        const QString phase = phrase(track.shown().pipeline.phaseAt(at.phase - 1).title).toHtmlEscaped();
-        text = tr("Inside frame %1, after %2. <b>Shift+→</b> next phase, <b>→</b> next frame.")
-                   .arg(at.frame)
-                   .arg(phase);
-    } else {
-        text = tr("<b>Space</b> plays, <b>→</b> next frame, <b>Shift+→</b> into the frame. Drag anything.");
-    }
-    if (text != m_status->text())
-        m_status->setText(text);
-    shareStatusBar();
+    return m_files->save(path);
 }
 
-void MainWindow::shareStatusBar()
+void MainWindow::keepScenesIn(const QString &folder, int within)
 {
-    constexpr int between = 24; // px that the bar itself takes
-    const int taken = m_status->sizeHint().width() + m_gauge->sizeHint().width() + between;
-    m_figures->setMost(width() - taken);
+    m_kept->keepIn(folder, within);
 }
 
 void MainWindow::restore()
@@ -213,7 +162,7 @@ void MainWindow::placeSides()
 
 void MainWindow::closeEvent(QCloseEvent *event)
 {
-    if (!mayClose()) {
+    if (!m_files->mayClose()) {
         event->ignore();
         return;
     }

@@ -9,9 +9,7 @@
 #include "app/ui/window/left.h"
 
 #include <QMainWindow>
-#include <QTimer>
 
-#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -19,7 +17,6 @@
 
 class QActionGroup;
 class QDockWidget;
-class QLabel;
 
 namespace app {
 
@@ -30,10 +27,12 @@ class CodePanel;
 class Course;
 class EffectsPanel;
 class EnergyPanel;
+class ExperimentFiles;
 class FilmDialog;
 class FootfallStrip;
 class GlossaryPage;
 class HelpPage;
+class KeptOffer;
 class LearnPanel;
 class Notice;
 class MeasurePanel;
@@ -44,7 +43,6 @@ class SceneCard;
 class SceneView;
 class StabilityGauge;
 class StabilityPanel;
-class StatusFigures;
 class StopNotice;
 class TimelineStrip;
 class Tour;
@@ -188,7 +186,6 @@ private:
     QDockWidget *dock(const QString &name, QWidget *title, QWidget *content, Qt::DockWidgetArea area);
     void fitParameters();
     void showMeasures();
-    void makeStatus();
     void makeStability();
     void makeBranchesDock();
     void makeBranchActions();
@@ -198,45 +195,19 @@ private:
     void joinCursors();
     void arrangePlots();
     bool hasRoomForPlots() const;
-    void say(const QString &sentence);
-    void followRun();
-    void showStatus();
-    /// The sentence has the room that it needs; the figures have what is left.
-    void shareStatusBar();
     void showHelp();
-    void makeDocument();
-    void startNew();
     void makeLearning();
     void showGlossary(const QString &typed);
     std::vector<TourStop> tourStops();
-    void askOpen();
-    bool askSave();
-    bool saveOrAsk();
-    void showRecent();
-    void openRecent(const QString &path);
-    void copyAsText();
-    void pasteText();
-    bool takesDrop(const QObject *watched, QEvent &event);
-    /// Asks about files that are not saved. Returns whether the window may close.
-    bool mayClose();
-    /// Does `deed`, at once or when the learner has agreed to lose what is not saved.
-    void unlessLost(const std::function<void()> &deed);
-    /// Does `deed`. A refusal is shown in the sentence `failure`. Returns whether it was done.
-    bool attempt(const QString &failure, const std::function<void()> &deed);
-    bool opens(const std::function<void()> &deed);
-    void offerKept();
-    /// Opens what the window before has left of the open step, when this one goes on with it. Returns whether it did.
-    bool openWhatWasLeft();
     void rememberStep();
     /// Says what comes with the next start, and offers that.
     void offerNewStart(const QString &sentence);
-    /// Opens it, and goes to the end of its run, or to frame `upTo` if that is before it.
-    void openKept(const KeptScene &scene, std::int64_t upTo);
     void makeExportActions();
     void copyPicture();
     void askPicture();
     void showFilm();
     void restore();
+    void makeFiles();
     void nameWindow();
 
     /// An action with the group of the help page that lists it.
@@ -248,11 +219,9 @@ private:
 
     Session &m_session;
     Theme &m_theme;
-    std::unique_ptr<Document> m_document;
-    std::unique_ptr<SceneKeeper> m_keeper; ///< null: nothing is kept
-    std::vector<KeptScene> m_keptScenes;   ///< by programs before, and not offered yet
+    std::unique_ptr<ExperimentFiles> m_files;
+    std::unique_ptr<KeptOffer> m_kept;
     std::optional<Left> m_leaves;
-    std::optional<Left> m_cameFrom;
     Course *m_course; ///< what the steps measure
     AccuracyStudy *m_study;
     StabilityWatch *m_stability;
@@ -264,7 +233,6 @@ private:
     QString m_leftStep;
     std::vector<Listed> m_actions;
     QMenu *m_file = nullptr;
-    QMenu *m_recent = nullptr;
     QMenu *m_edit = nullptr;
     QMenu *m_run = nullptr;
     QMenu *m_view = nullptr;
@@ -317,13 +285,8 @@ private:
     QDockWidget *m_parameterDock = nullptr;
     QDockWidget *m_stabilityDock = nullptr;
     QDockWidget *m_replaced = nullptr; ///< what stands aside while stability is shown
-    QLabel *m_status = nullptr;
-    StatusFigures *m_figures = nullptr;
-    QString m_said; ///< a sentence that is still to be read; empty: the status bar tells how the run stands
-    sim::Cursor m_saidAt;       ///< where the run stood then
-    QTimer m_saidLong;          ///< until it was there long enough to be read while the run plays
-    bool m_docksKnown = false;  ///< docks have the sizes that the learner left or that fit the window
-    std::vector<Aside> m_aside; ///< what stepped aside, the last one last
+    bool m_docksKnown = false;         ///< docks have the sizes that the learner left or that fit the window
+    std::vector<Aside> m_aside;        ///< what stepped aside, the last one last
 };
 
 }

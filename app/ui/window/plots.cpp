@@ -62,7 +62,6 @@ void MainWindow::joinCursors()
         m_plots->setHovered(frame);
         m_energy->setHovered(frame);
         m_branches->setHovered(frame);
-        showStatus();
     });
 }
 
@@ -121,7 +120,6 @@ void MainWindow::resizeEvent(QResizeEvent *event)
     QMainWindow::resizeEvent(event);
     if (isVisible())
         giveWay();
-    shareStatusBar();
     const auto hasRoom = [](QSize size) { return size.width() >= wide && size.height() >= high; };
     if (event->oldSize().isValid() && hasRoom(event->oldSize()) == hasRoom(event->size()))
         return;

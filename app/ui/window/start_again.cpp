@@ -1,12 +1,11 @@
 // Starting again: with the step that was open last, and at once where a choice needs a new start.
 
-#include "app/model/document.h"
+#include "app/ui/window/experiment_files.h"
+#include "app/ui/window/kept_offer.h"
 #include "app/ui/window/main_window.h"
 #include "app/ui/window/notice.h"
 
 #include <QSettings>
-
-#include <algorithm>
 
 namespace app {
 
@@ -43,7 +42,7 @@ void MainWindow::offerNewStart(const QString &sentence)
 void MainWindow::startAgain()
 {
     const sim::Timeline &timeline = m_session.timeline();
-    m_leaves = Left{m_session.lesson().id, m_session.step().id, m_document->path(),
+    m_leaves = Left{m_session.lesson().id, m_session.step().id, m_files->document().path(),
                     timeline.at().frame,   timeline.computed(), m_mode};
     if (!close())
         m_leaves.reset(); // there is something to save first
@@ -56,23 +55,7 @@ void MainWindow::goOn(const Left &from)
     if (!from.file.isEmpty())
         openFile(from.file);
     m_session.goTo({from.frame, 0});
-    m_cameFrom = from;
-}
-
-bool MainWindow::openWhatWasLeft()
-{
-    if (!m_cameFrom)
-        return false;
-    const auto mine = std::find_if(m_keptScenes.begin(), m_keptScenes.end(), [&](const KeptScene &scene) {
-        return scene.name == m_document->name() && !scene.wasEnded;
-    });
-    if (mine == m_keptScenes.end())
-        return false;
-    const KeptScene scene = *mine;
-    m_keptScenes.erase(mine);
-    openKept(scene, m_cameFrom->computed);
-    m_session.goTo({m_cameFrom->frame, 0});
-    return true;
+    m_kept->goOnWith(from);
 }
 
 }
