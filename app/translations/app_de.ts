@@ -1762,6 +1762,353 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     </message>
 </context>
 <context>
+    <name>Gestures</name>
+    <message>
+        <source>Drag a body</source>
+        <translation>Einen Körper ziehen</translation>
+    </message>
+    <message>
+        <source>grab it; let go while moving to throw it</source>
+        <translation>greifen; in Bewegung loslassen, um ihn zu werfen</translation>
+    </message>
+    <message>
+        <source>Drag the background</source>
+        <translation>Den Hintergrund ziehen</translation>
+    </message>
+    <message>
+        <source>move the picture</source>
+        <translation>die Szene verschieben</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Mausrad</translation>
+    </message>
+    <message>
+        <source>zoom where the pointer is</source>
+        <translation>vergrößern, wo der Zeiger ist</translation>
+    </message>
+    <message>
+        <source>[ and ]</source>
+        <translation>[ und ]</translation>
+    </message>
+    <message>
+        <source>choose the body before or after</source>
+        <translation>den Körper davor oder danach wählen</translation>
+    </message>
+    <message>
+        <source>Alt and an arrow key</source>
+        <translation>Alt und eine Pfeiltaste</translation>
+    </message>
+    <message>
+        <source>carry the chosen body 10 px</source>
+        <translation>den gewählten Körper 10 px tragen</translation>
+    </message>
+    <message>
+        <source>Press the background</source>
+        <translation>Auf den Hintergrund drücken</translation>
+    </message>
+    <message>
+        <source>blow, steer or aim, where a step has that</source>
+        <translation>blasen, lenken oder zielen, wo ein Schritt das hat</translation>
+    </message>
+    <message>
+        <source>Drag with the middle button</source>
+        <translation>Mit der mittleren Taste ziehen</translation>
+    </message>
+    <message>
+        <source>Arrow keys</source>
+        <translation>Pfeiltasten</translation>
+    </message>
+    <message>
+        <source>steer, where a step has that</source>
+        <translation>lenken, wo ein Schritt das hat</translation>
+    </message>
+    <message>
+        <source>Alt, Shift and an arrow key</source>
+        <translation>Alt, Umschalt und eine Pfeiltaste</translation>
+    </message>
+    <message>
+        <source>move the pointer or the target 20 px</source>
+        <translation>Zeiger oder Ziel um 20 px bewegen</translation>
+    </message>
+    <message>
+        <source>Alt and Enter</source>
+        <translation>Alt und Eingabe</translation>
+    </message>
+    <message>
+        <source>pointer button down or up</source>
+        <translation>Zeigertaste drücken oder loslassen</translation>
+    </message>
+    <message>
+        <source>Drag an end of the ruler</source>
+        <translation>Ein Ende des Lineals ziehen</translation>
+    </message>
+    <message>
+        <source>measure a length and an angle (switch it on under Show)</source>
+        <translation>eine Länge und einen Winkel messen (einzuschalten unter „Zeigen“)</translation>
+    </message>
+    <message>
+        <source>Ctrl, Alt and an arrow key</source>
+        <translation>Strg, Alt und eine Pfeiltaste</translation>
+    </message>
+    <message>
+        <source>move the ruler&apos;s far end 5 px; with Shift the near one</source>
+        <translation>das ferne Ende des Lineals um 5 px bewegen; mit Umschalt das nahe</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>let go</source>
+        <translation>loslassen</translation>
+    </message>
+    <message>
+        <source>Click the dots below a ring</source>
+        <translation>Auf die Punkte unter einem Ring klicken</translation>
+    </message>
+    <message>
+        <source>show the run that parts there beside this one; right-click: more</source>
+        <translation>den Lauf, der dort abzweigt, neben diesem zeigen; Rechtsklick: mehr</translation>
+    </message>
+    <message>
+        <source>Shift and a click</source>
+        <translation>Umschalt und ein Klick</translation>
+    </message>
+    <message>
+        <source>choose one part more, or one less</source>
+        <translation>ein Teil mehr wählen, oder eines weniger</translation>
+    </message>
+    <message>
+        <source>choose what is in the box</source>
+        <translation>wählen, was im Rahmen ist</translation>
+    </message>
+    <message>
+        <source>Drag from point to point</source>
+        <translation>Von Punkt zu Punkt ziehen</translation>
+    </message>
+    <message>
+        <source>tie them, with a spring or a stick in hand</source>
+        <translation>sie verbinden, mit einer Feder oder einem Stab in der Hand</translation>
+    </message>
+    <message>
+        <source>Arrow keys and Enter</source>
+        <translation>Pfeiltasten und Eingabe</translation>
+    </message>
+    <message>
+        <source>move the tool 10 px, with Shift 1 px; use it</source>
+        <translation>das Werkzeug um 10 px bewegen, mit Umschalt um 1 px; es benutzen</translation>
+    </message>
+    <message>
+        <source>move what is chosen 10 px, with Shift 1 px</source>
+        <translation>das Gewählte um 10 px bewegen, mit Umschalt um 1 px</translation>
+    </message>
+    <message>
+        <source>{ and }</source>
+        <translation>{ und }</translation>
+    </message>
+    <message>
+        <source>choose the spring or stick before or after</source>
+        <translation>die Feder oder den Stab davor oder danach wählen</translation>
+    </message>
+    <message>
+        <source>Escape</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>end a row of links, put the tool away, choose nothing</source>
+        <translation>eine Reihe von Verbindungen beenden, das Werkzeug weglegen, nichts wählen</translation>
+    </message>
+    <message>
+        <source>Drag the timeline</source>
+        <translation>Die Zeitleiste ziehen</translation>
+    </message>
+    <message>
+        <source>go anywhere in time</source>
+        <translation>irgendwohin in der Zeit gehen</translation>
+    </message>
+    <message>
+        <source>Click a phase</source>
+        <translation>Auf eine Phase klicken</translation>
+    </message>
+    <message>
+        <source>run to it</source>
+        <translation>bis zu ihr laufen</translation>
+    </message>
+    <message>
+        <source>Point at timeline, phase, plot or trail</source>
+        <translation>Auf Zeitleiste, Phase, Diagramm oder Spur zeigen</translation>
+    </message>
+    <message>
+        <source>look at that moment; the run stays where it stands</source>
+        <translation>einen Blick auf diesen Moment werfen; der Lauf bleibt, wo er steht</translation>
+    </message>
+    <message>
+        <source>Alt and the underlined letter</source>
+        <translation>Alt und der unterstrichene Buchstabe</translation>
+    </message>
+    <message>
+        <source>where a run has stopped by itself: use what mends it</source>
+        <translation>wo ein Lauf von selbst angehalten hat: nehmen, was ihn heilt</translation>
+    </message>
+    <message>
+        <source>Drop a file on the window</source>
+        <translation>Eine Datei auf das Fenster ziehen</translation>
+    </message>
+    <message>
+        <source>open it</source>
+        <translation>sie öffnen</translation>
+    </message>
+    <message>
+        <source>Press or drag</source>
+        <translation>Drücken oder ziehen</translation>
+    </message>
+    <message>
+        <source>go to a frame</source>
+        <translation>zu einem Bild gehen</translation>
+    </message>
+    <message>
+        <source>+ and −, or Ctrl and the wheel</source>
+        <translation>+ und −, oder Strg und das Mausrad</translation>
+    </message>
+    <message>
+        <source>fewer or more frames</source>
+        <translation>weniger oder mehr Bilder</translation>
+    </message>
+    <message>
+        <source>The names above a plot</source>
+        <translation>Die Namen über einem Diagramm</translation>
+    </message>
+    <message>
+        <source>menus of what it shows</source>
+        <translation>Menüs dafür, was es zeigt</translation>
+    </message>
+    <message>
+        <source>Menu key, or right-click</source>
+        <translation>Menütaste oder Rechtsklick</translation>
+    </message>
+    <message>
+        <source>save, copy, keep or remove it</source>
+        <translation>es speichern, kopieren, festhalten oder entfernen</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Entf</translation>
+    </message>
+    <message>
+        <source>remove it</source>
+        <translation>es entfernen</translation>
+    </message>
+    <message>
+        <source>Click a line, or Enter</source>
+        <translation>Auf eine Zeile klicken, oder Eingabe</translation>
+    </message>
+    <message>
+        <source>run to its phase</source>
+        <translation>bis zu ihrer Phase laufen</translation>
+    </message>
+    <message>
+        <source>Click left of a line, or F9</source>
+        <translation>Links neben eine Zeile klicken, oder F9</translation>
+    </message>
+    <message>
+        <source>stop before its phase, or no longer</source>
+        <translation>vor ihrer Phase anhalten, oder nicht mehr</translation>
+    </message>
+    <message>
+        <source>Drag a dotted word</source>
+        <translation>Ein gepunktetes Wort ziehen</translation>
+    </message>
+    <message>
+        <source>change that parameter; with Shift finely</source>
+        <translation>diesen Parameter ändern; mit Umschalt fein</translation>
+    </message>
+    <message>
+        <source>Double-click it, or F2</source>
+        <translation>Doppelklick darauf, oder F2</translation>
+    </message>
+    <message>
+        <source>type the parameter&apos;s value</source>
+        <translation>den Wert des Parameters eintippen</translation>
+    </message>
+    <message>
+        <source>Point at a word, or Ctrl+I</source>
+        <translation>Auf ein Wort zeigen, oder Strg+I</translation>
+    </message>
+    <message>
+        <source>its value, and its last 120 frames</source>
+        <translation>sein Wert und seine letzten 120 Bilder</translation>
+    </message>
+    <message>
+        <source>Up and Down</source>
+        <translation>Auf und Ab</translation>
+    </message>
+    <message>
+        <source>from line to line; with Ctrl from heading to heading</source>
+        <translation>von Zeile zu Zeile; mit Strg von Überschrift zu Überschrift</translation>
+    </message>
+    <message>
+        <source>Ctrl and Left or Right</source>
+        <translation>Strg und Links oder Rechts</translation>
+    </message>
+    <message>
+        <source>from word to word</source>
+        <translation>von Wort zu Wort</translation>
+    </message>
+    <message>
+        <source>Enter, on a heading</source>
+        <translation>Eingabe auf einer Überschrift</translation>
+    </message>
+    <message>
+        <source>fold or unfold</source>
+        <translation>zuklappen oder aufklappen</translation>
+    </message>
+    <message>
+        <source>F8</source>
+        <translation>F8</translation>
+    </message>
+    <message>
+        <source>show the lines of the step before that are gone</source>
+        <translation>die Zeilen des Schritts davor zeigen, die weg sind</translation>
+    </message>
+    <message>
+        <source>Ctrl+C</source>
+        <translation>Strg+C</translation>
+    </message>
+    <message>
+        <source>copy what is selected, or the whole region</source>
+        <translation>das Ausgewählte kopieren, oder den ganzen Bereich</translation>
+    </message>
+    <message>
+        <source>Stop when…</source>
+        <translation>Anhalten, wenn …</translation>
+    </message>
+    <message>
+        <source>the field below the code: stop when that comes true</source>
+        <translation>das Feld unter dem Code: anhalten, wenn das wahr wird</translation>
+    </message>
+    <message>
+        <source>walk through the points of a plot</source>
+        <translation>durch die Punkte einer Kurve gehen</translation>
+    </message>
+    <message>
+        <source>Enter or a click</source>
+        <translation>Eingabe oder ein Klick</translation>
+    </message>
+    <message>
+        <source>use the method and step of a point</source>
+        <translation>Verfahren und Zeitschritt eines Punktes verwenden</translation>
+    </message>
+    <message>
+        <source>+ and −, or drag the line</source>
+        <translation>+ und −, oder die Linie ziehen</translation>
+    </message>
+    <message>
+        <source>how far off is near enough</source>
+        <translation>wie viel Abweichung nah genug ist</translation>
+    </message>
+</context>
+<context>
     <name>GifFile</name>
     <message>
         <source>%1 cannot be written: %2. Make room, or choose another folder.</source>
@@ -2975,6 +3322,45 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     </message>
 </context>
 <context>
+    <name>app::ArrangeMenu</name>
+    <message>
+        <source>Drag this panel to where it is to stand</source>
+        <translation>Ziehe diese Leiste dorthin, wo sie stehen soll</translation>
+    </message>
+    <message>
+        <source>A&amp;rrange panels</source>
+        <translation>Leisten &amp;verschieben</translation>
+    </message>
+    <message>
+        <source>&amp;Unlock: panels can be moved</source>
+        <translation>&amp;Entsperren: Leisten lassen sich verschieben</translation>
+    </message>
+    <message>
+        <source>Drag a panel by its title to where it is to stand</source>
+        <translation>Ziehe eine Leiste an ihrem Titel dorthin, wo sie stehen soll</translation>
+    </message>
+    <message>
+        <source>As &amp;at first</source>
+        <translation>Wie am &amp;Anfang</translation>
+    </message>
+    <message>
+        <source>Puts the panels back to where they stood at first, in this preset alone</source>
+        <translation>Stellt die Leisten zurück, wie sie am Anfang standen, nur in dieser Anordnung</translation>
+    </message>
+    <message>
+        <source>to the &amp;left</source>
+        <translation>nach &amp;links</translation>
+    </message>
+    <message>
+        <source>to the &amp;right</source>
+        <translation>nach &amp;rechts</translation>
+    </message>
+    <message>
+        <source>&amp;below the picture</source>
+        <translation>&amp;unter das Bild</translation>
+    </message>
+</context>
+<context>
     <name>app::BranchesPanel</name>
     <message>
         <source>Two runs</source>
@@ -3281,6 +3667,61 @@ Klick klappt ein oder aus (Eingabe)</translation>
     <message>
         <source>The step before has this line; here it is gone.</source>
         <translation>Der Schritt davor hat diese Zeile; hier ist sie weg.</translation>
+    </message>
+</context>
+<context>
+    <name>app::Commands</name>
+    <message>
+        <source>Experiments</source>
+        <translation>Experimente</translation>
+    </message>
+    <message>
+        <source>Pictures and films</source>
+        <translation>Bilder und Filme</translation>
+    </message>
+    <message>
+        <source>Changes</source>
+        <translation>Änderungen</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Other runs</source>
+        <translation>Andere Läufe</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Szene</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>Build</source>
+        <translation>Bauen</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Diagramme</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Code</translation>
+    </message>
+    <message>
+        <source>Accuracy</source>
+        <translation>Genauigkeit</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>
@@ -4150,14 +4591,6 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>&amp;Tasten und Maus</translation>
     </message>
     <message>
-        <source>Window</source>
-        <translation>Fenster</translation>
-    </message>
-    <message>
-        <source>Experiments</source>
-        <translation>Experimente</translation>
-    </message>
-    <message>
         <source>&amp;Open an experiment…</source>
         <translation>Experiment ö&amp;ffnen …</translation>
     </message>
@@ -4172,10 +4605,6 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>&amp;Quit</source>
         <translation>&amp;Beenden</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>Zeit</translation>
     </message>
     <message>
         <source>&amp;Play or pause</source>
@@ -4222,20 +4651,12 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>Alten Lauf &amp;vergessen</translation>
     </message>
     <message>
-        <source>Steps</source>
-        <translation>Schritte</translation>
-    </message>
-    <message>
         <source>Ne&amp;xt step</source>
         <translation>Nächster Sch&amp;ritt</translation>
     </message>
     <message>
         <source>Pre&amp;vious step</source>
         <translation>Vor&amp;iger Schritt</translation>
-    </message>
-    <message>
-        <source>Picture</source>
-        <translation>Szene</translation>
     </message>
     <message>
         <source>Zoom &amp;in</source>
@@ -4274,136 +4695,8 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>V&amp;ollbild</translation>
     </message>
     <message>
-        <source>Drag a body</source>
-        <translation>Einen Körper ziehen</translation>
-    </message>
-    <message>
-        <source>grab it; let go while moving to throw it</source>
-        <translation>greifen; in Bewegung loslassen, um ihn zu werfen</translation>
-    </message>
-    <message>
-        <source>Drag the background</source>
-        <translation>Den Hintergrund ziehen</translation>
-    </message>
-    <message>
-        <source>move the picture</source>
-        <translation>die Szene verschieben</translation>
-    </message>
-    <message>
-        <source>Wheel</source>
-        <translation>Mausrad</translation>
-    </message>
-    <message>
-        <source>zoom where the pointer is</source>
-        <translation>vergrößern, wo der Zeiger ist</translation>
-    </message>
-    <message>
-        <source>[ and ]</source>
-        <translation>[ und ]</translation>
-    </message>
-    <message>
-        <source>choose the body before or after</source>
-        <translation>den Körper davor oder danach wählen</translation>
-    </message>
-    <message>
-        <source>Alt and an arrow key</source>
-        <translation>Alt und eine Pfeiltaste</translation>
-    </message>
-    <message>
-        <source>carry the chosen body 10 px</source>
-        <translation>den gewählten Körper 10 px tragen</translation>
-    </message>
-    <message>
-        <source>Press the background</source>
-        <translation>Auf den Hintergrund drücken</translation>
-    </message>
-    <message>
-        <source>blow, steer or aim, where a step has that</source>
-        <translation>blasen, lenken oder zielen, wo ein Schritt das hat</translation>
-    </message>
-    <message>
-        <source>Drag with the middle button</source>
-        <translation>Mit der mittleren Taste ziehen</translation>
-    </message>
-    <message>
-        <source>Arrow keys</source>
-        <translation>Pfeiltasten</translation>
-    </message>
-    <message>
-        <source>steer, where a step has that</source>
-        <translation>lenken, wo ein Schritt das hat</translation>
-    </message>
-    <message>
-        <source>Alt, Shift and an arrow key</source>
-        <translation>Alt, Umschalt und eine Pfeiltaste</translation>
-    </message>
-    <message>
-        <source>move the pointer or the target 20 px</source>
-        <translation>Zeiger oder Ziel um 20 px bewegen</translation>
-    </message>
-    <message>
-        <source>Alt and Enter</source>
-        <translation>Alt und Eingabe</translation>
-    </message>
-    <message>
-        <source>pointer button down or up</source>
-        <translation>Zeigertaste drücken oder loslassen</translation>
-    </message>
-    <message>
-        <source>Esc</source>
-        <translation>Esc</translation>
-    </message>
-    <message>
-        <source>let go</source>
-        <translation>loslassen</translation>
-    </message>
-    <message>
-        <source>Drag the timeline</source>
-        <translation>Die Zeitleiste ziehen</translation>
-    </message>
-    <message>
-        <source>go anywhere in time</source>
-        <translation>irgendwohin in der Zeit gehen</translation>
-    </message>
-    <message>
-        <source>Click a phase</source>
-        <translation>Auf eine Phase klicken</translation>
-    </message>
-    <message>
-        <source>run to it</source>
-        <translation>bis zu ihr laufen</translation>
-    </message>
-    <message>
-        <source>Alt and the underlined letter</source>
-        <translation>Alt und der unterstrichene Buchstabe</translation>
-    </message>
-    <message>
-        <source>where a run has stopped by itself: use what mends it</source>
-        <translation>wo ein Lauf von selbst angehalten hat: nehmen, was ihn heilt</translation>
-    </message>
-    <message>
         <source>Accuracy</source>
         <translation>Genauigkeit</translation>
-    </message>
-    <message>
-        <source>walk through the points of a plot</source>
-        <translation>durch die Punkte einer Kurve gehen</translation>
-    </message>
-    <message>
-        <source>Enter or a click</source>
-        <translation>Eingabe oder ein Klick</translation>
-    </message>
-    <message>
-        <source>use the method and step of a point</source>
-        <translation>Verfahren und Zeitschritt eines Punktes verwenden</translation>
-    </message>
-    <message>
-        <source>+ and −, or drag the line</source>
-        <translation>+ und −, oder die Linie ziehen</translation>
-    </message>
-    <message>
-        <source>how far off is near enough</source>
-        <translation>wie viel Abweichung nah genug ist</translation>
     </message>
     <message>
         <source>Energy</source>
@@ -4420,10 +4713,6 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>Saved as %1.</source>
         <translation>Gespeichert als %1.</translation>
-    </message>
-    <message>
-        <source>Changes</source>
-        <translation>Änderungen</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
@@ -4502,164 +4791,8 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>&amp;Zuletzt geöffnet</translation>
     </message>
     <message>
-        <source>Other runs</source>
-        <translation>Andere Läufe</translation>
-    </message>
-    <message>
-        <source>Click the dots below a ring</source>
-        <translation>Auf die Punkte unter einem Ring klicken</translation>
-    </message>
-    <message>
-        <source>show the run that parts there beside this one; right-click: more</source>
-        <translation>den Lauf, der dort abzweigt, neben diesem zeigen; Rechtsklick: mehr</translation>
-    </message>
-    <message>
-        <source>Drag an end of the ruler</source>
-        <translation>Ein Ende des Lineals ziehen</translation>
-    </message>
-    <message>
-        <source>measure a length and an angle (switch it on under Show)</source>
-        <translation>eine Länge und einen Winkel messen (einzuschalten unter „Zeigen“)</translation>
-    </message>
-    <message>
-        <source>Ctrl, Alt and an arrow key</source>
-        <translation>Strg, Alt und eine Pfeiltaste</translation>
-    </message>
-    <message>
-        <source>move the ruler&apos;s far end 5 px; with Shift the near one</source>
-        <translation>das ferne Ende des Lineals um 5 px bewegen; mit Umschalt das nahe</translation>
-    </message>
-    <message>
-        <source>Drop a file on the window</source>
-        <translation>Eine Datei auf das Fenster ziehen</translation>
-    </message>
-    <message>
-        <source>open it</source>
-        <translation>sie öffnen</translation>
-    </message>
-    <message>
         <source>Plots</source>
         <translation>Diagramme</translation>
-    </message>
-    <message>
-        <source>Press or drag</source>
-        <translation>Drücken oder ziehen</translation>
-    </message>
-    <message>
-        <source>go to a frame</source>
-        <translation>zu einem Bild gehen</translation>
-    </message>
-    <message>
-        <source>+ and −, or Ctrl and the wheel</source>
-        <translation>+ und −, oder Strg und das Mausrad</translation>
-    </message>
-    <message>
-        <source>fewer or more frames</source>
-        <translation>weniger oder mehr Bilder</translation>
-    </message>
-    <message>
-        <source>The names above a plot</source>
-        <translation>Die Namen über einem Diagramm</translation>
-    </message>
-    <message>
-        <source>menus of what it shows</source>
-        <translation>Menüs dafür, was es zeigt</translation>
-    </message>
-    <message>
-        <source>Menu key, or right-click</source>
-        <translation>Menütaste oder Rechtsklick</translation>
-    </message>
-    <message>
-        <source>save, copy, keep or remove it</source>
-        <translation>es speichern, kopieren, festhalten oder entfernen</translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation>Entf</translation>
-    </message>
-    <message>
-        <source>remove it</source>
-        <translation>es entfernen</translation>
-    </message>
-    <message>
-        <source>Click a line, or Enter</source>
-        <translation>Auf eine Zeile klicken, oder Eingabe</translation>
-    </message>
-    <message>
-        <source>run to its phase</source>
-        <translation>bis zu ihrer Phase laufen</translation>
-    </message>
-    <message>
-        <source>Click left of a line, or F9</source>
-        <translation>Links neben eine Zeile klicken, oder F9</translation>
-    </message>
-    <message>
-        <source>stop before its phase, or no longer</source>
-        <translation>vor ihrer Phase anhalten, oder nicht mehr</translation>
-    </message>
-    <message>
-        <source>Drag a dotted word</source>
-        <translation>Ein gepunktetes Wort ziehen</translation>
-    </message>
-    <message>
-        <source>change that parameter; with Shift finely</source>
-        <translation>diesen Parameter ändern; mit Umschalt fein</translation>
-    </message>
-    <message>
-        <source>Double-click it, or F2</source>
-        <translation>Doppelklick darauf, oder F2</translation>
-    </message>
-    <message>
-        <source>type the parameter&apos;s value</source>
-        <translation>den Wert des Parameters eintippen</translation>
-    </message>
-    <message>
-        <source>Point at a word, or Ctrl+I</source>
-        <translation>Auf ein Wort zeigen, oder Strg+I</translation>
-    </message>
-    <message>
-        <source>its value, and its last 120 frames</source>
-        <translation>sein Wert und seine letzten 120 Bilder</translation>
-    </message>
-    <message>
-        <source>Up and Down</source>
-        <translation>Auf und Ab</translation>
-    </message>
-    <message>
-        <source>from line to line; with Ctrl from heading to heading</source>
-        <translation>von Zeile zu Zeile; mit Strg von Überschrift zu Überschrift</translation>
-    </message>
-    <message>
-        <source>Ctrl and Left or Right</source>
-        <translation>Strg und Links oder Rechts</translation>
-    </message>
-    <message>
-        <source>from word to word</source>
-        <translation>von Wort zu Wort</translation>
-    </message>
-    <message>
-        <source>Enter, on a heading</source>
-        <translation>Eingabe auf einer Überschrift</translation>
-    </message>
-    <message>
-        <source>fold or unfold</source>
-        <translation>zuklappen oder aufklappen</translation>
-    </message>
-    <message>
-        <source>Ctrl+C</source>
-        <translation>Strg+C</translation>
-    </message>
-    <message>
-        <source>copy what is selected, or the whole region</source>
-        <translation>das Ausgewählte kopieren, oder den ganzen Bereich</translation>
-    </message>
-    <message>
-        <source>Stop when…</source>
-        <translation>Anhalten, wenn …</translation>
-    </message>
-    <message>
-        <source>the field below the code: stop when that comes true</source>
-        <translation>das Feld unter dem Code: anhalten, wenn das wahr wird</translation>
     </message>
     <message>
         <source>Less mo&amp;vement</source>
@@ -4716,10 +4849,6 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>How far this run and the one beside it are apart, frame by frame</source>
         <translation>Wie weit dieser Lauf und der daneben auseinander sind, Bild für Bild</translation>
-    </message>
-    <message>
-        <source>Build</source>
-        <translation>Bauen</translation>
     </message>
     <message>
         <source>Choose and move parts</source>
@@ -4810,54 +4939,6 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>&amp;Alles wählen</translation>
     </message>
     <message>
-        <source>Shift and a click</source>
-        <translation>Umschalt und ein Klick</translation>
-    </message>
-    <message>
-        <source>choose one part more, or one less</source>
-        <translation>ein Teil mehr wählen, oder eines weniger</translation>
-    </message>
-    <message>
-        <source>choose what is in the box</source>
-        <translation>wählen, was im Rahmen ist</translation>
-    </message>
-    <message>
-        <source>Drag from point to point</source>
-        <translation>Von Punkt zu Punkt ziehen</translation>
-    </message>
-    <message>
-        <source>tie them, with a spring or a stick in hand</source>
-        <translation>sie verbinden, mit einer Feder oder einem Stab in der Hand</translation>
-    </message>
-    <message>
-        <source>Arrow keys and Enter</source>
-        <translation>Pfeiltasten und Eingabe</translation>
-    </message>
-    <message>
-        <source>move the tool 10 px, with Shift 1 px; use it</source>
-        <translation>das Werkzeug um 10 px bewegen, mit Umschalt um 1 px; es benutzen</translation>
-    </message>
-    <message>
-        <source>move what is chosen 10 px, with Shift 1 px</source>
-        <translation>das Gewählte um 10 px bewegen, mit Umschalt um 1 px</translation>
-    </message>
-    <message>
-        <source>{ and }</source>
-        <translation>{ und }</translation>
-    </message>
-    <message>
-        <source>choose the spring or stick before or after</source>
-        <translation>die Feder oder den Stab davor oder danach wählen</translation>
-    </message>
-    <message>
-        <source>Escape</source>
-        <translation>Esc</translation>
-    </message>
-    <message>
-        <source>end a row of links, put the tool away, choose nothing</source>
-        <translation>eine Reihe von Verbindungen beenden, das Werkzeug weglegen, nichts wählen</translation>
-    </message>
-    <message>
         <source>No sandbox is installed</source>
         <translation>Es ist kein Sandkasten installiert</translation>
     </message>
@@ -4868,10 +4949,6 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>Take this scene to the sandbox, to build on (Ctrl+B)</source>
         <translation>Diese Szene in den Sandkasten mitnehmen, um daran weiterzubauen (Strg+B)</translation>
-    </message>
-    <message>
-        <source>Pictures and films</source>
-        <translation>Bilder und Filme</translation>
     </message>
     <message>
         <source>&amp;Export</source>
@@ -5026,14 +5103,6 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>Stabilität</translation>
     </message>
     <message>
-        <source>F8</source>
-        <translation>F8</translation>
-    </message>
-    <message>
-        <source>show the lines of the step before that are gone</source>
-        <translation>die Zeilen des Schritts davor zeigen, die weg sind</translation>
-    </message>
-    <message>
         <source>Lessons</source>
         <translation>Lektionen</translation>
     </message>
@@ -5044,50 +5113,6 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>The panels stand as they did at first.</source>
         <translation>Die Leisten stehen wieder wie am Anfang.</translation>
-    </message>
-    <message>
-        <source>A&amp;rrange panels</source>
-        <translation>Leisten &amp;verschieben</translation>
-    </message>
-    <message>
-        <source>&amp;Unlock: panels can be moved</source>
-        <translation>&amp;Entsperren: Leisten lassen sich verschieben</translation>
-    </message>
-    <message>
-        <source>Drag a panel by its title to where it is to stand</source>
-        <translation>Ziehe eine Leiste an ihrem Titel dorthin, wo sie stehen soll</translation>
-    </message>
-    <message>
-        <source>As &amp;at first</source>
-        <translation>Wie am &amp;Anfang</translation>
-    </message>
-    <message>
-        <source>Puts the panels back to where they stood at first, in this preset alone</source>
-        <translation>Stellt die Leisten zurück, wie sie am Anfang standen, nur in dieser Anordnung</translation>
-    </message>
-    <message>
-        <source>to the &amp;left</source>
-        <translation>nach &amp;links</translation>
-    </message>
-    <message>
-        <source>to the &amp;right</source>
-        <translation>nach &amp;rechts</translation>
-    </message>
-    <message>
-        <source>&amp;below the picture</source>
-        <translation>&amp;unter das Bild</translation>
-    </message>
-    <message>
-        <source>Drag this panel to where it is to stand</source>
-        <translation>Ziehe diese Leiste dorthin, wo sie stehen soll</translation>
-    </message>
-    <message>
-        <source>Point at timeline, phase, plot or trail</source>
-        <translation>Auf Zeitleiste, Phase, Diagramm oder Spur zeigen</translation>
-    </message>
-    <message>
-        <source>look at that moment; the run stays where it stands</source>
-        <translation>einen Blick auf diesen Moment werfen; der Lauf bleibt, wo er steht</translation>
     </message>
     <message>
         <source>Where energy and momentum went (Ctrl+3)</source>

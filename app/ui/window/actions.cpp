@@ -8,7 +8,10 @@
 #include "app/ui/scene/scene_view.h"
 #include "app/ui/time/timeline_strip.h"
 #include "app/ui/time/transport_bar.h"
+#include "app/ui/window/arrange_menu.h"
+#include "app/ui/window/commands.h"
 #include "app/ui/window/experiment_files.h"
+#include "app/ui/window/gestures.h"
 #include "app/ui/window/main_window.h"
 
 #include <QAbstractButton>
@@ -58,19 +61,6 @@ void leaveKeysToTime(QWidget *widget, const QWidget *window)
 
 }
 
-QAction *MainWindow::action(const QString &text, const QList<QKeySequence> &keys, const QString &group)
-{
-    auto *action = new QAction(text, this);
-    action->setShortcuts(keys);
-    QString plain = text;
-    plain.remove('&');
-    if (!keys.isEmpty())
-        action->setToolTip(tr("%1 (%2)").arg(plain, keys.front().toString(QKeySequence::NativeText)));
-    addAction(action);
-    m_actions.push_back({action, group});
-    return action;
-}
-
 void MainWindow::makeActions()
 {
     m_file = new QMenu(tr("&File"), this);
@@ -82,7 +72,8 @@ void MainWindow::makeActions()
     makeEditActions();
     makeTimeActions();
     makeViewActions();
-    m_helpAction = action(tr("&Keys and mouse"), {QKeySequence(Qt::Key_F1), QKeySequence("?")}, tr("Window"));
+    m_helpAction = m_commands->add(tr("&Keys and mouse"), {QKeySequence(Qt::Key_F1), QKeySequence("?")},
+                                   KeyGroup::window);
     connect(m_helpAction, &QAction::triggered, this, &MainWindow::showHelp);
     m_help->addAction(m_helpAction);
     makeLearning();
@@ -90,9 +81,9 @@ void MainWindow::makeActions()
 
 void MainWindow::makeFileActions()
 {
-    const QString group = tr("Experiments");
+    const KeyGroup group = KeyGroup::experiments;
     const auto add = [&](const QString &text, const QKeySequence &key, auto slot) {
-        QAction *made = action(text, {key}, group);
+        QAction *made = m_commands->add(text, {key}, group);
         connect(made, &QAction::triggered, this, slot);
         m_file->addAction(made);
     };
@@ -111,10 +102,9 @@ void MainWindow::makeFileActions()
 
 void MainWindow::makeTimeActions()
 {
-    const QString group = tr("Time");
-    const auto add = [&](const QString &text, const QList<QKeySequence> &keys, const QString &where,
-                         auto slot) {
-        QAction *made = action(text, keys, where);
+    const KeyGroup group = KeyGroup::time;
+    const auto add = [&](const QString &text, const QList<QKeySequence> &keys, KeyGroup where, auto slot) {
+        QAction *made = m_commands->add(text, keys, where);
         connect(made, &QAction::triggered, this, slot);
         m_run->addAction(made);
         return made;
@@ -129,7 +119,7 @@ void MainWindow::makeTimeActions()
     add(tr("To the &start"), {QKeySequence(Qt::Key_Home)}, group, [this] { m_session.rewind(); });
     add(tr("To the &end of what was computed"), {QKeySequence(Qt::Key_End)}, group, end);
     m_run->addAction(m_transport->goToFrameAction());
-    m_actions.push_back({m_transport->goToFrameAction(), group});
+    m_commands->list(m_transport->goToFrameAction(), group);
     add(tr("S&lower"), {QKeySequence("-")}, group, [this] { m_transport->slower(); });
     add(tr("Faste&r"), {QKeySequence("+"), QKeySequence("=")}, group, [this] { m_transport->faster(); });
     m_run->addSeparator();
@@ -142,28 +132,27 @@ void MainWindow::makeTimeActions()
     follow();
     makeBranchActions();
     m_run->addSeparator();
-    const QString steps = tr("Steps");
+    const KeyGroup steps = KeyGroup::steps;
     add(tr("Ne&xt step"), {QKeySequence(Qt::Key_PageDown)}, steps, [this] { m_learn->goOn(); });
     add(tr("Pre&vious step"), {QKeySequence(Qt::Key_PageUp)}, steps, [this] { m_learn->goBack(); });
 }
 
 void MainWindow::makeViewActions()
 {
-    const auto add = [&](const QString &text, const QList<QKeySequence> &keys, const QString &where,
-                         auto slot) {
-        QAction *made = action(text, keys, where);
+    const auto add = [&](const QString &text, const QList<QKeySequence> &keys, KeyGroup where, auto slot) {
+        QAction *made = m_commands->add(text, keys, where);
         connect(made, &QAction::triggered, this, slot);
         m_view->addAction(made);
         return made;
     };
     makeModeActions();
-    const QString picture = tr("Picture");
+    const KeyGroup picture = KeyGroup::picture;
     add(tr("Zoom &in"), {QKeySequence("Ctrl++"), QKeySequence("Ctrl+=")}, picture,
         [this] { m_scene->zoomIn(); });
     add(tr("Zoom &out"), {QKeySequence("Ctrl+-")}, picture, [this] { m_scene->zoomOut(); });
     add(tr("&Fit the scene"), {QKeySequence("Ctrl+0")}, picture, [this] { m_scene->fit(); });
     m_view->addSeparator();
-    const QString window = tr("Window");
+    const KeyGroup window = KeyGroup::window;
     const auto toggle = [&](const QString &text, const char *key, std::vector<QDockWidget *> docks) {
         QAction *made = add(text, {QKeySequence(key)}, window, [docks](bool shown) {
             for (QDockWidget *dock : docks)
@@ -194,12 +183,15 @@ void MainWindow::makeViewActions()
     connect(m_effectsDock, &QDockWidget::visibilityChanged, effects,
             [dock = m_effectsDock, effects] { effects->setChecked(!dock->isHidden()); });
     addAction(m_effects->measureAgain());
-    m_actions.push_back({m_effects->measureAgain(), window});
+    m_commands->list(m_effects->measureAgain(), window);
     makePlotsAction();
     m_stabilityAction = add(tr("&Stability of the step"), {QKeySequence("Ctrl+L")}, window,
                             [this](bool shown) { showStability(shown); });
     m_stabilityAction->setCheckable(true);
-    makeLayoutMenu();
+    auto *arrange = new ArrangeMenu(*this, *m_commands, m_theme);
+    connect(arrange, &ArrangeMenu::resetAsked, this, &MainWindow::resetLayout);
+    connect(arrange, &ArrangeMenu::moved, this, &MainWindow::fitParameters);
+    m_view->addMenu(arrange);
     makeLanguageMenu();
     makeAppearanceActions();
 }
@@ -208,63 +200,9 @@ void MainWindow::showHelp()
 {
     if (!m_helpPage) {
         m_helpPage = new HelpPage(m_theme, this);
-        for (const Listed &listed : m_actions)
-            m_helpPage->addAction(listed.group, listed.action);
-        m_helpPage->addGesture(tr("Picture"), tr("Drag a body"),
-                               tr("grab it; let go while moving to throw it"));
-        m_helpPage->addGesture(tr("Picture"), tr("Drag the background"), tr("move the picture"));
-        m_helpPage->addGesture(tr("Picture"), tr("Wheel"), tr("zoom where the pointer is"));
-        m_helpPage->addGesture(tr("Picture"), tr("[ and ]"), tr("choose the body before or after"));
-        m_helpPage->addGesture(tr("Picture"), tr("Alt and an arrow key"), tr("carry the chosen body 10 px"));
-        m_helpPage->addGesture(tr("Picture"), tr("Press the background"),
-                               tr("blow, steer or aim, where a step has that"));
-        m_helpPage->addGesture(tr("Picture"), tr("Drag with the middle button"), tr("move the picture"));
-        m_helpPage->addGesture(tr("Other runs"), tr("Click the dots below a ring"),
-                               tr("show the run that parts there beside this one; right-click: more"));
-        m_helpPage->addGesture(tr("Picture"), tr("Arrow keys"), tr("steer, where a step has that"));
-        m_helpPage->addGesture(tr("Picture"), tr("Alt, Shift and an arrow key"),
-                               tr("move the pointer or the target 20 px"));
-        m_helpPage->addGesture(tr("Picture"), tr("Alt and Enter"), tr("pointer button down or up"));
-        m_helpPage->addGesture(tr("Picture"), tr("Drag an end of the ruler"),
-                               tr("measure a length and an angle (switch it on under Show)"));
-        m_helpPage->addGesture(tr("Picture"), tr("Ctrl, Alt and an arrow key"),
-                               tr("move the ruler's far end 5 px; with Shift the near one"));
-        m_helpPage->addGesture(tr("Picture"), tr("Esc"), tr("let go"));
-        m_helpPage->addGesture(tr("Time"), tr("Drag the timeline"), tr("go anywhere in time"));
-        m_helpPage->addGesture(tr("Time"), tr("Click a phase"), tr("run to it"));
-        m_helpPage->addGesture(tr("Time"), tr("Point at timeline, phase, plot or trail"),
-                               tr("look at that moment; the run stays where it stands"));
-        m_helpPage->addGesture(tr("Time"), tr("Alt and the underlined letter"),
-                               tr("where a run has stopped by itself: use what mends it"));
-        m_helpPage->addGesture(tr("Experiments"), tr("Drop a file on the window"), tr("open it"));
-        const QString plots = tr("Plots");
-        m_helpPage->addGesture(plots, tr("Press or drag"), tr("go to a frame"));
-        m_helpPage->addGesture(plots, tr("+ and −, or Ctrl and the wheel"), tr("fewer or more frames"));
-        m_helpPage->addGesture(plots, tr("The names above a plot"), tr("menus of what it shows"));
-        m_helpPage->addGesture(plots, tr("Menu key, or right-click"), tr("save, copy, keep or remove it"));
-        m_helpPage->addGesture(plots, tr("Delete"), tr("remove it"));
-        const QString code = tr("Code");
-        m_helpPage->addGesture(code, tr("Click a line, or Enter"), tr("run to its phase"));
-        m_helpPage->addGesture(code, tr("Click left of a line, or F9"),
-                               tr("stop before its phase, or no longer"));
-        m_helpPage->addGesture(code, tr("Drag a dotted word"),
-                               tr("change that parameter; with Shift finely"));
-        m_helpPage->addGesture(code, tr("Double-click it, or F2"), tr("type the parameter's value"));
-        m_helpPage->addGesture(code, tr("Point at a word, or Ctrl+I"),
-                               tr("its value, and its last 120 frames"));
-        m_helpPage->addGesture(code, tr("Up and Down"),
-                               tr("from line to line; with Ctrl from heading to heading"));
-        m_helpPage->addGesture(code, tr("Ctrl and Left or Right"), tr("from word to word"));
-        m_helpPage->addGesture(code, tr("Enter, on a heading"), tr("fold or unfold"));
-        m_helpPage->addGesture(code, tr("F8"), tr("show the lines of the step before that are gone"));
-        m_helpPage->addGesture(code, tr("Ctrl+C"), tr("copy what is selected, or the whole region"));
-        m_helpPage->addGesture(code, tr("Stop when…"),
-                               tr("the field below the code: stop when that comes true"));
-        const QString accuracy = tr("Accuracy");
-        m_helpPage->addGesture(accuracy, tr("Arrow keys"), tr("walk through the points of a plot"));
-        m_helpPage->addGesture(accuracy, tr("Enter or a click"), tr("use the method and step of a point"));
-        m_helpPage->addGesture(accuracy, tr("+ and −, or drag the line"), tr("how far off is near enough"));
-        explainBuilding();
+        for (const Commands::Listed &listed : m_commands->listed())
+            m_helpPage->addAction(titleOf(listed.group), listed.action);
+        addGestures(*m_helpPage);
     }
     m_helpPage->show();
     m_helpPage->raise();

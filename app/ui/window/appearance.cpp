@@ -4,6 +4,7 @@
 
 #include "app/ui/scene/scene_bar.h"
 #include "app/ui/scene/scene_view.h"
+#include "app/ui/window/commands.h"
 #include "app/ui/window/main_window.h"
 #include "app/ui/window/notice.h"
 
@@ -71,7 +72,7 @@ void MainWindow::makeAppearanceActions()
     m_view->addSeparator();
     makeSchemeActions();
     makeSizeActions();
-    QAction *still = action(tr("Less mo&vement"), {}, tr("Window"));
+    QAction *still = m_commands->add(tr("Less mo&vement"), {}, KeyGroup::window);
     still->setObjectName("lessMotion");
     still->setToolTip(
         tr("Panels and menus come and go at once, wind is drawn still; only what is computed moves"));
@@ -111,7 +112,7 @@ void MainWindow::makeSchemeActions()
     auto *schemes = new QActionGroup(this); // none of them: light
     schemes->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
     const auto add = [&](const QString &text, const QKeySequence &key, Scheme scheme) {
-        QAction *made = action(text, {key}, tr("Window"));
+        QAction *made = m_commands->add(text, {key}, KeyGroup::window);
         made->setObjectName(nameOf(scheme));
         made->setCheckable(true);
         made->setChecked(m_theme.scheme() == scheme);

@@ -4,6 +4,7 @@
 #include "app/ui/time/runs_menu.h"
 #include "app/ui/time/timeline_strip.h"
 #include "app/ui/time/transport_bar.h"
+#include "app/ui/window/commands.h"
 #include "app/ui/window/main_window.h"
 
 #include <QAction>
@@ -28,9 +29,9 @@ void MainWindow::makeBranchesDock()
 
 void MainWindow::makeBranchActions()
 {
-    const QString group = tr("Other runs");
+    const KeyGroup group = KeyGroup::otherRuns;
     const auto add = [&](const QString &text, const char *key, const QString &tip, auto slot) {
-        QAction *made = action(text, {QKeySequence(key)}, group);
+        QAction *made = m_commands->add(text, {QKeySequence(key)}, group);
         made->setToolTip(tr("%1 (%2)").arg(tip, key));
         connect(made, &QAction::triggered, this, slot);
         m_run->addAction(made);
@@ -51,9 +52,7 @@ void MainWindow::makeBranchActions()
 
 void MainWindow::showBranches(bool shown)
 {
-    m_branchesDock->setVisible(shown);
-    if (shown)
-        m_branchesDock->raise(); // it may be one of several tabs
+    showDock(*m_branchesDock, shown);
 }
 
 }

@@ -2,12 +2,12 @@
 
 #include "app/model/workbench.h"
 #include "app/model/workshop.h"
-#include "app/ui/panels/help_page.h"
 #include "app/ui/panels/learn_panel.h"
 #include "app/ui/sandbox/build_panel.h"
 #include "app/ui/sandbox/scene_builder.h"
 #include "app/ui/scene/scene_bar.h"
 #include "app/ui/scene/scene_view.h"
+#include "app/ui/window/commands.h"
 #include "app/ui/window/main_window.h"
 
 #include <QActionGroup>
@@ -40,7 +40,7 @@ QList<QAction *> MainWindow::makeToolActions()
     QList<QAction *> tools;
     const auto add = [&](BuildTool tool, const QString &text, const QString &name, const char *key,
                          const QString &tip, const char *icon) {
-        QAction *made = action(text, {QKeySequence(key)}, tr("Build"));
+        QAction *made = m_commands->add(text, {QKeySequence(key)}, KeyGroup::build);
         made->setIconText(name);
         made->setToolTip(tr("%1 (%2)").arg(tip, key));
         made->setProperty("iconName", icon);
@@ -71,7 +71,7 @@ QList<QAction *> MainWindow::makeToolActions()
 void MainWindow::makeBuildActions()
 {
     const auto add = [this](const QString &text, const char *key, auto slot) {
-        QAction *made = action(text, {QKeySequence(key)}, tr("Build"));
+        QAction *made = m_commands->add(text, {QKeySequence(key)}, KeyGroup::build);
         connect(made, &QAction::triggered, this, slot);
         m_edit->addAction(made);
         return made;
@@ -83,21 +83,6 @@ void MainWindow::makeBuildActions()
     m_buildActions = {add(tr("&Delete what is chosen"), "Del", [this] { m_bench->eraseChosen(); }),
                       add(tr("Dup&licate what is chosen"), "Ctrl+J", [this] { m_bench->duplicateChosen(); }),
                       add(tr("Choose &all"), "Ctrl+A", [this] { m_bench->chooseAll(); })};
-}
-
-void MainWindow::explainBuilding()
-{
-    const QString build = tr("Build");
-    m_helpPage->addGesture(build, tr("Shift and a click"), tr("choose one part more, or one less"));
-    m_helpPage->addGesture(build, tr("Drag the background"), tr("choose what is in the box"));
-    m_helpPage->addGesture(build, tr("Drag from point to point"),
-                           tr("tie them, with a spring or a stick in hand"));
-    m_helpPage->addGesture(build, tr("Arrow keys and Enter"),
-                           tr("move the tool 10 px, with Shift 1 px; use it"));
-    m_helpPage->addGesture(build, tr("Alt and an arrow key"),
-                           tr("move what is chosen 10 px, with Shift 1 px"));
-    m_helpPage->addGesture(build, tr("{ and }"), tr("choose the spring or stick before or after"));
-    m_helpPage->addGesture(build, tr("Escape"), tr("end a row of links, put the tool away, choose nothing"));
 }
 
 void MainWindow::followWorkshop()
@@ -120,29 +105,10 @@ void MainWindow::followWorkshop()
                        : builds     ? tr("This scene is in the sandbox")
                                     : tr("Take this scene to the sandbox, to build on (Ctrl+B)"));
     m_modes->actions().at(static_cast<int>(Mode::build))->setEnabled(hasWorkshop);
-    if (!builds) {
-        m_leftLesson = m_session.lesson().id;
-        m_leftStep = m_session.step().id;
-    }
+    m_trip.note();
     if (m_mode == Mode::measure)
         return;
     arrangeFor(builds ? Mode::build : Mode::learn);
-}
-
-void MainWindow::openWorkshop()
-{
-    const LessonEntry *workshop = workshopOf(m_session.library());
-    if (workshop && !m_session.isWorkshop())
-        m_session.openStep(workshop->id, workshop->steps.front().id);
-}
-
-void MainWindow::leaveWorkshop()
-{
-    if (!m_session.isWorkshop() || m_session.library().lessons.empty())
-        return;
-    const LessonEntry &first = m_session.library().lessons.front();
-    m_leftLesson.isEmpty() ? m_session.openStep(first.id, first.steps.front().id)
-                           : m_session.openStep(m_leftLesson, m_leftStep);
 }
 
 }

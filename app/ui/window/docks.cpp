@@ -12,6 +12,7 @@
 #include "app/ui/scene/thumbnail.h"
 #include "app/ui/window/divider.h"
 #include "app/ui/window/main_window.h"
+#include "app/ui/window/room.h"
 
 #include <QDockWidget>
 #include <QStyle>
@@ -37,6 +38,13 @@ QDockWidget *MainWindow::dock(const QString &name, QWidget *title, QWidget *cont
     dock->setWidget(content);
     addDockWidget(area, dock);
     return dock;
+}
+
+void MainWindow::showDock(QDockWidget &dock, bool shown)
+{
+    dock.setVisible(shown);
+    if (shown)
+        dock.raise(); // it may be one of several tabs
 }
 
 void MainWindow::makeDocks(CostFunction cost)
@@ -70,6 +78,12 @@ void MainWindow::makeDocks(CostFunction cost)
     connect(m_parameters, &ParameterPanel::wantedHeightChanged, this, &MainWindow::fitParameters);
     connect(m_measures, &MeasurePanel::contentChanged, this, &MainWindow::showMeasures);
     showMeasures();
+    m_room = std::make_unique<Room>(*this, *m_learn, *m_scene, *m_left, *m_parameterDock);
+    connect(m_room.get(), &Room::sidesAreBack, this, [this] {
+        if (m_mode != Mode::measure)
+            placeSides();
+        fitParameters();
+    });
 }
 
 void MainWindow::makeCodeDock()

@@ -4,6 +4,7 @@
 #include "app/ui/film/picture_file.h"
 #include "app/ui/panels/ask_file.h"
 #include "app/ui/window/attempt.h"
+#include "app/ui/window/commands.h"
 #include "app/ui/window/main_window.h"
 
 #include <QAction>
@@ -16,10 +17,10 @@ namespace app {
 
 void MainWindow::makeExportActions()
 {
-    const QString group = tr("Pictures and films");
+    const KeyGroup group = KeyGroup::pictures;
     QMenu *menu = m_file->addMenu(tr("&Export"));
     const auto add = [&](const QString &text, const char *key, const QString &help, auto slot) {
-        QAction *made = action(text, {QKeySequence(key)}, group);
+        QAction *made = m_commands->add(text, {QKeySequence(key)}, group);
         made->setToolTip(tr("%1 (%2)").arg(help, made->shortcut().toString(QKeySequence::NativeText)));
         connect(made, &QAction::triggered, this, slot);
         menu->addAction(made);

@@ -5,8 +5,10 @@
 #include "app/ui/time/footfall_strip.h"
 #include "app/ui/time/timeline_strip.h"
 #include "app/ui/time/transport_bar.h"
+#include "app/ui/window/commands.h"
 #include "app/ui/window/focus_parameters.h"
 #include "app/ui/window/main_window.h"
+#include "app/ui/window/room.h"
 #include "app/ui/window/scene_card.h"
 
 #include <QAction>
@@ -19,13 +21,13 @@ namespace app {
 
 void MainWindow::makeFocusActions()
 {
-    m_focusAction = action(tr("Scene onl&y"), {QKeySequence(Qt::Key_F11)}, tr("Window"));
+    m_focusAction = m_commands->add(tr("Scene onl&y"), {QKeySequence(Qt::Key_F11)}, KeyGroup::window);
     m_focusAction->setObjectName("sceneOnly");
     m_focusAction->setToolTip(tr("Nothing but the scene and its time; again brings the panels back (F11)"));
     m_focusAction->setCheckable(true);
     m_view->addAction(m_focusAction);
     connect(m_focusAction, &QAction::toggled, this, &MainWindow::setFocusMode);
-    QAction *full = action(tr("F&ull screen"), {QKeySequence("Shift+F11")}, tr("Window"));
+    QAction *full = m_commands->add(tr("F&ull screen"), {QKeySequence("Shift+F11")}, KeyGroup::window);
     full->setCheckable(true);
     m_view->addAction(full);
     // The window may have been left so at the last start, and others than this action can change it.
@@ -48,7 +50,7 @@ void MainWindow::setFocusMode(bool on)
 void MainWindow::enterFocus()
 {
     showStability(false);
-    bringAllBack();
+    m_room->bringAllBack();
     m_docksBeforeFocus = saveState();
     for (QDockWidget *dock : findChildren<QDockWidget *>())
         dock->hide();

@@ -1,6 +1,7 @@
 // The header of the window with its menus and buttons, and what can be undone.
 
 #include "app/ui/theme/icons.h"
+#include "app/ui/window/commands.h"
 #include "app/ui/window/experiment_files.h"
 #include "app/ui/window/main_window.h"
 
@@ -75,10 +76,10 @@ QWidget *MainWindow::header()
 
 void MainWindow::makeEditActions()
 {
-    const QString group = tr("Changes");
+    const KeyGroup group = KeyGroup::changes;
     const QList<QKeySequence> redoKeys = {QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")};
-    m_undo = action(tr("&Undo"), {QKeySequence("Ctrl+Z")}, group);
-    m_redo = action(tr("&Redo"), redoKeys, group);
+    m_undo = m_commands->add(tr("&Undo"), {QKeySequence("Ctrl+Z")}, group);
+    m_redo = m_commands->add(tr("&Redo"), redoKeys, group);
     m_undo->setObjectName("undo");
     m_redo->setObjectName("redo");
     m_edit->addActions({m_undo, m_redo});
@@ -88,7 +89,7 @@ void MainWindow::makeEditActions()
     nameDeeds();
     m_edit->addSeparator();
     const auto add = [&](const QString &text, const char *key, auto slot) {
-        QAction *made = action(text, {QKeySequence(key)}, tr("Experiments"));
+        QAction *made = m_commands->add(text, {QKeySequence(key)}, KeyGroup::experiments);
         connect(made, &QAction::triggered, this, slot);
         m_edit->addAction(made);
     };

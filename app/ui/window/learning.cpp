@@ -8,6 +8,7 @@
 #include "app/ui/scene/scene_view.h"
 #include "app/ui/time/timeline_strip.h"
 #include "app/ui/time/transport_bar.h"
+#include "app/ui/window/commands.h"
 #include "app/ui/window/main_window.h"
 #include "app/ui/window/tour.h"
 
@@ -26,7 +27,7 @@ const char *const tourSeen = "tour/seen";
 
 void MainWindow::makeLearning()
 {
-    QAction *hint = action(tr("Show a &hint"), {QKeySequence(Qt::Key_H)}, tr("Steps"));
+    QAction *hint = m_commands->add(tr("Show a &hint"), {QKeySequence(Qt::Key_H)}, KeyGroup::steps);
     hint->setToolTip(tr("A hint for the next thing to try (H)"));
     connect(hint, &QAction::triggered, this, [this] {
         m_left->show();
@@ -34,11 +35,11 @@ void MainWindow::makeLearning()
         m_learn->showSummary(false);
         m_learn->narration().showNextHint();
     });
-    QAction *glossary =
-        action(tr("&Glossary"), {QKeySequence("Shift+F1"), QKeySequence("Ctrl+Shift+G")}, tr("Window"));
+    QAction *glossary = m_commands->add(
+        tr("&Glossary"), {QKeySequence("Shift+F1"), QKeySequence("Ctrl+Shift+G")}, KeyGroup::window);
     glossary->setToolTip(tr("The words that the lessons teach (Shift+F1)"));
     connect(glossary, &QAction::triggered, this, [this] { showGlossary({}); });
-    QAction *tour = action(tr("Take the &tour"), {}, tr("Window"));
+    QAction *tour = m_commands->add(tr("Take the &tour"), {}, KeyGroup::window);
     tour->setToolTip(tr("A minute with what there is in this window"));
     connect(tour, &QAction::triggered, this, &MainWindow::startTour);
     m_help->addActions({hint, glossary, tour});

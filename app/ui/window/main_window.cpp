@@ -8,6 +8,7 @@
 #include "app/ui/time/footfall_strip.h"
 #include "app/ui/time/timeline_strip.h"
 #include "app/ui/time/transport_bar.h"
+#include "app/ui/window/commands.h"
 #include "app/ui/window/divider.h"
 #include "app/ui/window/experiment_files.h"
 #include "app/ui/window/kept_offer.h"
@@ -27,17 +28,11 @@
 
 namespace app {
 
-namespace {
-
-constexpr int wide = 1600; ///< px, from here on the docks are broader
-
-}
-
 MainWindow::MainWindow(Session &session, Theme &theme, StudyFunction study, CostFunction cost,
                        QWidget *parent)
     : QMainWindow(parent), m_session(session), m_theme(theme), m_course(new Course(session, this)),
       m_study(new AccuracyStudy(session, std::move(study), this)),
-      m_stability(new StabilityWatch(session, this))
+      m_stability(new StabilityWatch(session, this)), m_trip(session)
 {
     setWindowIcon(QIcon(":/app/springstep.svg"));
     setDockOptions(QMainWindow::AnimatedDocks);
@@ -47,6 +42,7 @@ MainWindow::MainWindow(Session &session, Theme &theme, StudyFunction study, Cost
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     setCentralWidget(centre());
+    m_commands = std::make_unique<Commands>(*this);
     makeDocks(std::move(cost));
     makeStability();
     makeActions();
@@ -137,13 +133,27 @@ void MainWindow::restore()
     m_firstDocks = saveState();
     m_layoutKey = layoutKey(m_mode);
     useKeptForm();
-    m_docksKnown = restoreState(settings.value(m_layoutKey).toByteArray());
+    m_docksKnown = restoreState(m_layouts.kept(m_layoutKey));
     m_accuracyDock->hide(); // the window opens for learning
     m_energyDock->hide();
     m_branchesDock->hide();
     m_effectsDock->hide();
     showStability(false);
     showPlots(settings.value("plots/shown", true).toBool());
+}
+
+bool MainWindow::event(QEvent *event)
+{
+    const bool isDone = QMainWindow::event(event);
+    if (event->type() == QEvent::LayoutRequest && isVisible())
+        m_room->share(); // a panel may want more than before
+    return isDone;
+}
+
+void MainWindow::fitInto(QSize room)
+{
+    resize(size().boundedTo(room));
+    m_room->share();
 }
 
 void MainWindow::showEvent(QShowEvent *event)
@@ -157,7 +167,8 @@ void MainWindow::showEvent(QShowEvent *event)
 
 void MainWindow::placeSides()
 {
-    resizeDocks({m_left, m_codeDock}, width() < wide ? QList{280, 400} : QList{320, 480}, Qt::Horizontal);
+    resizeDocks({m_left, m_codeDock}, width() < wideWindow ? QList{280, 400} : QList{320, 480},
+                Qt::Horizontal);
 }
 
 void MainWindow::closeEvent(QCloseEvent *event)

@@ -5,12 +5,13 @@
 #include "app/model/scene_keeper.h"
 #include "app/model/session.h"
 #include "app/model/stability_watch.h"
+#include "app/model/workshop_trip.h"
 #include "app/ui/theme/theme.h"
+#include "app/ui/window/layout_store.h"
 #include "app/ui/window/left.h"
 
 #include <QMainWindow>
 
-#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -24,6 +25,7 @@ class AccuracyPanel;
 class BranchesPanel;
 class BuildPanel;
 class CodePanel;
+class Commands;
 class Course;
 class EffectsPanel;
 class EnergyPanel;
@@ -38,6 +40,7 @@ class Notice;
 class MeasurePanel;
 class ParameterPanel;
 class PlotsPanel;
+class Room;
 class SceneBar;
 class SceneCard;
 class SceneView;
@@ -118,7 +121,6 @@ protected:
     void resizeEvent(QResizeEvent *event) override;
 
 private:
-    QAction *action(const QString &text, const QList<QKeySequence> &keys, const QString &group);
     void makeActions();
     void makeFileActions();
     void makeEditActions();
@@ -136,7 +138,6 @@ private:
     void setFocusMode(bool on);
     void enterFocus();
     void leaveFocus();
-    void makeLayoutMenu();
     /// Where the arrangement for `mode` is kept in the settings.
     QString layoutKey(Mode mode) const;
     void keepLayout();
@@ -144,21 +145,6 @@ private:
     /// Arranges the panels as they were kept for the preset in use, or as it has them at first.
     void useLayout(Mode before);
     void resetLayout();
-    void movePanel(QDockWidget &panel, Qt::DockWidgetArea area);
-    void setPanelsMovable(bool movable);
-    /// What steps aside while the window is too small for all of it, in this order.
-    enum class Way { rail, below, smallScene, numbers, right, left };
-    struct Aside;
-    bool isShortOfRoom();
-    QSize leastSize();
-    void giveWay();
-    /// Lets what is `way` step aside, but for what was `asked` for. Returns whether that helps.
-    bool stepAside(Way way, const std::vector<QDockWidget *> &asked);
-    /// Panels that stepped aside and were shown again by others than bringBack(): the learner asked for them.
-    std::vector<QDockWidget *> takeAsked();
-    void bringBack(const Aside &aside);
-    void bringAllBack();
-    std::vector<QDockWidget *> shownIn(Qt::DockWidgetArea area) const;
     void makeRailAction();
     void chooseForm(bool isRail);
     void useKeptForm();
@@ -172,10 +158,7 @@ private:
     void makeBuilding();
     QList<QAction *> makeToolActions();
     void makeBuildActions();
-    void explainBuilding();
     void followWorkshop();
-    void openWorkshop();
-    void leaveWorkshop();
     QWidget *modeSwitch();
     void arrangeForMeasuring();
     QWidget *header();
@@ -184,6 +167,7 @@ private:
     void makeCodeDock();
     void makeParameterDock();
     QDockWidget *dock(const QString &name, QWidget *title, QWidget *content, Qt::DockWidgetArea area);
+    static void showDock(QDockWidget &dock, bool shown);
     void fitParameters();
     void showMeasures();
     void makeStability();
@@ -210,28 +194,21 @@ private:
     void makeFiles();
     void nameWindow();
 
-    /// An action with the group of the help page that lists it.
-    struct Listed
-    {
-        QAction *action;
-        QString group;
-    };
-
     Session &m_session;
     Theme &m_theme;
     std::unique_ptr<ExperimentFiles> m_files;
     std::unique_ptr<KeptOffer> m_kept;
+    std::unique_ptr<Commands> m_commands;
+    std::unique_ptr<Room> m_room;
     std::optional<Left> m_leaves;
     Course *m_course; ///< what the steps measure
     AccuracyStudy *m_study;
     StabilityWatch *m_stability;
     Mode m_mode = Mode::learn;
-    std::map<QString, QByteArray> m_layouts; ///< that were in use, by where they are kept
-    QString m_layoutKey;                     ///< of the one in use
-    QByteArray m_firstDocks;                 ///< the arrangement of a new window
-    QString m_leftLesson;                    ///< the one that the learner left for building
-    QString m_leftStep;
-    std::vector<Listed> m_actions;
+    LayoutStore m_layouts;
+    QString m_layoutKey;     ///< of the arrangement in use
+    QByteArray m_firstDocks; ///< the arrangement of a new window
+    WorkshopTrip m_trip;
     QMenu *m_file = nullptr;
     QMenu *m_edit = nullptr;
     QMenu *m_run = nullptr;
@@ -286,7 +263,6 @@ private:
     QDockWidget *m_stabilityDock = nullptr;
     QDockWidget *m_replaced = nullptr; ///< what stands aside while stability is shown
     bool m_docksKnown = false;         ///< docks have the sizes that the learner left or that fit the window
-    std::vector<Aside> m_aside;        ///< what stepped aside, the last one last
 };
 
 }

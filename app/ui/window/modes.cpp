@@ -1,6 +1,8 @@
 // What the window is arranged for: learning, or measuring what accuracy costs.
 
+#include "app/ui/window/commands.h"
 #include "app/ui/window/main_window.h"
+#include "app/ui/window/room.h"
 
 #include <QActionGroup>
 #include <QButtonGroup>
@@ -14,18 +16,11 @@
 
 namespace app {
 
-namespace {
-
-constexpr int wide =
-    1600; ///< px, from here on there is room for lessons, accuracy and code beside each other
-
-}
-
 void MainWindow::makeModeActions()
 {
     m_modes = new QActionGroup(this);
     const auto add = [this](const QString &text, const char *key, const QString &tip, Mode mode) {
-        QAction *made = action(text, {QKeySequence(key)}, tr("Window"));
+        QAction *made = m_commands->add(text, {QKeySequence(key)}, KeyGroup::window);
         made->setToolTip(tr("%1 (%2)").arg(tip, key));
         made->setCheckable(true);
         made->setChecked(mode == m_mode);
@@ -71,9 +66,9 @@ void MainWindow::setMode(Mode mode)
         return;
     arrangeFor(mode);
     if (mode == Mode::build)
-        openWorkshop();
+        m_trip.go();
     else if (mode == Mode::learn)
-        leaveWorkshop();
+        m_trip.comeBack();
     fitParameters();
 }
 
@@ -92,21 +87,17 @@ void MainWindow::arrangeFor(Mode mode)
 
 void MainWindow::showEnergy(bool shown)
 {
-    m_energyDock->setVisible(shown);
-    if (shown)
-        m_energyDock->raise(); // it may be one of several tabs
+    showDock(*m_energyDock, shown);
 }
 
 void MainWindow::showEffects(bool shown)
 {
-    m_effectsDock->setVisible(shown);
-    if (shown)
-        m_effectsDock->raise(); // it may be one of several tabs
+    showDock(*m_effectsDock, shown);
 }
 
 void MainWindow::arrangeForMeasuring()
 {
-    if (width() >= wide) {
+    if (width() >= wideWindow) {
         m_accuracyDock->show();
         m_energyDock->show();
         splitDockWidget(m_accuracyDock, m_codeDock, Qt::Horizontal);

@@ -7,8 +7,10 @@
 #include "app/ui/plots/plots_panel.h"
 #include "app/ui/scene/scene_view.h"
 #include "app/ui/time/timeline_strip.h"
+#include "app/ui/window/commands.h"
 #include "app/ui/window/main_window.h"
 #include "app/ui/window/notice.h"
+#include "app/ui/window/room.h"
 
 #include <QAction>
 #include <QDockWidget>
@@ -21,8 +23,7 @@ namespace app {
 namespace {
 
 const char *const shownKey = "plots/shown";
-constexpr int wide = 1600; ///< px, from here on
-constexpr int high = 900;  ///< and here, plots fit between code and parameters
+constexpr int high = 900; ///< and here, plots fit between code and parameters
 
 }
 
@@ -67,7 +68,7 @@ void MainWindow::joinCursors()
 
 void MainWindow::makePlotsAction()
 {
-    QAction *made = action(tr("&Plots"), {QKeySequence("Ctrl+5")}, tr("Window"));
+    QAction *made = m_commands->add(tr("&Plots"), {QKeySequence("Ctrl+5")}, KeyGroup::window);
     made->setObjectName("showPlots");
     made->setToolTip(tr("Curves of any quantity of any body (Ctrl+5)"));
     made->setCheckable(true);
@@ -80,7 +81,7 @@ void MainWindow::makePlotsAction()
 
 bool MainWindow::hasRoomForPlots() const
 {
-    return width() >= wide && height() >= high;
+    return width() >= wideWindow && height() >= high;
 }
 
 void MainWindow::showPlots(bool shown)
@@ -119,8 +120,8 @@ void MainWindow::resizeEvent(QResizeEvent *event)
 {
     QMainWindow::resizeEvent(event);
     if (isVisible())
-        giveWay();
-    const auto hasRoom = [](QSize size) { return size.width() >= wide && size.height() >= high; };
+        m_room->share();
+    const auto hasRoom = [](QSize size) { return size.width() >= wideWindow && size.height() >= high; };
     if (event->oldSize().isValid() && hasRoom(event->oldSize()) == hasRoom(event->size()))
         return;
     arrangePlots();

@@ -1,28 +1,27 @@
 // The lessons as a narrow strip of marks beside the scene, and the whole list again.
 
 #include "app/ui/panels/learn_panel.h"
+#include "app/ui/window/commands.h"
 #include "app/ui/window/main_window.h"
+#include "app/ui/window/room.h"
 
 #include <QAction>
 #include <QDockWidget>
 #include <QMenu>
-#include <QSettings>
 
 namespace app {
 
 namespace {
 
-constexpr int wide = 1600;         ///< px, from here on there is room for the lessons in every preset
 constexpr int listWidth = 280;     ///< px
 constexpr int wideListWidth = 320; ///< px
-constexpr const char *ending =
-    "Rail"; ///< of the key under which the choice is kept, beside the arrangement's
 
 }
 
 void MainWindow::makeRailAction()
 {
-    m_railAction = action(tr("Lessons &as a narrow strip"), {QKeySequence("Ctrl+Shift+1")}, tr("Window"));
+    m_railAction =
+        m_commands->add(tr("Lessons &as a narrow strip"), {QKeySequence("Ctrl+Shift+1")}, KeyGroup::window);
     m_railAction->setObjectName("lessonRail");
     m_railAction->setToolTip(tr("The marks of the lessons alone, and more room for the rest (Ctrl+Shift+1)"));
     m_railAction->setCheckable(true);
@@ -35,15 +34,15 @@ void MainWindow::makeRailAction()
 
 void MainWindow::chooseForm(bool isRail)
 {
-    QSettings().setValue(m_layoutKey + ending, isRail);
+    m_layouts.chooseRail(m_layoutKey, isRail);
     m_left->show();
     m_learn->setForm(isRail ? LearnPanel::Form::rail : LearnPanel::Form::whole);
 }
 
 void MainWindow::useKeptForm()
 {
-    const bool byItself = m_mode == Mode::measure && width() < wide;
-    const bool isRail = QSettings().value(m_layoutKey + ending, byItself).toBool();
+    const bool byItself = m_mode == Mode::measure && width() < wideWindow;
+    const bool isRail = m_layouts.hasRail(m_layoutKey, byItself);
     m_learn->setForm(isRail ? LearnPanel::Form::rail : LearnPanel::Form::whole);
     placeRail();
 }
@@ -61,7 +60,7 @@ void MainWindow::placeRail()
     } else if (wasNarrow) {
         pages.setMinimumWidth(0);
         pages.setMaximumWidth(QWIDGETSIZE_MAX);
-        resizeDocks({m_left}, {width() < wide ? listWidth : wideListWidth}, Qt::Horizontal);
+        resizeDocks({m_left}, {width() < wideWindow ? listWidth : wideListWidth}, Qt::Horizontal);
     }
 }
 

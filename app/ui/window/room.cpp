@@ -1,13 +1,11 @@
-// A window that is too small for all that is open: what can be done without steps aside, and comes back.
-
 #include "app/ui/window/room.h"
 
 #include "app/ui/panels/learn_panel.h"
 #include "app/ui/scene/scene_view.h"
 
 #include <QDockWidget>
-#include <QEvent>
 #include <QLayout>
+#include <QMainWindow>
 #include <QTimer>
 
 #include <algorithm>
@@ -25,47 +23,54 @@ bool contains(const std::vector<QDockWidget *> &panels, const QDockWidget *one)
 
 }
 
-bool MainWindow::event(QEvent *event)
+Room::Room(QMainWindow &window, LearnPanel &learn, SceneView &scene, QDockWidget &lessons,
+           QDockWidget &numbers)
+    : m_window(window), m_learn(learn), m_scene(scene), m_lessons(lessons), m_numbers(numbers)
 {
-    const bool isDone = QMainWindow::event(event);
-    if (event->type() == QEvent::LayoutRequest && isVisible())
-        giveWay(); // a panel may want more than before
-    return isDone;
 }
 
-void MainWindow::fitInto(QSize room)
-{
-    resize(size().boundedTo(room));
-    giveWay();
-}
-
-QSize MainWindow::leastSize()
+QSize Room::leastSize()
 {
     // From within: what has changed there is told to the window only later.
-    centralWidget()->layout()->activate();
-    for (QDockWidget *panel : findChildren<QDockWidget *>())
+    m_window.centralWidget()->layout()->activate();
+    for (QDockWidget *panel : m_window.findChildren<QDockWidget *>())
         panel->layout()->activate();
-    layout()->activate();
-    return layout()->totalMinimumSize();
+    m_window.layout()->activate();
+    return m_window.layout()->totalMinimumSize();
 }
 
-bool MainWindow::isShortOfRoom()
+bool Room::isShort()
 {
     const QSize least = leastSize();
-    return least.width() > width() || least.height() > height();
+    return least.width() > m_window.width() || least.height() > m_window.height();
 }
 
-void MainWindow::giveWay()
+bool Room::areSidesAside() const
+{
+    return std::any_of(m_aside.begin(), m_aside.end(), [](const Aside &aside) {
+        return aside.way == Way::numbers || aside.way == Way::right || aside.way == Way::left;
+    });
+}
+
+void Room::share()
 {
     const std::vector<QDockWidget *> asked = takeAsked();
-    const auto areSidesAside = [this] {
-        return std::any_of(m_aside.begin(), m_aside.end(), [](const Aside &aside) {
-            return aside.way == Way::numbers || aside.way == Way::right || aside.way == Way::left;
-        });
-    };
+    bringBackWhatFits();
+    // What the learner has just asked for stays, if others can make room for it.
+    for (const std::vector<QDockWidget *> &spared : {asked, std::vector<QDockWidget *>()}) {
+        for (const Way way : {Way::rail, Way::below, Way::smallScene, Way::numbers, Way::right, Way::left}) {
+            if (!isShort())
+                return;
+            stepAside(way, spared);
+        }
+    }
+}
+
+void Room::bringBackWhatFits()
+{
     const bool wereSidesAside = areSidesAside();
-    while (!m_aside.empty() && m_aside.back().least.width() <= width() &&
-           m_aside.back().least.height() <= height()) {
+    while (!m_aside.empty() && m_aside.back().least.width() <= m_window.width() &&
+           m_aside.back().least.height() <= m_window.height()) {
         const Aside last = m_aside.back();
         m_aside.pop_back();
         bringBack(last);
@@ -77,49 +82,28 @@ void MainWindow::giveWay()
     }
     // They were as narrow as they can be before they went. Later: what has just come back has no size yet.
     if (wereSidesAside && !areSidesAside())
-        QTimer::singleShot(0, this, [this] {
-            if (m_mode != Mode::measure)
-                placeSides();
-            fitParameters();
-        });
-    // What the learner has just asked for stays, if others can make room for it.
-    for (const std::vector<QDockWidget *> &spared : {asked, std::vector<QDockWidget *>()}) {
-        for (const Way way : {Way::rail, Way::below, Way::smallScene, Way::numbers, Way::right, Way::left}) {
-            if (!isShortOfRoom())
-                return;
-            stepAside(way, spared);
-        }
-    }
+        QTimer::singleShot(0, this, &Room::sidesAreBack);
 }
 
-bool MainWindow::stepAside(Way way, const std::vector<QDockWidget *> &asked)
+bool Room::stepAside(Way way, const std::vector<QDockWidget *> &asked)
 {
     Aside aside{way, {}, leastSize()};
     if (way == Way::rail) {
-        if (m_learn->form() == LearnPanel::Form::rail || m_left->isHidden() || contains(asked, m_left))
+        if (m_learn.form() == LearnPanel::Form::rail || m_lessons.isHidden() || contains(asked, &m_lessons))
             return false;
-        m_learn->setForm(LearnPanel::Form::rail);
+        m_learn.setForm(LearnPanel::Form::rail);
     } else if (way == Way::smallScene) {
-        if (m_scene->minimumSize() == smallScene)
+        if (m_scene.minimumSize() == smallScene)
             return false;
-        m_scene->setMinimumSize(smallScene);
+        m_scene.setMinimumSize(smallScene);
     } else {
-        const Qt::DockWidgetArea area = way == Way::below  ? Qt::BottomDockWidgetArea
-                                        : way == Way::left ? Qt::LeftDockWidgetArea
-                                                           : Qt::RightDockWidgetArea;
-        for (QDockWidget *panel : shownIn(area)) {
-            if (!contains(asked, panel) && (way != Way::numbers || panel == m_parameterDock))
-                aside.panels.push_back(panel);
-        }
-        // Of tabs the last one comes back in front: that is to be the one that is now.
-        std::stable_partition(aside.panels.begin(), aside.panels.end(),
-                              [](const QDockWidget *one) { return one->visibleRegion().isEmpty(); });
+        aside.panels = panelsFor(way, asked);
         for (QDockWidget *panel : aside.panels)
             panel->hide();
     }
     const QSize least = leastSize();
-    const bool helps = (aside.least.width() > width() && least.width() < aside.least.width()) ||
-                       (aside.least.height() > height() && least.height() < aside.least.height());
+    const bool helps = (aside.least.width() > m_window.width() && least.width() < aside.least.width()) ||
+                       (aside.least.height() > m_window.height() && least.height() < aside.least.height());
     if (helps)
         m_aside.push_back(aside);
     else
@@ -127,36 +111,54 @@ bool MainWindow::stepAside(Way way, const std::vector<QDockWidget *> &asked)
     return helps;
 }
 
-std::vector<QDockWidget *> MainWindow::takeAsked()
+std::vector<QDockWidget *> Room::panelsFor(Way way, const std::vector<QDockWidget *> &asked) const
+{
+    const Qt::DockWidgetArea area = way == Way::below  ? Qt::BottomDockWidgetArea
+                                    : way == Way::left ? Qt::LeftDockWidgetArea
+                                                       : Qt::RightDockWidgetArea;
+    std::vector<QDockWidget *> panels;
+    for (QDockWidget *panel : m_window.findChildren<QDockWidget *>()) {
+        const bool isThere =
+            !panel->isHidden() && !panel->isFloating() && m_window.dockWidgetArea(panel) == area;
+        if (isThere && !contains(asked, panel) && (way != Way::numbers || panel == &m_numbers))
+            panels.push_back(panel);
+    }
+    // Of tabs the last one comes back in front: that is to be the one that is now.
+    std::stable_partition(panels.begin(), panels.end(),
+                          [](const QDockWidget *one) { return one->visibleRegion().isEmpty(); });
+    return panels;
+}
+
+std::vector<QDockWidget *> Room::takeAsked()
 {
     std::vector<QDockWidget *> asked;
     for (Aside &aside : m_aside) {
-        if (aside.way == Way::rail && m_learn->form() == LearnPanel::Form::whole)
-            asked.push_back(m_left);
+        if (aside.way == Way::rail && m_learn.form() == LearnPanel::Form::whole)
+            asked.push_back(&m_lessons);
         const auto shown = std::partition(aside.panels.begin(), aside.panels.end(),
                                           [](const QDockWidget *one) { return one->isHidden(); });
         asked.insert(asked.end(), shown, aside.panels.end());
         aside.panels.erase(shown, aside.panels.end());
     }
     const auto isOver = [this](const Aside &aside) {
-        return aside.way == Way::rail ? m_learn->form() == LearnPanel::Form::whole
+        return aside.way == Way::rail ? m_learn.form() == LearnPanel::Form::whole
                                       : aside.way != Way::smallScene && aside.panels.empty();
     };
     m_aside.erase(std::remove_if(m_aside.begin(), m_aside.end(), isOver), m_aside.end());
     return asked;
 }
 
-void MainWindow::bringBack(const Aside &aside)
+void Room::bringBack(const Aside &aside)
 {
     if (aside.way == Way::rail)
-        m_learn->setForm(LearnPanel::Form::whole);
+        m_learn.setForm(LearnPanel::Form::whole);
     else if (aside.way == Way::smallScene)
-        m_scene->setMinimumSize(leastScene);
+        m_scene.setMinimumSize(leastScene);
     for (QDockWidget *panel : aside.panels)
         panel->show();
 }
 
-void MainWindow::bringAllBack()
+void Room::bringAllBack()
 {
     takeAsked();
     while (!m_aside.empty()) {
@@ -164,16 +166,6 @@ void MainWindow::bringAllBack()
         m_aside.pop_back();
         bringBack(last);
     }
-}
-
-std::vector<QDockWidget *> MainWindow::shownIn(Qt::DockWidgetArea area) const
-{
-    std::vector<QDockWidget *> shown;
-    for (QDockWidget *panel : findChildren<QDockWidget *>()) {
-        if (!panel->isHidden() && !panel->isFloating() && dockWidgetArea(panel) == area)
-            shown.push_back(panel);
-    }
-    return shown;
 }
 
 }

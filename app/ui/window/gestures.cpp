@@ -1,0 +1,103 @@
+#include "app/ui/window/gestures.h"
+
+#include "app/ui/panels/help_page.h"
+#include "app/ui/window/commands.h"
+
+#include <QCoreApplication>
+
+namespace app {
+
+namespace {
+
+class Gestures
+{
+    Q_DECLARE_TR_FUNCTIONS(Gestures)
+
+public:
+    explicit Gestures(HelpPage &page) : m_page(page) {}
+
+    void ofScene() const
+    {
+        add(KeyGroup::picture, tr("Drag a body"), tr("grab it; let go while moving to throw it"));
+        add(KeyGroup::picture, tr("Drag the background"), tr("move the picture"));
+        add(KeyGroup::picture, tr("Wheel"), tr("zoom where the pointer is"));
+        add(KeyGroup::picture, tr("[ and ]"), tr("choose the body before or after"));
+        add(KeyGroup::picture, tr("Alt and an arrow key"), tr("carry the chosen body 10 px"));
+        add(KeyGroup::picture, tr("Press the background"), tr("blow, steer or aim, where a step has that"));
+        add(KeyGroup::picture, tr("Drag with the middle button"), tr("move the picture"));
+        add(KeyGroup::picture, tr("Arrow keys"), tr("steer, where a step has that"));
+        add(KeyGroup::picture, tr("Alt, Shift and an arrow key"), tr("move the pointer or the target 20 px"));
+        add(KeyGroup::picture, tr("Alt and Enter"), tr("pointer button down or up"));
+        add(KeyGroup::picture, tr("Drag an end of the ruler"),
+            tr("measure a length and an angle (switch it on under Show)"));
+        add(KeyGroup::picture, tr("Ctrl, Alt and an arrow key"),
+            tr("move the ruler's far end 5 px; with Shift the near one"));
+        add(KeyGroup::picture, tr("Esc"), tr("let go"));
+        add(KeyGroup::otherRuns, tr("Click the dots below a ring"),
+            tr("show the run that parts there beside this one; right-click: more"));
+        add(KeyGroup::build, tr("Shift and a click"), tr("choose one part more, or one less"));
+        add(KeyGroup::build, tr("Drag the background"), tr("choose what is in the box"));
+        add(KeyGroup::build, tr("Drag from point to point"),
+            tr("tie them, with a spring or a stick in hand"));
+        add(KeyGroup::build, tr("Arrow keys and Enter"), tr("move the tool 10 px, with Shift 1 px; use it"));
+        add(KeyGroup::build, tr("Alt and an arrow key"), tr("move what is chosen 10 px, with Shift 1 px"));
+        add(KeyGroup::build, tr("{ and }"), tr("choose the spring or stick before or after"));
+        add(KeyGroup::build, tr("Escape"), tr("end a row of links, put the tool away, choose nothing"));
+    }
+    void ofTime() const
+    {
+        add(KeyGroup::time, tr("Drag the timeline"), tr("go anywhere in time"));
+        add(KeyGroup::time, tr("Click a phase"), tr("run to it"));
+        add(KeyGroup::time, tr("Point at timeline, phase, plot or trail"),
+            tr("look at that moment; the run stays where it stands"));
+        add(KeyGroup::time, tr("Alt and the underlined letter"),
+            tr("where a run has stopped by itself: use what mends it"));
+        add(KeyGroup::experiments, tr("Drop a file on the window"), tr("open it"));
+        add(KeyGroup::plots, tr("Press or drag"), tr("go to a frame"));
+        add(KeyGroup::plots, tr("+ and −, or Ctrl and the wheel"), tr("fewer or more frames"));
+        add(KeyGroup::plots, tr("The names above a plot"), tr("menus of what it shows"));
+        add(KeyGroup::plots, tr("Menu key, or right-click"), tr("save, copy, keep or remove it"));
+        add(KeyGroup::plots, tr("Delete"), tr("remove it"));
+    }
+    void ofCode() const
+    {
+        add(KeyGroup::code, tr("Click a line, or Enter"), tr("run to its phase"));
+        add(KeyGroup::code, tr("Click left of a line, or F9"), tr("stop before its phase, or no longer"));
+        add(KeyGroup::code, tr("Drag a dotted word"), tr("change that parameter; with Shift finely"));
+        add(KeyGroup::code, tr("Double-click it, or F2"), tr("type the parameter's value"));
+        add(KeyGroup::code, tr("Point at a word, or Ctrl+I"), tr("its value, and its last 120 frames"));
+        add(KeyGroup::code, tr("Up and Down"), tr("from line to line; with Ctrl from heading to heading"));
+        add(KeyGroup::code, tr("Ctrl and Left or Right"), tr("from word to word"));
+        add(KeyGroup::code, tr("Enter, on a heading"), tr("fold or unfold"));
+        add(KeyGroup::code, tr("F8"), tr("show the lines of the step before that are gone"));
+        add(KeyGroup::code, tr("Ctrl+C"), tr("copy what is selected, or the whole region"));
+        add(KeyGroup::code, tr("Stop when…"), tr("the field below the code: stop when that comes true"));
+    }
+    void ofAccuracy() const
+    {
+        add(KeyGroup::accuracy, tr("Arrow keys"), tr("walk through the points of a plot"));
+        add(KeyGroup::accuracy, tr("Enter or a click"), tr("use the method and step of a point"));
+        add(KeyGroup::accuracy, tr("+ and −, or drag the line"), tr("how far off is near enough"));
+    }
+
+private:
+    void add(KeyGroup group, const QString &gesture, const QString &effect) const
+    {
+        m_page.addGesture(titleOf(group), gesture, effect);
+    }
+
+    HelpPage &m_page;
+};
+
+}
+
+void addGestures(HelpPage &page)
+{
+    const Gestures gestures(page);
+    gestures.ofScene();
+    gestures.ofTime();
+    gestures.ofCode();
+    gestures.ofAccuracy();
+}
+
+}

@@ -1,0 +1,46 @@
+#include "app/ui/window/layout_store.h"
+
+#include <QSettings>
+
+namespace app {
+
+namespace {
+
+QString railKey(const QString &key)
+{
+    return key + "Rail";
+}
+
+}
+
+QByteArray LayoutStore::kept(const QString &key) const
+{
+    const auto found = m_kept.find(key);
+    return found != m_kept.end() ? found->second : QSettings().value(key).toByteArray();
+}
+
+void LayoutStore::forget(const QString &key)
+{
+    m_kept.erase(key);
+    QSettings().remove(key);
+    QSettings().remove(railKey(key));
+}
+
+void LayoutStore::save() const
+{
+    QSettings settings;
+    for (const auto &[key, state] : m_kept)
+        settings.setValue(key, state);
+}
+
+bool LayoutStore::hasRail(const QString &key, bool byItself) const
+{
+    return QSettings().value(railKey(key), byItself).toBool();
+}
+
+void LayoutStore::chooseRail(const QString &key, bool rail)
+{
+    QSettings().setValue(railKey(key), rail);
+}
+
+}
