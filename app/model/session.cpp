@@ -1,8 +1,5 @@
 #include "app/model/session.h"
 
-#include <QElapsedTimer>
-#include <QTimer>
-
 #include <algorithm>
 #include <utility>
 
@@ -10,8 +7,6 @@ namespace app {
 
 namespace {
 
-/// What a run costs is measured no more often than this.
-constexpr int measureAgainMilliseconds = 500;
 constexpr int mostDeeds = 100; ///< that can be undone
 
 }
@@ -24,6 +19,7 @@ Session::Session(const LessonLibrary &library, QObject *parent) : QObject(parent
     for (const auto change : {&Session::moved, &Session::runChanged, &Session::playingChanged})
         connect(this, change, this, &Session::lookNoMore);
     connect(this, &Session::moved, this, &Session::bringCompanionLater);
+    connect(&m_attempts, &Attempts::checkDue, this, &Session::checkTries);
     watchBreakpoints();
     start(step().script(), {}, {});
 }
@@ -153,34 +149,7 @@ void Session::select(const QString &body)
 
 void Session::checkTries()
 {
-    const bool mayMeasure =
-        !m_sinceMeasured.isValid() || m_sinceMeasured.elapsed() >= measureAgainMilliseconds;
-    const auto keeps = [&](const lessons::Budget &budget) {
-        if (!mayMeasure) {
-            checkTriesLater();
-            return false;
-        }
-        const bool kept = lessons::keeps(budget, m_timeline->script(), m_timing);
-        m_sinceMeasured.start();
-        return kept;
-    };
-    const std::vector<lessons::Try> &tries = step().tries;
-    for (int i = 0; i < static_cast<int>(tries.size()); ++i) {
-        const lessons::Try &one = tries[static_cast<std::size_t>(i)];
-        if (!m_progress.isDone(lesson().id, step().id, i) && one.done(*m_timeline) &&
-            (!one.budget || keeps(*one.budget)))
-            m_progress.markDone(lesson().id, step().id, i);
-    }
-}
-
-void Session::checkTriesLater()
-{
-    if (std::exchange(m_checkDue, true))
-        return;
-    QTimer::singleShot(measureAgainMilliseconds, this, [this] {
-        m_checkDue = false;
-        checkTries();
-    });
+    m_attempts.check(lesson().id, step(), *m_timeline);
 }
 
 }

@@ -1,11 +1,13 @@
 #pragma once
 
+#include "app/model/attempts.h"
 #include "app/model/branches.h"
 #include "app/model/break_watch.h"
 #include "app/model/companion_run.h"
 #include "app/model/deed.h"
 #include "app/model/experiment.h"
 #include "app/model/foresight.h"
+#include "app/model/look_cache.h"
 #include "app/model/picture.h"
 #include "app/model/player.h"
 #include "app/model/progress.h"
@@ -17,7 +19,6 @@
 #include <QObject>
 #include <QUndoStack>
 
-#include <deque>
 #include <map>
 #include <memory>
 #include <optional>
@@ -45,7 +46,7 @@ public:
     Progress &progress() { return m_progress; }
     bool isStepDone(const LessonEntry &lesson, const lessons::Step &step) const;
     /// How the time is told that a run takes, for things to try within a budget; measured, unless said otherwise.
-    void setTiming(lessons::Timing timing) { m_timing = std::move(timing); }
+    void setTiming(lessons::Timing timing) { m_attempts.setTiming(std::move(timing)); }
 
     /// Opens a step as it was left, or new. Names that do not exist change nothing.
     void openStep(const QString &lesson, const QString &step);
@@ -239,16 +240,8 @@ private:
     /// What changes a timeline, and returns whether the run as it was became the ghost.
     using Edit = std::function<bool(sim::Timeline &)>;
 
-    struct Looked
-    {
-        std::weak_ptr<const sim::Segment> segment;
-        std::shared_ptr<const lessons::Look> look;
-    };
-
     Picture pictureOf(const sim::Track &track, std::shared_ptr<const sim::Segment> segment,
                       sim::State state) const;
-    std::shared_ptr<const lessons::Look> lookOf(const sim::Script &script,
-                                                const std::shared_ptr<const sim::Segment> &segment) const;
     void setStep(sim::StepSize step);
     void runAgain(const sim::Remedy &remedy);
     void leave();
@@ -278,8 +271,6 @@ private:
     void lookNoMore();
     /// While playing: waits if time alone shows nothing new and gets nothing done.
     void waitIfOver();
-    /// Whether one of the things to try that are not done is done later if the learner does nothing.
-    bool timeAloneGetsSomethingDone() const;
     /// Takes the companion to the cursor. Returns whether it is there.
     bool bringCompanion();
     void bringCompanionLater();
@@ -320,8 +311,6 @@ private:
     void bring();
     void hideWhatIsGone();
     void checkTries();
-    /// What asks for a measurement so soon after the last one is looked at again, even if nothing moves any more.
-    void checkTriesLater();
     QString keyOf(const QString &lesson, const QString &step) const { return lesson + '/' + step; }
 
     const LessonLibrary &m_library;
@@ -333,7 +322,7 @@ private:
     Player m_player;
     Foresight m_foresight, m_ghostForesight;
     Progress m_progress;
-    lessons::Timing m_timing = lessons::measuredTime;
+    Attempts m_attempts{m_progress};
     QString m_selected;
     Branches m_branches;
     int m_lastBranch = 0;               ///< the last id
@@ -355,12 +344,10 @@ private:
     Breakpoints m_breakpoints;
     BreakWatch m_watch;
     std::optional<BreakHit> m_hit;
-    bool m_companionDue = false;        ///< whether the next slice of its way is already asked for
-    bool m_approachDue = false;         ///< whether the next slice of the way is already asked for
-    mutable std::deque<Looked> m_looks; ///< the looks last made: of the run, its ghost and what is to come
-    bool m_checkDue = false;            ///< whether things to try are looked at again after a while
-    QElapsedTimer m_sinceMeasured;      ///< since a budget was last looked at
-    std::map<QString, Left> m_left;     ///< steps that were open before, as they were left
+    bool m_companionDue = false; ///< whether the next slice of its way is already asked for
+    bool m_approachDue = false;  ///< whether the next slice of the way is already asked for
+    mutable LookCache m_looks;
+    std::map<QString, Left> m_left; ///< steps that were open before, as they were left
     QUndoStack m_deeds;
     int m_gesture = 0; ///< the number of the gesture under way
 };

@@ -1,7 +1,6 @@
 // What a learner sees of the run, its ghost and its companion.
 
 #include "app/model/guides.h"
-#include "app/model/links_shown.h"
 #include "app/model/sentences.h"
 #include "app/model/session.h"
 #include "app/model/step_words.h"
@@ -16,8 +15,6 @@ namespace app {
 namespace {
 
 constexpr std::int64_t mostComputedAgain = 3'000'000; ///< points times steps, for values of one moment
-constexpr std::size_t keptLooks =
-    4; ///< of the run, its ghost, its companion, and what a change has just made
 
 }
 
@@ -25,27 +22,11 @@ Picture Session::pictureOf(const sim::Track &track, std::shared_ptr<const sim::S
                            sim::State state) const
 {
     Picture picture;
-    picture.look = lookOf(track.script(), segment);
+    picture.look = m_looks.of(step(), track.script(), segment);
     picture.guides = guidesOf(step(), track, *segment, state);
     picture.segment = std::move(segment);
     picture.state = std::move(state);
     return picture;
-}
-
-std::shared_ptr<const lessons::Look> Session::lookOf(const sim::Script &script,
-                                                     const std::shared_ptr<const sim::Segment> &segment) const
-{
-    for (const Looked &made : m_looks) {
-        if (made.segment.lock() == segment)
-            return made.look;
-    }
-    lessons::Look look = step().look(segment->scene, segment->values);
-    if (!script.effectsOff.empty())
-        dropLinks(look, script.build(segment->values).effects, segment->scene.effects);
-    m_looks.push_back({segment, std::make_shared<const lessons::Look>(std::move(look))});
-    if (m_looks.size() > keptLooks)
-        m_looks.pop_front();
-    return m_looks.back().look;
 }
 
 Picture Session::picture() const

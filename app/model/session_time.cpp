@@ -22,11 +22,6 @@ constexpr qint64 mostMilliseconds =
 constexpr int framesToJudge = 45;   ///< due while playing, after which a run that falls behind is said to
 constexpr double fallsBehind = 0.8; ///< of what is due
 
-/// How many frames later it is looked whether something to try is done by waiting. What sleeps is there at once; what does not
-/// yet is computed if its points are not too many.
-constexpr int manyPoints = 1000;
-constexpr std::int64_t laterFrames[] = {10, 30, 100, 300, 1000};
-
 }
 
 void Session::setSpeed(double speed)
@@ -220,37 +215,11 @@ bool Session::isOver()
 
 void Session::waitIfOver()
 {
-    if (!isPlaying() || !isOver() || m_watch.mayStillStop(*m_timeline) || timeAloneGetsSomethingDone())
+    if (!isPlaying() || !isOver() || m_watch.mayStillStop(*m_timeline) ||
+        m_attempts.mayBeDoneByWaiting(lesson().id, step(), *m_timeline))
         return;
     m_player.wait();
     emit playingChanged();
-}
-
-bool Session::timeAloneGetsSomethingDone() const
-{
-    const std::vector<lessons::Try> &tries = step().tries;
-    const auto isOpen = [&](int i) {
-        const lessons::Try &one = tries[static_cast<std::size_t>(i)];
-        return !m_progress.isDone(lesson().id, step().id, i) && !one.done(*m_timeline);
-    };
-    std::vector<int> open;
-    for (int i = 0; i < static_cast<int>(tries.size()); ++i) {
-        if (isOpen(i))
-            open.push_back(i);
-    }
-    if (open.empty())
-        return false;
-    if (m_timeline->now().points() > manyPoints && !m_timeline->isOver())
-        return true; // to find out takes too long before it sleeps
-    sim::Timeline later = *m_timeline;
-    for (const std::int64_t frames : laterFrames) {
-        later.seek({m_timeline->at().frame + frames, 0});
-        for (const int i : open) {
-            if (tries[static_cast<std::size_t>(i)].done(later))
-                return true;
-        }
-    }
-    return false;
 }
 
 }

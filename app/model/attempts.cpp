@@ -1,0 +1,77 @@
+#include "app/model/attempts.h"
+
+#include <QTimer>
+
+#include <utility>
+#include <vector>
+
+namespace app {
+
+namespace {
+
+/// What a run costs is measured no more often than this.
+constexpr int measureAgainMilliseconds = 500;
+
+/// How many frames later it is looked whether something to try is done by waiting. What sleeps is there at once; what does not
+/// yet is computed if its points are not too many.
+constexpr int manyPoints = 1000;
+constexpr std::int64_t laterFrames[] = {10, 30, 100, 300, 1000};
+
+}
+
+void Attempts::check(const QString &lesson, const lessons::Step &step, const sim::Timeline &timeline)
+{
+    const bool mayMeasure =
+        !m_sinceMeasured.isValid() || m_sinceMeasured.elapsed() >= measureAgainMilliseconds;
+    const auto keeps = [&](const lessons::Budget &budget) {
+        if (!mayMeasure) {
+            askLater();
+            return false;
+        }
+        const bool kept = lessons::keeps(budget, timeline.script(), m_timing);
+        m_sinceMeasured.start();
+        return kept;
+    };
+    for (int i = 0; i < static_cast<int>(step.tries.size()); ++i) {
+        const lessons::Try &one = step.tries[static_cast<std::size_t>(i)];
+        if (!m_progress.isDone(lesson, step.id, i) && one.done(timeline) &&
+            (!one.budget || keeps(*one.budget)))
+            m_progress.markDone(lesson, step.id, i);
+    }
+}
+
+void Attempts::askLater()
+{
+    if (std::exchange(m_isAsked, true))
+        return;
+    QTimer::singleShot(measureAgainMilliseconds, this, [this] {
+        m_isAsked = false;
+        emit checkDue();
+    });
+}
+
+bool Attempts::mayBeDoneByWaiting(const QString &lesson, const lessons::Step &step,
+                                  const sim::Timeline &timeline) const
+{
+    std::vector<const lessons::Try *> open;
+    for (int i = 0; i < static_cast<int>(step.tries.size()); ++i) {
+        const lessons::Try &one = step.tries[static_cast<std::size_t>(i)];
+        if (!m_progress.isDone(lesson, step.id, i) && !one.done(timeline))
+            open.push_back(&one);
+    }
+    if (open.empty())
+        return false;
+    if (timeline.now().points() > manyPoints && !timeline.isOver())
+        return true; // to find out takes too long before it sleeps
+    sim::Timeline later = timeline;
+    for (const std::int64_t frames : laterFrames) {
+        later.seek({timeline.at().frame + frames, 0});
+        for (const lessons::Try *one : open) {
+            if (one->done(later))
+                return true;
+        }
+    }
+    return false;
+}
+
+}

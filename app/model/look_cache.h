@@ -1,0 +1,31 @@
+#pragma once
+
+#include "app/model/picture.h"
+#include "lessons/api/step.h"
+#include "sim/timeline.h"
+
+#include <deque>
+#include <memory>
+
+namespace app {
+
+/// How the bodies of a scene look, made once for each scene: of the run, its ghost, its companion, and what a change has
+/// just made.
+class LookCache
+{
+public:
+    /// The look of `segment`, which is one of a run of `script` in `step`.
+    std::shared_ptr<const lessons::Look> of(const lessons::Step &step, const sim::Script &script,
+                                            const std::shared_ptr<const sim::Segment> &segment);
+
+private:
+    struct Made
+    {
+        std::weak_ptr<const sim::Segment> segment;
+        std::shared_ptr<const lessons::Look> look;
+    };
+
+    std::deque<Made> m_made; ///< the last ones
+};
+
+}
