@@ -26,6 +26,7 @@ private slots:
     void init() { forgetProgress(); }
 
     void theHelpPageListsEveryActionThatHasAShortcut();
+    void groupsOfTheHelpPageStandInTheOrderInWhichTheyAreAdded();
     void escapeClosesTheHelpPage();
     void aDockTitleIsAsHighAsItsDockExpects();
     void tabPutsARingRoundAControl();
@@ -55,6 +56,30 @@ void PanelPartsTest::theHelpPageListsEveryActionThatHasAShortcut()
     QCOMPARE(listed, expected);
     for (const KeyCaps *caps : page.findChildren<KeyCaps *>())
         QVERIFY(caps->isVisible() && caps->width() == caps->sizeHint().width());
+}
+
+void PanelPartsTest::groupsOfTheHelpPageStandInTheOrderInWhichTheyAreAdded()
+{
+    Theme theme(Scheme::light);
+    HelpPage page(theme);
+    for (const char *group : {"Time", "Picture", "Empty", "Code"})
+        page.addGroup(group);
+    for (int i = 0; i < 9; ++i)
+        page.addGesture("Code", "Press", "do it");
+    page.addGesture("Picture", "Drag", "move it");
+    page.addGesture("Time", "Drag", "go");
+    show(page, {800, 600});
+    const auto place = [&](const QString &name) {
+        for (const QLabel *label : page.findChildren<QLabel *>("heading")) {
+            if (label->text() == name && label->isVisible())
+                return label->mapTo(&page, QPoint());
+        }
+        return QPoint(-1, -1);
+    };
+    QCOMPARE(place("Empty"), QPoint(-1, -1));
+    QVERIFY(place("Time").x() >= 0 && place("Time").x() < place("Picture").x());
+    QCOMPARE(place("Time").y(), place("Picture").y());
+    QVERIFY(place("Code").y() > place("Time").y());
 }
 
 void PanelPartsTest::escapeClosesTheHelpPage()

@@ -92,9 +92,10 @@ void HelpPage::addGesture(const QString &group, const QString &gesture, const QS
 
 HelpPage::Group &HelpPage::groupCalled(const QString &name)
 {
-    const auto found = m_groups.find(name);
+    const auto found = std::find_if(m_groups.begin(), m_groups.end(),
+                                    [&](const Group &group) { return group.name == name; });
     if (found != m_groups.end())
-        return found->second;
+        return *found;
     auto *box = new QWidget(m_page);
     auto *column = new QVBoxLayout(box);
     column->setContentsMargins(0, 0, 0, 0);
@@ -102,7 +103,7 @@ HelpPage::Group &HelpPage::groupCalled(const QString &name)
     QLabel *heading = label(name, "heading", box);
     heading->setMinimumHeight(rowHeight);
     column->addWidget(heading);
-    return m_groups.emplace(name, Group{box, column, 0}).first->second;
+    return m_groups.emplace_back(Group{name, box, column, 0});
 }
 
 void HelpPage::addRow(const QString &group, const QString &text, QWidget *caps)
@@ -124,20 +125,15 @@ void HelpPage::addRow(const QString &group, const QString &text, QWidget *caps)
 
 void HelpPage::arrange()
 {
-    // Only now is it known how long each group is: the longest first, each where there is more room.
-    std::vector<const Group *> groups;
-    for (const auto &[name, group] : m_groups)
-        groups.push_back(&group);
-    std::stable_sort(groups.begin(), groups.end(),
-                     [](const Group *a, const Group *b) { return a->rows > b->rows; });
+    // Only now is it known how long each group is: each goes where there is more room.
     int rows[2] = {0, 0};
-    for (const Group *group : groups) {
+    for (const Group &group : m_groups) {
         const int column = rows[1] < rows[0] ? 1 : 0;
-        m_columns[0]->removeWidget(group->box);
-        m_columns[1]->removeWidget(group->box);
-        m_columns[column]->insertWidget(m_columns[column]->count() - 1, group->box);
-        group->box->show();
-        rows[column] += group->rows + 2;
+        m_columns[0]->removeWidget(group.box);
+        m_columns[1]->removeWidget(group.box);
+        m_columns[column]->insertWidget(m_columns[column]->count() - 1, group.box);
+        group.box->setVisible(group.rows > 0);
+        rows[column] += group.rows > 0 ? group.rows + 2 : 0;
     }
     const int high = std::max(rows[0], rows[1]) * rowHeight + headHeight;
     const int most = screen()->availableGeometry().height() - 80;

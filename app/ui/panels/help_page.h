@@ -4,7 +4,7 @@
 
 #include <QDialog>
 
-#include <map>
+#include <vector>
 
 class QAction;
 class QScrollArea;
@@ -20,6 +20,8 @@ class HelpPage : public QDialog
 public:
     explicit HelpPage(const Theme &theme, QWidget *parent = nullptr);
 
+    /// A group of which there may be something to list; they stand in the order in which they are added.
+    void addGroup(const QString &name) { groupCalled(name); }
     /// Lists an action's text and shortcuts; one without shortcuts is left out.
     void addAction(const QString &group, const QAction *action);
     /// Lists what the mouse does: "Drag the timeline", "go anywhere in time".
@@ -33,6 +35,7 @@ protected:
 private:
     struct Group
     {
+        QString name;
         QWidget *box;
         QVBoxLayout *column;
         int rows = 0;
@@ -48,7 +51,7 @@ private:
     QWidget *m_page;
     QScrollArea *m_area = nullptr;
     QVBoxLayout *m_columns[2]; ///< groups go where there is more room
-    std::map<QString, Group> m_groups;
+    std::vector<Group> m_groups;
 };
 
 }

@@ -200,6 +200,8 @@ void MainWindow::showHelp()
 {
     if (!m_helpPage) {
         m_helpPage = new HelpPage(m_theme, this);
+        for (const KeyGroup group : allKeyGroups)
+            m_helpPage->addGroup(titleOf(group));
         for (const Commands::Listed &listed : m_commands->listed())
             m_helpPage->addAction(titleOf(listed.group), listed.action);
         addGestures(*m_helpPage);

@@ -5,25 +5,31 @@
 #include <QList>
 #include <QObject>
 
+#include <array>
 #include <vector>
 
 namespace app {
 
-/// What the page of keys lists together.
+/// What the page of keys lists together; what is needed first comes first.
 enum class KeyGroup {
-    experiments,
-    pictures,
-    changes,
     time,
-    otherRuns,
-    steps,
     picture,
-    window,
-    build,
-    plots,
+    steps,
+    changes,
     code,
-    accuracy
+    plots,
+    otherRuns,
+    window,
+    accuracy,
+    build,
+    experiments,
+    pictures
 };
+
+inline constexpr std::array allKeyGroups{KeyGroup::time,      KeyGroup::picture,     KeyGroup::steps,
+                                         KeyGroup::changes,   KeyGroup::code,        KeyGroup::plots,
+                                         KeyGroup::otherRuns, KeyGroup::window,      KeyGroup::accuracy,
+                                         KeyGroup::build,     KeyGroup::experiments, KeyGroup::pictures};
 
 /// The heading above it.
 QString titleOf(KeyGroup group);
