@@ -11,6 +11,7 @@
 #include <QAction>
 #include <QDockWidget>
 #include <QHelpEvent>
+#include <QLayout>
 #include <QScrollArea>
 #include <QSettings>
 #include <QToolButton>
@@ -297,6 +298,24 @@ private slots:
         QTest::keyClick(&bench.window, Qt::Key_F5);
         bench.action("resetLayout").trigger();
         QVERIFY(!bench.isRail());
+    }
+
+    void arrangementsComeBackWhileThePanelsAreStillToBeLaidOut()
+    {
+        Bench bench({1280, 800});
+        bench.openAll();
+        const QString open = bench.shown();
+        for (const QSize size : {QSize(700, 500), QSize(1000, 700), QSize(1280, 800), QSize(800, 900)}) {
+            bench.force(size);
+            for (const auto mode : {MainWindow::Mode::measure, MainWindow::Mode::learn,
+                                    MainWindow::Mode::build, MainWindow::Mode::learn}) {
+                bench.window.layout()->invalidate(); // as a panel does that wants another size
+                bench.window.setMode(mode);
+            }
+        }
+        bench.force({1280, 800});
+        QCOMPARE(bench.shown(), open);
+        QCOMPARE(overlaps(bench.window), QString());
     }
 
     void theMarksOfTheRailOpenStepsByMouseAndKeysAndSayWhatTheyAre()

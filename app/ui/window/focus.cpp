@@ -76,7 +76,7 @@ void MainWindow::leaveFocus()
     column
         ->activate(); // panels come back to the width that they had, beside a scene that needs no more than before
     layout()->activate();
-    restoreState(m_docksBeforeFocus);
+    restorePanels(m_docksBeforeFocus);
     fitParameters();
 }
 

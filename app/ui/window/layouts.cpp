@@ -5,6 +5,7 @@
 
 #include <QAction>
 #include <QDockWidget>
+#include <QLayout>
 
 namespace app {
 
@@ -36,17 +37,28 @@ void MainWindow::saveLayouts()
     m_layouts.save();
 }
 
+bool MainWindow::restorePanels(const QByteArray &state)
+{
+    // Qt 6.4 shows its tab bars one by one from the list that it has of them. Where the window is to be laid out anew, the
+    // first one shown makes it do so, which replaces the list.
+    layout()->setEnabled(false);
+    const bool restored = restoreState(state);
+    layout()->setEnabled(true);
+    layout()->activate();
+    return restored;
+}
+
 void MainWindow::useLayout(Mode before)
 {
     m_layoutKey = layoutKey(m_mode);
     useKeptForm();
-    if (restoreState(m_layouts.kept(m_layoutKey)))
+    if (restorePanels(m_layouts.kept(m_layoutKey)))
         return;
     if (m_mode == Mode::measure) {
         removeDockWidget(m_plotsDock); // arrangePlots() finds its place among those that stay
         arrangeForMeasuring();
     } else if (before == Mode::measure) {
-        restoreState(m_layouts.kept(layoutKey(Mode::learn)));
+        restorePanels(m_layouts.kept(layoutKey(Mode::learn)));
     }
 }
 
@@ -57,7 +69,7 @@ void MainWindow::resetLayout()
     m_layouts.forget(m_layoutKey);
     m_layoutKey = layoutKey(m_mode);
     useKeptForm();
-    restoreState(m_firstDocks);
+    restorePanels(m_firstDocks);
     placeSides();
     if (m_mode == Mode::measure) {
         removeDockWidget(m_plotsDock);

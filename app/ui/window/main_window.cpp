@@ -133,7 +133,7 @@ void MainWindow::restore()
     m_firstDocks = saveState();
     m_layoutKey = layoutKey(m_mode);
     useKeptForm();
-    m_docksKnown = restoreState(m_layouts.kept(m_layoutKey));
+    m_docksKnown = restorePanels(m_layouts.kept(m_layoutKey));
     m_accuracyDock->hide(); // the window opens for learning
     m_energyDock->hide();
     m_branchesDock->hide();

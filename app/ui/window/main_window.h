@@ -141,6 +141,8 @@ private:
     /// Where the arrangement for `mode` is kept in the settings.
     QString layoutKey(Mode mode) const;
     void keepLayout();
+    /// As restoreState(), also while the window is still to be laid out.
+    bool restorePanels(const QByteArray &state);
     void saveLayouts();
     /// Arranges the panels as they were kept for the preset in use, or as it has them at first.
     void useLayout(Mode before);
