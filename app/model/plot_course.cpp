@@ -11,7 +11,6 @@ namespace app {
 
 namespace {
 
-constexpr qint64 sliceMilliseconds = 4;
 constexpr std::int64_t mostComputedAgain = 200'000; ///< points times rows, for the row before the cursor
 
 bool isSame(const sim::Script &a, const sim::Script &b)
@@ -21,11 +20,9 @@ bool isSame(const sim::Script &a, const sim::Script &b)
 
 }
 
-PlotCourse::PlotCourse(Session &session, QObject *parent) : QObject(parent), m_session(session)
+PlotCourse::PlotCourse(Session &session, QObject *parent)
+    : QObject(parent), m_session(session), m_later([this] { fill(); })
 {
-    m_later.setSingleShot(true);
-    m_later.setInterval(0);
-    connect(&m_later, &QTimer::timeout, this, &PlotCourse::fill);
     connect(&session, &Session::stepOpened, this, &PlotCourse::restart);
     connect(&session, &Session::runChanged, this, &PlotCourse::dropChanged);
     connect(&session, &Session::selectionChanged, this, &PlotCourse::changeSelection);
@@ -100,6 +97,7 @@ void PlotCourse::tell()
 
 void PlotCourse::restartGhost()
 {
+    ++m_ghostRevision;
     const sim::Track *ghost = m_session.timeline().ghost();
     const bool fits = ghost && ghost->rowFrames() == m_rowFrames;
     m_ghostScript = fits ? std::optional(ghost->script()) : std::nullopt;
@@ -172,8 +170,10 @@ bool PlotCourse::moveWindow()
     m_window = next;
     const std::int64_t stride = strideOf(m_window, m_rowFrames, mostBuckets);
     move(m_run, m_window.first, stride);
-    if (m_ghostScript)
+    if (m_ghostScript) {
+        ++m_ghostRevision;
         move(m_ghost, ghostStart(), stride);
+    }
     return true;
 }
 
@@ -183,7 +183,10 @@ void PlotCourse::follow()
         return;
     if (moveWindow())
         tell();
-    fill();
+    if (m_session.isPlaying())
+        fill();
+    else
+        m_later.afterMove([this] { fillFor(LaterSlices::atOnce); });
 }
 
 std::int64_t PlotCourse::endOf(const sim::Track &track) const
@@ -201,16 +204,17 @@ bool PlotCourse::takeRow()
     const sim::Track *ghost = m_ghostScript ? timeline.ghost() : nullptr;
     if (!ghost || m_ghost.samples().nextFrame() > endOf(*ghost))
         return false;
+    ++m_ghostRevision;
     m_ghost.takeRow(*ghost);
     return true;
 }
 
 bool PlotCourse::isReading() const
 {
-    return m_later.isActive();
+    return m_later.isDue();
 }
 
-void PlotCourse::fill()
+void PlotCourse::fillFor(double milliseconds)
 {
     if (!m_watched || m_quantities.empty())
         return;
@@ -219,8 +223,8 @@ void PlotCourse::fill()
     bool any = false;
     while (takeRow()) {
         any = true;
-        if (clock.elapsed() >= sliceMilliseconds) {
-            m_later.start();
+        if (static_cast<double>(clock.nsecsElapsed()) > 1e6 * milliseconds) {
+            m_later.goOn();
             break;
         }
     }
@@ -228,29 +232,73 @@ void PlotCourse::fill()
         tell();
 }
 
-std::vector<double> PlotCourse::now() const
+std::optional<std::vector<double>> PlotCourse::kept(std::int64_t frame) const
 {
-    const sim::Timeline &timeline = m_session.timeline();
-    const sim::Track &track = timeline.track();
-    const std::int64_t frame = track.at().frame;
-    std::vector<double> values(m_quantities.size(), std::numeric_limits<double>::quiet_NaN());
     const Samples &samples = run();
-    if (track.at().phase == 0 && !timeline.hasPending() && samples.stride() == 1 && !samples.isEmpty() &&
-        frame >= samples.firstFrame() && frame < samples.nextFrame()) {
-        const std::size_t bucket = samples.bucketNear(frame);
-        for (std::size_t column = 0; column < values.size(); ++column)
-            values[column] = samples.at(bucket, column).first;
-        return values;
-    }
-    std::shared_ptr<const sim::Segment> segment = track.shownPtr();
-    const sim::State state = timeline.hasPending() ? track.preview(segment) : track.now();
-    const QuantityReader reader(allBound(), segment);
-    const std::int64_t start = track.at().phase > 0 ? frame : frame - m_rowFrames;
+    if (samples.stride() > 1 || samples.isEmpty() || frame < samples.firstFrame() ||
+        frame >= samples.nextFrame())
+        return std::nullopt;
+    std::vector<double> values(m_quantities.size());
+    const std::size_t bucket = samples.bucketNear(frame);
+    for (std::size_t column = 0; column < values.size(); ++column)
+        values[column] = samples.at(bucket, column).first;
+    return values;
+}
+
+/// What is read of `state`; `start`: the frame with which quantities that compare two moments compare it.
+std::vector<double> PlotCourse::read(const sim::Track &track, std::shared_ptr<const sim::Segment> segment,
+                                     const sim::State &state, std::int64_t start) const
+{
+    std::vector<double> values(m_quantities.size(), std::numeric_limits<double>::quiet_NaN());
+    const QuantityReader reader(allBound(), std::move(segment));
     std::optional<sim::State> before;
     if (start >= 0 && (start - track.knownBefore(start)) / m_rowFrames * state.points() <= mostComputedAgain)
         before = track.stateAt(start);
     reader.read({state, before ? &*before : nullptr, static_cast<double>(m_rowFrames)}, values);
     return values;
+}
+
+std::vector<double> PlotCourse::readAt(const sim::Timeline &run) const
+{
+    const sim::Track &track = run.track();
+    const sim::Cursor at = track.at();
+    std::shared_ptr<const sim::Segment> segment = track.shownPtr();
+    const sim::State state = run.hasPending() ? track.preview(segment) : track.now();
+    return read(track, std::move(segment), state, at.phase > 0 ? at.frame : at.frame - m_rowFrames);
+}
+
+std::vector<double> PlotCourse::now() const
+{
+    const sim::Timeline &timeline = m_session.timeline();
+    if (timeline.at().phase == 0 && !timeline.hasPending()) {
+        if (std::optional<std::vector<double>> values = kept(timeline.at().frame))
+            return *std::move(values);
+    }
+    return readAt(timeline);
+}
+
+std::vector<double> PlotCourse::begun() const
+{
+    const sim::Timeline &timeline = m_session.timeline();
+    const sim::Track &track = timeline.track();
+    const std::int64_t frame = timeline.at().frame;
+    if (timeline.at().phase == 0)
+        return now();
+    if (std::optional<std::vector<double>> values = kept(frame))
+        return *std::move(values);
+    const sim::State state = track.stateAt(frame);
+    return read(track, track.segmentAt(frame), state, frame - m_rowFrames);
+}
+
+std::optional<PlotCourse::Inside> PlotCourse::inside() const
+{
+    const sim::Timeline &shown = m_session.shown();
+    const sim::Timeline &run = shown.at().phase > 0 ? shown : m_session.timeline();
+    const sim::Cursor at = run.at();
+    if (at.phase == 0)
+        return std::nullopt;
+    const double share = double(at.phase) / run.track().shown().pipeline.phasesPerRow();
+    return Inside{static_cast<double>(at.frame) + share * m_rowFrames, readAt(run)};
 }
 
 }

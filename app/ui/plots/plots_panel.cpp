@@ -16,6 +16,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace app {
 
@@ -59,10 +60,7 @@ PlotsPanel::PlotsPanel(Session &session, const Theme &theme, QWidget *parent)
     column->addWidget(m_title);
     column->addWidget(m_pages, 1);
     column->addWidget(saving());
-    m_soon.setSingleShot(true);
-    m_soon.setInterval(0);
     m_patience.setSingleShot(true);
-    connect(&m_soon, &QTimer::timeout, this, &PlotsPanel::refresh);
     connect(&m_patience, &QTimer::timeout, m_saving, &QWidget::show);
     connect(&session, &Session::stepOpened, this, &PlotsPanel::open);
     connect(&m_list, &PlotList::changed, this, &PlotsPanel::rebuild);
@@ -71,6 +69,7 @@ PlotsPanel::PlotsPanel(Session &session, const Theme &theme, QWidget *parent)
     connect(&session, &Session::runChanged, this, &PlotsPanel::refreshSoon);
     connect(&session, &Session::selectionChanged, this, &PlotsPanel::refreshSoon);
     connect(&session, &Session::playingChanged, this, &PlotsPanel::refreshSoon);
+    connect(&session, &Session::glanceChanged, this, &PlotsPanel::followGlance);
     connect(&theme, &Theme::changed, this, &PlotsPanel::refreshSoon);
     open();
     rebuild();
@@ -250,18 +249,28 @@ void PlotsPanel::rebuild()
 
 void PlotsPanel::refreshSoon()
 {
-    if (isVisible() && !m_isCovered)
-        m_soon.start();
+    if (!isVisible() || m_isCovered || std::exchange(m_isDue, true))
+        return;
+    // Not by a timer: those come after the window is painted, which would be painted again.
+    QMetaObject::invokeMethod(this, &PlotsPanel::refresh, Qt::QueuedConnection);
+}
+
+void PlotsPanel::followGlance()
+{
+    const bool isInside = m_session.isGlancing() && m_session.shown().at().phase > 0;
+    if (std::exchange(m_looksInside, isInside) || isInside)
+        refreshSoon();
 }
 
 void PlotsPanel::refresh()
 {
-    m_soon.stop();
+    m_isDue = false;
     if (!isVisible() || m_isCovered)
         return;
-    const std::vector<double> now = m_course.now();
+    const std::vector<double> begun = m_course.begun();
+    const std::optional<PlotCourse::Inside> inside = m_course.inside();
     for (PlotCard *card : m_cards)
-        card->refresh(now);
+        card->refresh(begun, inside);
     writeCaption();
 }
 
