@@ -13,7 +13,7 @@ constexpr std::int64_t rowsBefore = 500; ///< of the cursor, from which a run is
 }
 
 EnergyCourse::EnergyCourse(Session &session, QObject *parent)
-    : QObject(parent), m_session(session), m_later([this] { fill(); })
+    : QObject(parent), m_session(session), m_later([this](double milliseconds) { fillFor(milliseconds); })
 {
     connect(&session, &Session::stepOpened, this, &EnergyCourse::restart);
     connect(&session, &Session::runChanged, this, &EnergyCourse::dropChanged);
@@ -96,7 +96,7 @@ void EnergyCourse::follow()
     if (m_session.isPlaying())
         fill();
     else
-        m_later.afterMove([this] { fillFor(LaterSlices::atOnce); });
+        m_later.runWhileMoved();
 }
 
 void EnergyCourse::fillFor(double milliseconds)

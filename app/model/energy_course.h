@@ -54,7 +54,7 @@ private:
     void restart() { restartAt(0); }
     void dropChanged();
     void follow();
-    void fill() { fillFor(LaterSlices::slice); }
+    void fill() { m_later.run(); }
     void fillFor(double milliseconds);
     void countNext();
 

@@ -4,17 +4,27 @@
 
 namespace app {
 
-LaterSlices::LaterSlices(std::function<void()> call)
+LaterSlices::LaterSlices(Work work) : m_work(std::move(work))
 {
     m_timer.setSingleShot(true);
-    QObject::connect(&m_timer, &QTimer::timeout, &m_timer, std::move(call));
+    QObject::connect(&m_timer, &QTimer::timeout, &m_timer, [this] { runSlice(); });
 }
 
-void LaterSlices::afterMove(const std::function<void()> &call)
+void LaterSlices::goOn()
+{
+    m_timer.start(0);
+}
+
+void LaterSlices::runSlice()
+{
+    m_work(m_timer.interval() > 0 ? small : whole);
+}
+
+void LaterSlices::runWhileMoved()
 {
     const bool breathes = m_timer.isActive() && m_timer.interval() > 0;
     const int left = breathes ? std::max(1, m_timer.remainingTime()) : breath;
-    call();
+    m_work(atOnce);
     if (m_timer.isActive())
         m_timer.start(left);
 }

@@ -6,27 +6,35 @@
 
 namespace app {
 
-/// Calls a function again and again as long as it asks for that, each time for a few milliseconds, between what the window
-/// has to do. While somebody drags the cursor it waits a little, so that each moment is painted before it is read on.
+/// Goes on with some work as long as that asks for it, a few milliseconds at a time, between what the window has to do.
+/// While somebody drags the cursor it holds back, so that each moment is painted before anything is read on.
 class LaterSlices
 {
 public:
-    static constexpr double slice = 4.0; ///< ms: so long a call should take
-    /// So long it should take where it is called while the cursor moves.
-    static constexpr double atOnce = 1.0;
-    static constexpr int breath = 8; ///< ms after a move until it goes on
+    /// Does some of the work, for about so many milliseconds, and calls goOn() if there is more.
+    using Work = std::function<void(double milliseconds)>;
 
-    explicit LaterSlices(std::function<void()> call);
+    explicit LaterSlices(Work work);
 
-    /// Calls in the next turn.
-    void goOn() { m_timer.start(0); }
+    /// What fits into one turn, now.
+    void run() { m_work(whole); }
+    /// The same while the cursor is moved by hand: very little, and the next slice comes after a breath. A hand that moves on
+    /// does not put it off for ever.
+    void runWhileMoved();
+    /// There is more: the next slice comes in the next turn.
+    void goOn();
     void stop() { m_timer.stop(); }
     bool isDue() const { return m_timer.isActive(); }
-    /// Runs `call`, which may ask for more, for a cursor that was moved by hand: more comes after a breath. A hand that moves
-    /// on does not put it off for ever.
-    void afterMove(const std::function<void()> &call);
 
 private:
+    static constexpr double whole = 4.0;  ///< ms
+    static constexpr double small = 2.0;  ///< ms, after a breath
+    static constexpr double atOnce = 1.0; ///< ms, before what a move has changed is painted
+    static constexpr int breath = 8;      ///< ms
+
+    void runSlice();
+
+    Work m_work;
     QTimer m_timer;
 };
 

@@ -21,7 +21,7 @@ bool isSame(const sim::Script &a, const sim::Script &b)
 }
 
 PlotCourse::PlotCourse(Session &session, QObject *parent)
-    : QObject(parent), m_session(session), m_later([this] { fill(); })
+    : QObject(parent), m_session(session), m_later([this](double milliseconds) { fillFor(milliseconds); })
 {
     connect(&session, &Session::stepOpened, this, &PlotCourse::restart);
     connect(&session, &Session::runChanged, this, &PlotCourse::dropChanged);
@@ -186,7 +186,7 @@ void PlotCourse::follow()
     if (m_session.isPlaying())
         fill();
     else
-        m_later.afterMove([this] { fillFor(LaterSlices::atOnce); });
+        m_later.runWhileMoved();
 }
 
 std::int64_t PlotCourse::endOf(const sim::Track &track) const

@@ -78,7 +78,7 @@ private:
     /// Brings window and samples to where the cursor is. Returns whether anything changed.
     bool moveWindow();
     void move(RunSampler &sampler, std::int64_t first, std::int64_t stride);
-    void fill() { fillFor(LaterSlices::slice); }
+    void fill() { m_later.run(); }
     void fillFor(double milliseconds);
     bool takeRow();
     std::int64_t endOf(const sim::Track &track) const;

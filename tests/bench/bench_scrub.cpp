@@ -5,6 +5,11 @@
 // with other things to do does not add to them.
 
 #include "app/model/lesson_library.h"
+#include "app/ui/energy/energy_panel.h"
+#include "app/ui/energy/energy_plot.h"
+#include "app/ui/plots/plot_card.h"
+#include "app/ui/plots/plots_panel.h"
+#include "app/ui/scene/scene_view.h"
 #include "app/ui/time/timeline_strip.h"
 #include "app/ui/window/main_window.h"
 #include "every_panel.h"
@@ -20,7 +25,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <random>
+#include <set>
 
 using namespace app;
 
@@ -28,9 +35,8 @@ namespace {
 
 constexpr std::int64_t tenMinutes = 10 * 60 * 30; ///< frames
 constexpr double aPicture = 1.0 / 60.0;           ///< s
-constexpr int turnsToSee = 2;                     ///< of the event loop, in which all panels are painted
-constexpr int turnsAfterwards = 4;                ///< in which they read what they have not read yet
-constexpr int settlingTurns = 2000;
+constexpr int turnsAfterwards = 6; ///< of the event loop, in which panels read what they have not read yet
+constexpr int settlingTurns = 500;
 constexpr int stride = 3; ///< px between two moves of the mouse
 
 void turn(int times)
@@ -62,11 +68,17 @@ QString percentiles(std::vector<double> seconds)
 }
 
 /// Computes a run, and waits until the panels have read it.
-void compute(Session &session, std::int64_t frames)
+void compute(Session &session, MainWindow &window, std::int64_t frames)
 {
     session.goTo({frames, 0});
     waitThere(session);
-    for (int i = 0; i < settlingTurns; ++i) {
+    const auto *energy = window.findChild<EnergyPanel *>();
+    const auto isReading = [&] {
+        const bool counts = energy->isVisible() && !energy->course().whyNot();
+        return (counts && energy->course().last() < session.timeline().computed()) ||
+               !window.plots().isSettled();
+    };
+    for (int i = 0; i < settlingTurns || isReading(); ++i) {
         turn(1);
         QThread::usleep(500);
     }
@@ -84,7 +96,7 @@ void jump(Session &session, Theme &theme, const Plan &plan, QTextStream &out)
     window.resize(1280, 800);
     window.show();
     QApplication::processEvents();
-    compute(session, plan.frames);
+    compute(session, window, plan.frames);
     std::mt19937 random(1);
     std::uniform_int_distribution<std::int64_t> anywhere(0, session.timeline().computed());
     std::vector<double> seeking, all;
@@ -102,6 +114,49 @@ void jump(Session &session, Theme &theme, const Plan &plan, QTextStream &out)
         << "\n  jumping, seeking and painting it all:  " << percentiles(all) << Qt::endl;
 }
 
+/// Tells when widgets have been painted.
+class Eyes : public WatchedApplication
+{
+public:
+    using WatchedApplication::WatchedApplication;
+
+    void lookFor(const std::set<QObject *> &widgets)
+    {
+        m_unseen = widgets;
+        m_seen.reset();
+    }
+    /// When all of them were painted, at the end of painting the window; nothing as long as they are not.
+    std::optional<double> seen() const { return m_seen; }
+
+    bool notify(QObject *receiver, QEvent *event) override
+    {
+        const QEvent::Type type = event->type(); // it may be gone afterwards
+        if (type == QEvent::Paint)
+            m_unseen.erase(receiver);
+        const bool answer = WatchedApplication::notify(receiver, event);
+        if (type == QEvent::UpdateRequest && m_unseen.empty() && !m_seen)
+            m_seen = sim::computedSeconds();
+        return answer;
+    }
+
+private:
+    std::set<QObject *> m_unseen;
+    std::optional<double> m_seen;
+};
+
+/// What shows the moment in pictures.
+std::set<QObject *> viewsOf(MainWindow &window)
+{
+    std::set<QObject *> views{window.findChild<TimelineStrip *>(),
+                              window.findChild<SceneView *>()->viewport(),
+                              &window.findChild<EnergyPanel *>()->plot()};
+    for (const PlotCard *card : window.plots().cards()) {
+        if (!card->plot().visibleRegion().isEmpty())
+            views.insert(&card->plot());
+    }
+    return views;
+}
+
 void send(QWidget &to, QEvent::Type type, QPointF place)
 {
     const bool isMove = type == QEvent::MouseMove;
@@ -110,16 +165,17 @@ void send(QWidget &to, QEvent::Type type, QPointF place)
     QApplication::sendEvent(&to, &event);
 }
 
-void drag(Session &session, Theme &theme, WatchedApplication &application, const Plan &plan, QTextStream &out)
+void drag(Session &session, Theme &theme, Eyes &application, const Plan &plan, QTextStream &out)
 {
     MainWindow window(session, theme);
     window.resize(1920, 1080);
     window.show();
     showEveryPanel(window);
-    compute(session, plan.frames);
+    compute(session, window, plan.frames);
     auto &timeline = *window.findChild<TimelineStrip *>();
     const double left = timeline.axis().xOf(0), right = timeline.axis().xOf(session.timeline().computed());
     constexpr double onTrack = 25.0; // px from above
+    const std::set<QObject *> views = viewsOf(window);
     std::vector<double> seen, read;
     QStringList slow;
     double x = right, step = -stride;
@@ -129,11 +185,13 @@ void drag(Session &session, Theme &theme, WatchedApplication &application, const
             step = -step;
         x += step;
         application.slowest();
+        application.lookFor(views);
         const double start = sim::computedSeconds();
         send(timeline, QEvent::MouseMove, {x, onTrack});
         waitThere(session);
-        turn(turnsToSee);
-        seen.push_back(sim::computedSeconds() - start);
+        for (int one = 0; !application.seen() && one < turnsAfterwards; ++one)
+            turn(1);
+        seen.push_back(application.seen().value_or(sim::computedSeconds()) - start);
         if (seen.back() > aPicture)
             for (const WatchedApplication::Delivery &one : application.slowest())
                 slow << QString("%1 %2 ms").arg(one.what).arg(one.took.work, 0, 'f', 1);
@@ -153,7 +211,7 @@ void drag(Session &session, Theme &theme, WatchedApplication &application, const
 int main(int count, char **arguments)
 {
     qputenv("QT_QPA_PLATFORM", "offscreen");
-    WatchedApplication application(count, arguments);
+    Eyes application(count, arguments);
     const QTemporaryDir settings;
     QSettings::setDefaultFormat(QSettings::IniFormat);
     QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings.path());
