@@ -12,8 +12,6 @@
 #include <QStackedWidget>
 #include <QToolButton>
 
-#include <utility>
-
 namespace app {
 
 namespace {
@@ -141,17 +139,14 @@ void EnergyPanel::refresh()
         return;
     const bool isCounting = !m_course.whyNot() && m_course.last() < m_session.timeline().computed();
     if (!(m_session.isPlaying() || isCounting) || !m_sinceRefresh.isValid() ||
-        m_sinceRefresh.hasExpired(refreshMilliseconds)) {
-        if (!std::exchange(m_isDue, true)) // what is counted and where the cursor is change together
-            QMetaObject::invokeMethod(this, &EnergyPanel::refreshNow, Qt::QueuedConnection);
-    } else if (!m_later.isActive()) {
+        m_sinceRefresh.hasExpired(refreshMilliseconds))
+        refreshNow();
+    else if (!m_later.isActive())
         m_later.start(refreshMilliseconds - static_cast<int>(m_sinceRefresh.elapsed()));
-    }
 }
 
 void EnergyPanel::refreshNow()
 {
-    m_isDue = false;
     if (!isSeen())
         return;
     m_later.stop();

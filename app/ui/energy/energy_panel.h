@@ -80,7 +80,6 @@ private:
     QElapsedTimer m_sinceRefresh;
     QTimer m_later;
     bool m_isCovered = false;
-    bool m_isDue = false;       ///< whether it is drawn anew before the window is painted
     bool m_isElsewhere = false; ///< whether the ledger is of a moment that somebody looks at
 };
 
