@@ -23,7 +23,7 @@ struct Stiffened : Bench
     Stiffened()
     {
         goTo(stands / 2);
-        session.setParameter("k", 0.6);
+        session.setParameter("k", 0.3);
         goTo(80);
         goTo(stands);
         settle();
