@@ -196,7 +196,10 @@ private slots:
         QCOMPARE(bench.session.shown().at(), (sim::Cursor{stands, 2}));
         QVERIFY2(bench.view.caption().contains("Inside frame 60"), qPrintable(bench.view.caption()));
         QVERIFY(bench.code.view().values() != before.chips);
+        QCoreApplication::processEvents();
+        QVERIFY(bench.plot().insidePlace()); // beside the cursor's own dot
         bench.park();
+        QVERIFY(!bench.plot().insidePlace());
         QVERIFY(Sight(bench) == before);
         QCOMPARE(bench.session.timeline().at(), (sim::Cursor{stands, 0}));
     }

@@ -249,6 +249,64 @@ private slots:
         QCOMPARE(bench.plot().curvesPainted(), hidden);
     }
 
+    void theOldRunIsNotPaintedAnewWhereOnlyTheCursorMoves()
+    {
+        Bench bench;
+        bench.goTo(120);
+        bench.goTo(40);
+        bench.session().setParameter("k", 0.3);
+        bench.goTo(120);
+        QTest::qWait(20);
+        const int ghosts = bench.plot().ghostsPainted(), axes = bench.plot().axesPainted();
+        const int curves = bench.plot().curvesPainted();
+        QVERIFY(ghosts > 0);
+        for (std::int64_t frame = 119; frame > 60; --frame)
+            bench.goTo(frame);
+        QCOMPARE(bench.plot().ghostsPainted(), ghosts);
+        QCOMPARE(bench.plot().axesPainted(), axes);
+        QVERIFY(bench.plot().curvesPainted() <= curves + 59); // once for each moment
+    }
+
+    void insideAFrameARingIsWhereTheQuantityIsThen_data()
+    {
+        QTest::addColumn<bool>("isAgainstTime");
+        QTest::newRow("against time") << true;
+        QTest::newRow("against another quantity") << false;
+    }
+    void insideAFrameARingIsWhereTheQuantityIsThen()
+    {
+        QFETCH(bool, isAgainstTime);
+        Bench bench;
+        if (!isAgainstTime)
+            bench.panel->list().change(0, {{Measured::placeY}, {Measured::velocityY}});
+        bench.goTo(12);
+        QuantityPlot &plot = bench.plot();
+        QVERIFY(!plot.insidePlace());
+        const QString before = plot.valueText();
+        const sim::Timeline &run = bench.session().timeline();
+        const double y = run.now().at(0).y;
+        while (run.now().at(0).y == y)
+            bench.session().phaseForward();
+        QVERIFY(run.at().phase > 0 && run.at().frame == 12);
+        bench.settle();
+        const double time = 12.0 + double(run.at().phase) / run.track().shown().pipeline.phasesPerRow();
+        const double across = isAgainstTime ? time : run.now().speed(0).y;
+        QVERIFY(plot.insidePlace());
+        const QPointF ring(plot.xAxis->coordToPixel(across), plot.yAxis->coordToPixel(run.now().at(0).y));
+        QVERIFY(QLineF(*plot.insidePlace(), ring).length() < 1e-6);
+        QVERIFY(plot.valueText() != before);
+        QVERIFY2(plot.sentence().endsWith("inside frame 12"), qPrintable(plot.sentence()));
+        const QImage shown = plot.grab().toImage();
+        const QColor now = bench.world.theme.tokens().now;
+        QCOMPARE(shown.pixelColor(plot.placeOf(12).toPoint()), now); // the dot stays where the curve is
+        QCOMPARE(shown.pixelColor(ring.toPoint()), bench.world.theme.tokens().panel);
+        while (run.at().phase > 0)
+            bench.session().phaseForward();
+        bench.settle();
+        QVERIFY(!plot.insidePlace());
+        QVERIFY(plot.sentence().endsWith("at frame 13"));
+    }
+
     void aScreenReaderHearsWhatIsPlottedAndItsValue()
     {
         Bench bench;

@@ -70,9 +70,9 @@ void QuantityPlot::paintNow(QPainter &painter) const
     const QPointF now = placeOf(m_now);
     if (m_spec.isAgainstTime())
         paintCursor(painter, now.x());
-    paintDot(painter, now);
     if (m_inside)
         paintInside(painter, placeOf(*m_inside));
+    paintDot(painter, now); // on top: it stays in sight where both are near each other
 }
 
 QString QuantityPlot::hoveredText(std::int64_t frame) const
