@@ -1,6 +1,9 @@
 // What plots paint, and when: the run, the old run, and a moment inside a frame.
 
+#include "app/ui/plots/dashed_curve.h"
 #include "plots_panel_bench.h"
+
+#include <limits>
 
 using namespace app;
 using plots_panel_bench::Bench;
@@ -24,6 +27,45 @@ private slots:
         bench.goTo(120);
         QTest::qWait(20);
         QVERIFY(bench.pixels(ghost, bench.plot().grab().toImage()) > 20);
+    }
+
+    void dashesAreHalfOfALineAndLieOnIt()
+    {
+        QVector<QPointF> bent;
+        for (int i = 0; i <= 100; ++i)
+            bent << QPointF(3.0 * i, i % 2 ? 40.0 : 0.0); // corners every 40.1 px, dashes of 4.5
+        double all = 0.0, drawn = 0.0;
+        for (qsizetype i = 1; i < bent.size(); ++i)
+            all += QLineF(bent[i - 1], bent[i]).length();
+        for (const QLineF &dash : dashesAlong(bent, 4.5, QRectF(-1.0, -1.0, 400.0, 100.0))) {
+            drawn += dash.length();
+            QVERIFY(dash.length() <= 4.5 + 1e-9);
+            for (const QPointF end :
+                 {dash.p1(), dash.p2()}) { // between two corners, on the line from one to the other
+                const double along = end.x() / 3.0, over = along - std::floor(along);
+                const bool rises = static_cast<int>(std::floor(along + 1e-9)) % 2 == 0;
+                const double height = 40.0 * (rises ? over : 1.0 - over);
+                QVERIFY(std::abs(end.y() - height) < 1e-6 || over < 1e-6 || over > 1.0 - 1e-6);
+            }
+        }
+        QVERIFY(std::abs(drawn - all / 2.0) < 4.5);
+    }
+
+    void dashesAreCountedOnlyWhereTheyAreSeen()
+    {
+        const QRectF seen(0.0, 0.0, 300.0, 200.0);
+        constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+        QCOMPARE(dashesAlong({{-500.0, 50.0}, {-10.0, 50.0}}, 4.5, seen).size(), 0);
+        QCOMPARE(dashesAlong({{-9e15, 50.0}, {9e15, 50.0}}, 4.5, seen).size() > 0, true);
+        QVERIFY(dashesAlong({{-9e15, 50.0}, {9e15, 50.0}}, 4.5, seen).size() < 100);
+        QVERIFY(dashesAlong({{150.0, -1e300}, {150.0, 1e300}}, 4.5, seen).size() <
+                100); // and comes to an end
+        QCOMPARE(dashesAlong({{10.0, 10.0}, {10.0, 10.0}}, 4.5, seen).size(), 0);
+        const QVector<QLineF> parted =
+            dashesAlong({{0.0, 9.0}, {9.0, 9.0}, {nan, nan}, {100.0, 9.0}, {109.0, 9.0}}, 4.5, seen);
+        QCOMPARE(parted.size(), 2);
+        QCOMPARE(parted[0], QLineF(0.0, 9.0, 4.5, 9.0));
+        QCOMPARE(parted[1], QLineF(100.0, 9.0, 104.5, 9.0));
     }
 
     void nothingIsPaintedWhileNothingChanges()

@@ -1,6 +1,7 @@
 #include "app/ui/plots/quantity_plot.h"
 
 #include "app/model/quantity_words.h"
+#include "app/ui/plots/dashed_curve.h"
 #include "app/ui/plots/number_ticker.h"
 #include "app/ui/theme/plot_axes.h"
 
@@ -15,6 +16,8 @@ namespace {
 
 constexpr double curveWidth = 1.6;  ///< px
 constexpr double thickWidth = 3.2;  ///< px
+constexpr double ghostWidth = 1.5;  ///< px
+constexpr double dash = 4.5;        ///< px
 constexpr double paleFuture = 0.35; ///< how much of its colour a curve has after the cursor
 const QMargins besideTime(54, 22, 14, 24);
 const QMargins besideQuantity(54, 22, 16, 42); ///< with a name below the axis
@@ -34,21 +37,18 @@ QuantityPlot::QuantityPlot(Session &session, const PlotCourse &course, const The
     xAxis->setTicker(QSharedPointer<QCPAxisTicker>(new NumberTicker(5)));
     yAxis->setTicker(QSharedPointer<QCPAxisTicker>(new NumberTicker(4)));
     axisRect()->setAutoMargins(QCP::msNone);
-    m_ghost = makeCurve(ghostLayer);
-    m_future = makeCurve(curveLayer);
-    m_past = makeCurve(curveLayer);
+    m_ghost = onLayer(ghostLayer, {new DashedGraph(xAxis, yAxis), new DashedCurve(xAxis, yAxis)});
+    for (Curve *curve : {&m_future, &m_past})
+        *curve = onLayer(curveLayer, {new QCPGraph(xAxis, yAxis), new QCPCurve(xAxis, yAxis)});
     connect(&theme, &Theme::changed, this, &QuantityPlot::dress);
     dress();
 }
 
-QuantityPlot::Curve QuantityPlot::makeCurve(const char *layerName)
+QuantityPlot::Curve QuantityPlot::onLayer(const char *name, Curve curve)
 {
-    Curve made;
-    made.graph = addGraph();
-    made.curve = new QCPCurve(xAxis, yAxis);
-    made.graph->setLayer(layerName);
-    made.curve->setLayer(layerName);
-    return made;
+    curve.graph->setLayer(name);
+    curve.curve->setLayer(name);
+    return curve;
 }
 
 void QuantityPlot::setPen(const Curve &curve, const QPen &pen)
@@ -87,9 +87,7 @@ void QuantityPlot::dressCurves()
     const double width = m_isThick ? thickWidth : curveWidth;
     setPen(m_past, curvePen(t.body, width));
     setPen(m_future, curvePen(faint(t.body, paleFuture, t.panel), width));
-    QPen dashed(t.ghost, 1.5, Qt::CustomDashLine, Qt::FlatCap);
-    dashed.setDashPattern({3.0, 3.0});
-    setPen(m_ghost, dashed);
+    setPen(m_ghost, dashedPen(t.ghost, ghostWidth, dash));
 }
 
 void QuantityPlot::setSpec(const PlotSpec &spec)

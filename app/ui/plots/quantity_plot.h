@@ -71,7 +71,7 @@ private:
         QCPGraph *graph = nullptr;
         QCPCurve *curve = nullptr;
     };
-    Curve makeCurve(const char *layerName);
+    static Curve onLayer(const char *name, Curve curve);
     void setPen(const Curve &curve, const QPen &pen);
     void dress();
     void dressCurves();
