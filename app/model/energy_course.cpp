@@ -8,19 +8,16 @@ namespace app {
 
 namespace {
 
-constexpr qint64 sliceMilliseconds = 4;
 constexpr std::int64_t rowsBefore = 500; ///< of the cursor, from which a run is counted that is far ahead
 
 }
 
-EnergyCourse::EnergyCourse(Session &session, QObject *parent) : QObject(parent), m_session(session)
+EnergyCourse::EnergyCourse(Session &session, QObject *parent)
+    : QObject(parent), m_session(session), m_later([this](double milliseconds) { fillFor(milliseconds); })
 {
-    m_later.setSingleShot(true);
-    m_later.setInterval(0);
-    connect(&m_later, &QTimer::timeout, this, &EnergyCourse::fill);
     connect(&session, &Session::stepOpened, this, &EnergyCourse::restart);
     connect(&session, &Session::runChanged, this, &EnergyCourse::dropChanged);
-    connect(&session, &Session::moved, this, &EnergyCourse::fill);
+    connect(&session, &Session::moved, this, &EnergyCourse::follow);
 }
 
 void EnergyCourse::setWatched(bool watched)
@@ -94,7 +91,15 @@ void EnergyCourse::dropChanged()
     fill();
 }
 
-void EnergyCourse::fill()
+void EnergyCourse::follow()
+{
+    if (m_session.isPlaying())
+        fill();
+    else
+        m_later.runWhileMoved();
+}
+
+void EnergyCourse::fillFor(double milliseconds)
 {
     if (!m_watched || m_whyNot)
         return;
@@ -111,12 +116,13 @@ void EnergyCourse::fill()
     QElapsedTimer clock;
     clock.start();
     bool any = false;
-    while (!m_whyNot && last() < timeline.computed() && (!any || clock.elapsed() < sliceMilliseconds)) {
+    while (!m_whyNot && last() < timeline.computed() &&
+           (!any || static_cast<double>(clock.nsecsElapsed()) < 1e6 * milliseconds)) {
         countNext();
         any = true;
     }
     if (!m_whyNot && last() < timeline.computed())
-        m_later.start();
+        m_later.goOn();
     if (any)
         emit changed();
 }

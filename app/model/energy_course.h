@@ -1,10 +1,10 @@
 #pragma once
 
+#include "app/model/later_slices.h"
 #include "app/model/session.h"
 #include "sim/energy/ledger.h"
 
 #include <QObject>
-#include <QTimer>
 
 #include <deque>
 
@@ -53,12 +53,14 @@ private:
     void restartAt(std::int64_t frame);
     void restart() { restartAt(0); }
     void dropChanged();
-    void fill();
+    void follow();
+    void fill() { m_later.run(); }
+    void fillFor(double milliseconds);
     void countNext();
 
     Session &m_session;
     sim::Ledger m_ledger;
-    QTimer m_later;
+    LaterSlices m_later;
     std::deque<sim::Balance> m_balances; ///< by row, from m_first on
     std::int64_t m_start = 0;
     std::int64_t m_first = 0;

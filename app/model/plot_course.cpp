@@ -5,14 +5,10 @@
 #include <QElapsedTimer>
 
 #include <algorithm>
-#include <limits>
 
 namespace app {
 
 namespace {
-
-constexpr qint64 sliceMilliseconds = 4;
-constexpr std::int64_t mostComputedAgain = 200'000; ///< points times rows, for the row before the cursor
 
 bool isSame(const sim::Script &a, const sim::Script &b)
 {
@@ -21,11 +17,9 @@ bool isSame(const sim::Script &a, const sim::Script &b)
 
 }
 
-PlotCourse::PlotCourse(Session &session, QObject *parent) : QObject(parent), m_session(session)
+PlotCourse::PlotCourse(Session &session, QObject *parent)
+    : QObject(parent), m_session(session), m_later([this](double milliseconds) { fillFor(milliseconds); })
 {
-    m_later.setSingleShot(true);
-    m_later.setInterval(0);
-    connect(&m_later, &QTimer::timeout, this, &PlotCourse::fill);
     connect(&session, &Session::stepOpened, this, &PlotCourse::restart);
     connect(&session, &Session::runChanged, this, &PlotCourse::dropChanged);
     connect(&session, &Session::selectionChanged, this, &PlotCourse::changeSelection);
@@ -100,6 +94,7 @@ void PlotCourse::tell()
 
 void PlotCourse::restartGhost()
 {
+    ++m_ghostRevision;
     const sim::Track *ghost = m_session.timeline().ghost();
     const bool fits = ghost && ghost->rowFrames() == m_rowFrames;
     m_ghostScript = fits ? std::optional(ghost->script()) : std::nullopt;
@@ -172,8 +167,10 @@ bool PlotCourse::moveWindow()
     m_window = next;
     const std::int64_t stride = strideOf(m_window, m_rowFrames, mostBuckets);
     move(m_run, m_window.first, stride);
-    if (m_ghostScript)
+    if (m_ghostScript) {
+        ++m_ghostRevision;
         move(m_ghost, ghostStart(), stride);
+    }
     return true;
 }
 
@@ -183,7 +180,10 @@ void PlotCourse::follow()
         return;
     if (moveWindow())
         tell();
-    fill();
+    if (m_session.isPlaying())
+        fill();
+    else
+        m_later.runWhileMoved();
 }
 
 std::int64_t PlotCourse::endOf(const sim::Track &track) const
@@ -201,16 +201,17 @@ bool PlotCourse::takeRow()
     const sim::Track *ghost = m_ghostScript ? timeline.ghost() : nullptr;
     if (!ghost || m_ghost.samples().nextFrame() > endOf(*ghost))
         return false;
+    ++m_ghostRevision;
     m_ghost.takeRow(*ghost);
     return true;
 }
 
 bool PlotCourse::isReading() const
 {
-    return m_later.isActive();
+    return m_later.isDue();
 }
 
-void PlotCourse::fill()
+void PlotCourse::fillFor(double milliseconds)
 {
     if (!m_watched || m_quantities.empty())
         return;
@@ -219,38 +220,13 @@ void PlotCourse::fill()
     bool any = false;
     while (takeRow()) {
         any = true;
-        if (clock.elapsed() >= sliceMilliseconds) {
-            m_later.start();
+        if (static_cast<double>(clock.nsecsElapsed()) > 1e6 * milliseconds) {
+            m_later.goOn();
             break;
         }
     }
     if (any)
         tell();
-}
-
-std::vector<double> PlotCourse::now() const
-{
-    const sim::Timeline &timeline = m_session.timeline();
-    const sim::Track &track = timeline.track();
-    const std::int64_t frame = track.at().frame;
-    std::vector<double> values(m_quantities.size(), std::numeric_limits<double>::quiet_NaN());
-    const Samples &samples = run();
-    if (track.at().phase == 0 && !timeline.hasPending() && samples.stride() == 1 && !samples.isEmpty() &&
-        frame >= samples.firstFrame() && frame < samples.nextFrame()) {
-        const std::size_t bucket = samples.bucketNear(frame);
-        for (std::size_t column = 0; column < values.size(); ++column)
-            values[column] = samples.at(bucket, column).first;
-        return values;
-    }
-    std::shared_ptr<const sim::Segment> segment = track.shownPtr();
-    const sim::State state = timeline.hasPending() ? track.preview(segment) : track.now();
-    const QuantityReader reader(allBound(), segment);
-    const std::int64_t start = track.at().phase > 0 ? frame : frame - m_rowFrames;
-    std::optional<sim::State> before;
-    if (start >= 0 && (start - track.knownBefore(start)) / m_rowFrames * state.points() <= mostComputedAgain)
-        before = track.stateAt(start);
-    reader.read({state, before ? &*before : nullptr, static_cast<double>(m_rowFrames)}, values);
-    return values;
 }
 
 }

@@ -1,11 +1,11 @@
 #pragma once
 
+#include "app/model/later_slices.h"
 #include "app/model/plot_window.h"
 #include "app/model/run_sampler.h"
 #include "app/model/session.h"
 
 #include <QObject>
-#include <QTimer>
 
 namespace app {
 
@@ -43,8 +43,19 @@ public:
     Quantity bound(const Quantity &quantity) const { return boundTo(quantity, m_session.selected()); }
     /// One number a column at the cursor, also inside a frame; NaN where there is none.
     std::vector<double> now() const;
-    /// Goes up with every change of the samples.
+    /// The same where the frame begins that the cursor is in: there the curve has a point.
+    std::vector<double> begun() const;
+    /// A moment inside a frame.
+    struct Inside
+    {
+        double time = 0.0; ///< frames: as much of its row is over as of its phases
+        std::vector<double> values;
+    };
+    /// The one that somebody looks at, or else where the cursor is; nothing between two frames.
+    std::optional<Inside> inside() const;
+    /// Goes up with every change of the samples, and the other one with changes of the ghost's.
     quint64 revision() const { return m_revision; }
+    quint64 ghostRevision() const { return m_ghostRevision; }
     /// Whether more of the window has been computed than was read.
     bool isReading() const;
 
@@ -54,6 +65,10 @@ signals:
 
 private:
     std::vector<Quantity> allBound() const;
+    std::optional<std::vector<double>> kept(std::int64_t frame) const;
+    std::vector<double> read(const sim::Track &track, std::shared_ptr<const sim::Segment> segment,
+                             const sim::State &state, std::int64_t start) const;
+    std::vector<double> readAt(const sim::Timeline &run) const;
     void restart();
     void restartGhost();
     void tell();
@@ -63,13 +78,14 @@ private:
     /// Brings window and samples to where the cursor is. Returns whether anything changed.
     bool moveWindow();
     void move(RunSampler &sampler, std::int64_t first, std::int64_t stride);
-    void fill();
+    void fill() { m_later.run(); }
+    void fillFor(double milliseconds);
     bool takeRow();
     std::int64_t endOf(const sim::Track &track) const;
     std::int64_t ghostStart() const;
 
     Session &m_session;
-    QTimer m_later;
+    LaterSlices m_later;
     std::vector<Quantity> m_quantities;
     RunSampler m_run;
     RunSampler m_ghost;
@@ -80,6 +96,7 @@ private:
     std::vector<sim::Event> m_input;          ///< of that run
     std::optional<sim::Script> m_ghostScript; ///< of the ghost that is read
     quint64 m_revision = 0;
+    quint64 m_ghostRevision = 0;
     bool m_watched = false;
     bool m_isStale = true; ///< whether the run has changed since it was last watched
 };

@@ -38,7 +38,8 @@ struct StabilityWatch::Offers
     std::optional<sim::PassRange> passes;
 };
 
-StabilityWatch::StabilityWatch(Session &session, QObject *parent) : QObject(parent), m_session(session)
+StabilityWatch::StabilityWatch(Session &session, QObject *parent)
+    : QObject(parent), m_session(session), m_look(session)
 {
     m_pool.setMaxThreadCount(2); // one reading and one map
     m_due.setSingleShot(true);

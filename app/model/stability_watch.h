@@ -2,6 +2,7 @@
 
 #include "app/model/map_plane.h"
 #include "app/model/session.h"
+#include "app/model/stability_look.h"
 #include "sim/stability/growth_map.h"
 #include "sim/stability/remedies.h"
 #include "sim/stability/stick_fit.h"
@@ -50,6 +51,8 @@ public:
     const Session &session() const { return m_session; }
     /// The last reading; null before the first.
     const StabilityReading *reading() const { return m_reading.get(); }
+    /// The same at the moment that somebody looks at.
+    const StabilityLook &look() const { return m_look; }
     /// Whether what is shown is about the session as it is now.
     bool isCurrent() const { return !m_due.isActive() && !m_reads; }
     /// Whether a map is under way or due.
@@ -108,6 +111,7 @@ private:
     sim::MapAxis up() const;
 
     Session &m_session;
+    StabilityLook m_look;
     QThreadPool m_pool;
     QTimer m_due;    ///< runs when a reading will begin
     QTimer m_mapDue; ///< the same for a map

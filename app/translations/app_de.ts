@@ -5606,6 +5606,10 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <source>frame %1: %2</source>
         <translation>Bild %1: %2</translation>
     </message>
+    <message>
+        <source>%1: %2 inside frame %3</source>
+        <translation>%1: %2 innerhalb von Bild %3</translation>
+    </message>
 </context>
 <context>
     <name>app::RemedySearch</name>
@@ -6077,6 +6081,10 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>%1&#x2009;% of the limit</source>
         <translation>%1&#x2009;% der Grenze</translation>
+    </message>
+    <message>
+        <source>Looking at frame %1: %2</source>
+        <translation>Ein Blick auf Bild %1: %2</translation>
     </message>
 </context>
 <context>

@@ -60,6 +60,13 @@ sim::Accuracy madeUp(const sim::Script &script, const sim::StudyPlan &plan)
     return found;
 }
 
+StudyFunction madeUpAtOnce()
+{
+    return [](const sim::Script &script, const sim::StudyPlan &plan, const sim::StudyProgress &) {
+        return madeUp(script, plan);
+    };
+}
+
 StudyFunction Puppet::function()
 {
     return [this](const sim::Script &script, const sim::StudyPlan &plan, const sim::StudyProgress &progress) {

@@ -16,6 +16,9 @@ namespace measure_bench {
 /// another one, so that every answer can be told by hand. `published` is unstable at its first rung.
 sim::Accuracy madeUp(const sim::Script &script, const sim::StudyPlan &plan);
 
+/// A study that finds that, at once.
+app::StudyFunction madeUpAtOnce();
+
 /// A study that is told when to go on. It may be asked from any thread.
 struct Puppet
 {

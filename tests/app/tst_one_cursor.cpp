@@ -1,6 +1,6 @@
 // One cursor for picture, code, values, plots and timeline: where the mouse is in one of them is seen in all others.
 
-#include "window_bench.h"
+#include "cursor_bench.h"
 
 #include "app/ui/code/code_panel.h"
 #include "app/ui/code/code_view.h"
@@ -21,93 +21,10 @@
 #include <QtTest>
 
 using namespace app;
+using cursor_bench::Bench;
+using cursor_bench::stands;
 
 namespace {
-
-constexpr std::int64_t stands = 60;
-
-/// The whole window on a run of 80 frames that stands at frame 60.
-struct Bench : window_bench::Bench
-{
-    explicit Bench(const char *lesson = "multi_foot", const char *step = "two_feet")
-        : window_bench::Bench(lesson, step)
-    {
-        window.resize(1600, 900);
-        window.showEnergy(true);
-        goTo(80);
-        goTo(stands);
-        settle();
-        park();
-    }
-    void goTo(std::int64_t frame)
-    {
-        session.goTo({frame, 0});
-        QVERIFY(QTest::qWaitFor([&] { return !session.goingTo(); }));
-    }
-    void settle()
-    {
-        QVERIFY(
-            QTest::qWaitFor([&] { return window.plots().isSettled() && energy.course().last() >= stands; }));
-        QCoreApplication::processEvents();
-    }
-    void hover(QWidget &widget, QPointF place) { QTest::mouseMove(&widget, place.toPoint()); }
-    /// The mouse goes to where nothing is.
-    void park()
-    {
-        QTest::mouseMove(window.statusBar(), {3, 3});
-        QCoreApplication::processEvents();
-    }
-    QPointF onPlot(double frame) { return {plot().xAxis->coordToPixel(frame), plot().height() / 2.0}; }
-    QPointF onEnergy(double frame)
-    {
-        return {energy.plot().xAxis->coordToPixel(frame), energy.plot().height() / 2.0};
-    }
-    QPointF onTrack(std::int64_t frame) { return {timeline.axis().xOf(frame), 25.0}; }
-    QPointF onPhase(int phase)
-    {
-        for (int x = 0; x < timeline.width(); ++x) {
-            if (timeline.phases().phaseAt({double(x), TimelinePlaces::strip + 14.0}) == phase)
-                return {x + 8.0, TimelinePlaces::strip + 14.0};
-        }
-        qFatal("there is no phase %d", phase);
-    }
-    /// Scrolls to a line and says where it is.
-    QPointF onCode(const QString &part)
-    {
-        CodeView &lines = code.view();
-        for (std::size_t row = 0; row < lines.rows().size(); ++row) {
-            if (lines.rows()[row].kind != CodeRow::Kind::code || !lines.rows()[row].text.contains(part))
-                continue;
-            lines.ensureLineVisible(static_cast<int>(row));
-            return lines.rowRect(row).center();
-        }
-        qFatal("no line says %s", qPrintable(part));
-    }
-    QuantityPlot &plot() { return window.plots().cards().front()->plot(); }
-    QPointF places(std::int64_t frame, const char *body)
-    {
-        sim::Track track(session.timeline().script(), 0);
-        track.seek({frame, 0});
-        const sim::Vec2 at = track.now().at(track.shown().scene.find(body));
-        return {at.x, at.y};
-    }
-    QPointF shown(const char *body)
-    {
-        const Picture &picture = view.shown().picture;
-        const sim::Vec2 at = picture.state.at(picture.segment->scene.find(body));
-        return {at.x, at.y};
-    }
-    QString status() { return window.statusBar()->findChild<QLabel *>()->text(); }
-    QString spoken(QWidget &widget, QAccessible::Text kind)
-    {
-        return QAccessible::queryAccessibleInterface(&widget)->text(kind);
-    }
-
-    EnergyPanel &energy = *window.findChild<EnergyPanel *>();
-    TimelineStrip &timeline = *window.findChild<TimelineStrip *>();
-    CodePanel &code = *window.findChild<CodePanel *>();
-    FrameCounter &counter = *window.findChild<FrameCounter *>();
-};
 
 /// All that a learner sees and that a look must give back.
 struct Sight
@@ -279,7 +196,10 @@ private slots:
         QCOMPARE(bench.session.shown().at(), (sim::Cursor{stands, 2}));
         QVERIFY2(bench.view.caption().contains("Inside frame 60"), qPrintable(bench.view.caption()));
         QVERIFY(bench.code.view().values() != before.chips);
+        QCoreApplication::processEvents();
+        QVERIFY(bench.plot().insidePlace()); // beside the cursor's own dot
         bench.park();
+        QVERIFY(!bench.plot().insidePlace());
         QVERIFY(Sight(bench) == before);
         QCOMPARE(bench.session.timeline().at(), (sim::Cursor{stands, 0}));
     }

@@ -212,43 +212,6 @@ private slots:
         QVERIFY(bench.plot().emptyText().isEmpty());
     }
 
-    void theOldRunIsADashedCurve()
-    {
-        Bench bench;
-        bench.goTo(120);
-        bench.goTo(40);
-        const QColor ghost = bench.world.theme.tokens().ghost;
-        QTest::qWait(20);
-        QCOMPARE(bench.pixels(ghost, bench.plot().grab().toImage()), 0);
-        bench.session().setParameter("k", 0.3);
-        bench.goTo(120);
-        QTest::qWait(20);
-        QVERIFY(bench.pixels(ghost, bench.plot().grab().toImage()) > 20);
-    }
-
-    void nothingIsPaintedWhileNothingChanges()
-    {
-        Bench bench;
-        bench.goTo(60);
-        QTest::qWait(50);
-        const int curves = bench.plot().curvesPainted();
-        QTest::qWait(200);
-        QCOMPARE(bench.plot().curvesPainted(), curves);
-        const int axes = bench.plot().axesPainted();
-        for (int i = 0; i < 40; ++i) { // as playing does
-            bench.session().frameForward();
-            QCoreApplication::processEvents();
-        }
-        QVERIFY(bench.plot().curvesPainted() - curves <= 41); // one for each picture
-        QVERIFY2(bench.plot().axesPainted() - axes <= 6,
-                 qPrintable(QString::number(bench.plot().axesPainted() - axes)));
-        bench.panel->hide();
-        const int hidden = bench.plot().curvesPainted();
-        bench.session().goTo({10, 0});
-        QTest::qWait(50);
-        QCOMPARE(bench.plot().curvesPainted(), hidden);
-    }
-
     void aScreenReaderHearsWhatIsPlottedAndItsValue()
     {
         Bench bench;

@@ -26,11 +26,13 @@ struct Bench
     app::LessonLibrary library = app::LessonLibrary::load({LESSON_DIR});
     app::Theme theme{app::Scheme::light};
     app::Session session{library};
-    app::MainWindow window{session, theme};
+    app::MainWindow window;
     app::SceneView &view = *window.findChild<app::SceneView *>();
     app::Notice &notice = *window.findChild<app::Notice *>();
 
-    explicit Bench(const char *lesson = "single_spring", const char *step = "fixed_centre")
+    explicit Bench(const char *lesson = "single_spring", const char *step = "fixed_centre",
+                   app::StudyFunction study = sim::studyAccuracy)
+        : window(session, theme, std::move(study))
     {
         theme.apply(*qApp);
         session.openStep(lesson, step);

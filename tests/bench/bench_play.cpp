@@ -5,12 +5,11 @@
 // other things to do does not add to them, and what passed by the clock beside it.
 
 #include "app/model/lesson_library.h"
-#include "app/ui/plots/plots_panel.h"
 #include "app/ui/window/main_window.h"
+#include "every_panel.h"
 #include "slow_events.h"
 
 #include <QCommandLineParser>
-#include <QDockWidget>
 #include <QElapsedTimer>
 #include <QFile>
 #include <QSettings>
@@ -61,35 +60,6 @@ struct Play
     QSize window;
     QStringList slow; ///< what took the most in turns that took too long
 };
-
-/// Opens "LESSON/STEP,PARAMETER=VALUE...".
-void open(Session &session, const QString &what)
-{
-    const QStringList parts = what.split(',');
-    session.openStep(parts.front().section('/', 0, 0), parts.front().section('/', 1));
-    session.startAfresh();
-    for (const QString &part : parts.mid(1))
-        session.setParameter(part.section('=', 0, 0), part.section('=', 1).toDouble());
-}
-
-/// All panels and three plots: as Measure has them where there is room for that, else as Learn has them, with what there is no
-/// room for as tabs.
-void openPanels(MainWindow &window)
-{
-    while (window.plots().cards().size() < 3)
-        window.plots().add({{window.plots().cards().size() == 1 ? Measured::speed : Measured::energy}});
-    window.setMode(MainWindow::Mode::measure); // begins to measure accuracy
-    const auto dock = [&](const char *name) { return window.findChild<QDockWidget *>(name); };
-    if (dock("lessons")->isHidden() || dock("code")->isHidden()) {
-        window.setMode(MainWindow::Mode::learn);
-        window.showEnergy(true);
-        window.tabifyDockWidget(dock("code"), dock("accuracy"));
-        dock("accuracy")->show();
-    }
-    window.showPlots(true);
-    window.showEffects(true);
-    QApplication::processEvents();
-}
 
 /// The next tab of each stack of panels comes to the front.
 void turnTabs(const MainWindow &window)
@@ -154,7 +124,7 @@ Play play(Session &session, Theme &theme, WatchedApplication &application, const
     MainWindow window(session, theme);
     window.resize(plan.size);
     window.show();
-    openPanels(window);
+    openEveryPanel(window);
     play.window = window.size();
     goTo(session, plan.from);
     play.memory.push_back(memoryNow(session));
@@ -276,7 +246,7 @@ int main(int count, char **arguments)
     QTextStream out(stdout);
     for (const QString &step : steps) {
         for (const QString &one : sizes) {
-            open(session, step);
+            openStep(session, step);
             out << step << ", " << one << Qt::endl;
             const Plan plan{sizeOf(one), given.value(from).toLongLong(), given.value(frames).toLongLong(),
                             given.value(speed).toDouble()};

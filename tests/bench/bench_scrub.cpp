@@ -1,26 +1,49 @@
-// How long it takes until the window shows another moment of a ten-minute run: seeking and painting the whole window,
-// 1280 x 800 px, for moments drawn at random: bench_scrub [LESSON/STEP[,PARAMETER=VALUE]...]...
-// Times are processor time of this thread, so that a machine with other things to do does not add to them.
+// How long it takes until the window shows another moment of a long run: bench_scrub [--frames N] [--moves N]
+// [LESSON/STEP[,PARAMETER=VALUE]...]... Of each step twice: moments drawn at random, with the window as it opens, 1280 x
+// 800 px, painted whole; and the head of the timeline dragged to and fro with the mouse, with every panel open and seen,
+// 1920 x 1080 px, where each repaints what has changed in it. Times are processor time of this thread, so that a machine
+// with other things to do does not add to them.
 
 #include "app/model/lesson_library.h"
+#include "app/ui/energy/energy_panel.h"
+#include "app/ui/energy/energy_plot.h"
+#include "app/ui/plots/plot_card.h"
+#include "app/ui/plots/plots_panel.h"
+#include "app/ui/scene/scene_view.h"
+#include "app/ui/time/timeline_strip.h"
 #include "app/ui/window/main_window.h"
+#include "every_panel.h"
 #include "sim/accuracy/cpu_clock.h"
+#include "slow_events.h"
 
-#include <QApplication>
+#include <QCommandLineParser>
+#include <QMouseEvent>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTextStream>
+#include <QThread>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <random>
+#include <set>
 
 using namespace app;
 
 namespace {
 
 constexpr std::int64_t tenMinutes = 10 * 60 * 30; ///< frames
-constexpr int moments = 300;
+constexpr double aPicture = 1.0 / 60.0;           ///< s
+constexpr int turnsAfterwards = 6; ///< of the event loop, in which panels read what they have not read yet
+constexpr int settlingTurns = 500;
+constexpr int stride = 3; ///< px between two moves of the mouse
+
+void turn(int times)
+{
+    for (int i = 0; i < times; ++i)
+        QApplication::processEvents();
+}
 
 void waitThere(const Session &session)
 {
@@ -31,39 +54,54 @@ void waitThere(const Session &session)
 QString percentiles(std::vector<double> seconds)
 {
     const auto slowest = std::max_element(seconds.begin(), seconds.end()) - seconds.begin() + 1;
+    const auto late = std::count_if(seconds.begin(), seconds.end(), [](double s) { return s > aPicture; });
     std::sort(seconds.begin(), seconds.end());
     const auto at = [&](double share) {
         const auto last = static_cast<double>(seconds.size() - 1);
         return QString::number(1e3 * seconds[static_cast<std::size_t>(std::lround(share * last))], 'f', 2);
     };
-    return QString("median %1 ms, 90 %: %2, 99 %: %3, most %4 (number %5)")
+    return QString("median %1 ms, 90 %: %2, 99 %: %3, most %4 (number %5); over 1/60 s: %6 of %7")
         .arg(at(0.5), at(0.9), at(0.99), at(1.0))
-        .arg(slowest);
+        .arg(slowest)
+        .arg(late)
+        .arg(seconds.size());
 }
 
-/// Opens "LESSON/STEP,PARAMETER=VALUE...".
-void open(Session &session, const QString &what)
+/// Computes a run, and waits until the panels have read it.
+void compute(Session &session, MainWindow &window, std::int64_t frames)
 {
-    const QStringList parts = what.split(',');
-    session.openStep(parts.front().section('/', 0, 0), parts.front().section('/', 1));
-    for (const QString &part : parts.mid(1))
-        session.setParameter(part.section('=', 0, 0), part.section('=', 1).toDouble());
+    session.goTo({frames, 0});
+    waitThere(session);
+    const auto *energy = window.findChild<EnergyPanel *>();
+    const auto isReading = [&] {
+        const bool counts = energy->isVisible() && !energy->course().whyNot();
+        return (counts && energy->course().last() < session.timeline().computed()) ||
+               !window.plots().isSettled();
+    };
+    for (int i = 0; i < settlingTurns || isReading(); ++i) {
+        turn(1);
+        QThread::usleep(500);
+    }
 }
 
-void measure(Session &session, Theme &theme, const QString &what, QTextStream &out)
+struct Plan
 {
-    open(session, what);
+    std::int64_t frames = tenMinutes;
+    int moves = 300;
+};
+
+void jump(Session &session, Theme &theme, const Plan &plan, QTextStream &out)
+{
     MainWindow window(session, theme);
     window.resize(1280, 800);
     window.show();
     QApplication::processEvents();
-    session.goTo({tenMinutes, 0});
-    waitThere(session);
+    compute(session, window, plan.frames);
     std::mt19937 random(1);
     std::uniform_int_distribution<std::int64_t> anywhere(0, session.timeline().computed());
     std::vector<double> seeking, all;
     QImage image(window.size(), QImage::Format_RGB32);
-    for (int i = 0; i < moments; ++i) {
+    for (int i = 0; i < plan.moves; ++i) {
         const double start = sim::computedSeconds();
         session.goTo({anywhere(random), 0});
         waitThere(session);
@@ -72,10 +110,100 @@ void measure(Session &session, Theme &theme, const QString &what, QTextStream &o
         all.push_back(sim::computedSeconds() - start);
         QApplication::processEvents(); // what is due later: readings, courses
     }
-    out << what << ": " << session.timeline().now().points() << " points, "
-        << session.timeline().track().keptStates() << " moments kept of " << session.timeline().computed()
-        << "\n  seeking: " << percentiles(seeking) << "\n  seeking and painting: " << percentiles(all)
-        << Qt::endl;
+    out << "  jumping, 1280 x 800 px, seeking:       " << percentiles(seeking)
+        << "\n  jumping, seeking and painting it all:  " << percentiles(all) << Qt::endl;
+}
+
+/// Tells when widgets have been painted.
+class Eyes : public WatchedApplication
+{
+public:
+    using WatchedApplication::WatchedApplication;
+
+    void lookFor(const std::set<QObject *> &widgets)
+    {
+        m_unseen = widgets;
+        m_seen.reset();
+    }
+    /// When all of them were painted, at the end of painting the window; nothing as long as they are not.
+    std::optional<double> seen() const { return m_seen; }
+
+    bool notify(QObject *receiver, QEvent *event) override
+    {
+        const QEvent::Type type = event->type(); // it may be gone afterwards
+        if (type == QEvent::Paint)
+            m_unseen.erase(receiver);
+        const bool answer = WatchedApplication::notify(receiver, event);
+        if (type == QEvent::UpdateRequest && m_unseen.empty() && !m_seen)
+            m_seen = sim::computedSeconds();
+        return answer;
+    }
+
+private:
+    std::set<QObject *> m_unseen;
+    std::optional<double> m_seen;
+};
+
+/// What shows the moment in pictures.
+std::set<QObject *> viewsOf(MainWindow &window)
+{
+    std::set<QObject *> views{window.findChild<TimelineStrip *>(),
+                              window.findChild<SceneView *>()->viewport(),
+                              &window.findChild<EnergyPanel *>()->plot()};
+    for (const PlotCard *card : window.plots().cards()) {
+        if (!card->plot().visibleRegion().isEmpty())
+            views.insert(&card->plot());
+    }
+    return views;
+}
+
+void send(QWidget &to, QEvent::Type type, QPointF place)
+{
+    const bool isMove = type == QEvent::MouseMove;
+    const Qt::MouseButtons held = type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton;
+    QMouseEvent event(type, place, to.mapToGlobal(place), isMove ? Qt::NoButton : Qt::LeftButton, held, {});
+    QApplication::sendEvent(&to, &event);
+}
+
+void drag(Session &session, Theme &theme, Eyes &application, const Plan &plan, QTextStream &out)
+{
+    MainWindow window(session, theme);
+    window.resize(1920, 1080);
+    window.show();
+    showEveryPanel(window);
+    compute(session, window, plan.frames);
+    auto &timeline = *window.findChild<TimelineStrip *>();
+    const double left = timeline.axis().xOf(0), right = timeline.axis().xOf(session.timeline().computed());
+    constexpr double onTrack = 25.0; // px from above
+    const std::set<QObject *> views = viewsOf(window);
+    std::vector<double> seen, read;
+    QStringList slow;
+    double x = right, step = -stride;
+    send(timeline, QEvent::MouseButtonPress, {x, onTrack});
+    for (int i = 0; i < plan.moves; ++i) {
+        if (x + step < left || x + step > right)
+            step = -step;
+        x += step;
+        application.slowest();
+        application.lookFor(views);
+        const double start = sim::computedSeconds();
+        send(timeline, QEvent::MouseMove, {x, onTrack});
+        waitThere(session);
+        for (int one = 0; !application.seen() && one < turnsAfterwards; ++one)
+            turn(1);
+        seen.push_back(application.seen().value_or(sim::computedSeconds()) - start);
+        if (seen.back() > aPicture)
+            for (const WatchedApplication::Delivery &one : application.slowest())
+                slow << QString("%1 %2 ms").arg(one.what).arg(one.took.work, 0, 'f', 1);
+        turn(turnsAfterwards);
+        read.push_back(sim::computedSeconds() - start);
+    }
+    send(timeline, QEvent::MouseButtonRelease, {x, onTrack});
+    out << "  dragging, " << window.width() << " x " << window.height()
+        << " px, every panel open: " << percentiles(seen)
+        << "\n  dragging, and reading on afterwards:   " << percentiles(read) << Qt::endl;
+    for (const QString &line : slow.mid(0, 6))
+        out << "    " << line << Qt::endl;
 }
 
 }
@@ -83,19 +211,33 @@ void measure(Session &session, Theme &theme, const QString &what, QTextStream &o
 int main(int count, char **arguments)
 {
     qputenv("QT_QPA_PLATFORM", "offscreen");
-    QApplication application(count, arguments);
+    Eyes application(count, arguments);
     const QTemporaryDir settings;
     QSettings::setDefaultFormat(QSettings::IniFormat);
     QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings.path());
-    QStringList what = QApplication::arguments().mid(1);
-    if (what.isEmpty())
-        what = {"gravity_walls/gravity", "accuracy/crowd,creatures=800"};
+    QCommandLineParser given;
+    const QCommandLineOption frames("frames", "How long the run is.", "N", QString::number(tenMinutes));
+    const QCommandLineOption moves("moves", "How many moments are gone to.", "N", "300");
+    given.addOptions({frames, moves});
+    given.process(application);
+    QStringList steps = given.positionalArguments();
+    if (steps.isEmpty())
+        steps = QStringList{"gravity_walls/gravity", "accuracy/crowd,creatures=800"};
+    const Plan plan{given.value(frames).toLongLong(), given.value(moves).toInt()};
     const LessonLibrary library = LessonLibrary::load(LessonLibrary::folders());
     Theme theme(Scheme::light);
     theme.apply(application);
     Session session(library);
     QTextStream out(stdout);
-    for (const QString &one : what)
-        measure(session, theme, one, out);
+    for (const QString &one : steps) {
+        openStep(session, one);
+        session.goTo({plan.frames, 0});
+        waitThere(session);
+        out << one << ": " << session.timeline().now().points() << " points, "
+            << session.timeline().track().keptStates() << " moments kept of " << session.timeline().computed()
+            << Qt::endl;
+        jump(session, theme, plan, out);
+        drag(session, theme, application, plan, out);
+    }
     return 0;
 }

@@ -52,7 +52,10 @@ EnergyPanel::EnergyPanel(Session &session, const Theme &theme, QWidget *parent)
     connect(&m_later, &QTimer::timeout, this, &EnergyPanel::refreshNow);
     connect(m_plot, &EnergyPlot::pointedAt, this, &EnergyPanel::pointedAt);
     connect(m_plot, &EnergyPlot::pointedAt, m_plot, &EnergyPlot::setHovered);
-    connect(&m_course, &EnergyCourse::changed, this, &EnergyPanel::refresh);
+    connect(&m_course, &EnergyCourse::changed, this, [this] {
+        m_lines.reset();
+        refresh();
+    });
     connect(&session, &Session::moved, this, &EnergyPanel::refresh);
     connect(&session, &Session::playingChanged, this, &EnergyPanel::refresh);
     connect(&session, &Session::glanceChanged, this, &EnergyPanel::followGlance);
@@ -159,26 +162,32 @@ void EnergyPanel::refreshNow()
                                       "somewhere has momentum to count."));
         return;
     }
-    const EnergyLines lines(m_course);
-    showLedger(lines);
-    m_plot->refresh(lines);
+    showLedger();
+    m_plot->refresh(counted());
+}
+
+const EnergyLines &EnergyPanel::counted()
+{
+    if (!m_lines)
+        m_lines.emplace(m_course);
+    return *m_lines;
 }
 
 void EnergyPanel::followGlance()
 {
     const bool changes = m_isElsewhere || m_session.isGlancing();
     if (isSeen() && changes && m_pages->currentWidget() == m_ledger)
-        showLedger(EnergyLines(m_course));
+        showLedger();
 }
 
-void EnergyPanel::showLedger(const EnergyLines &lines)
+void EnergyPanel::showLedger()
 {
     m_isElsewhere = m_session.isGlancing();
     const std::int64_t frame = m_session.shown().at().frame;
     m_title->setCaption(m_course.at(frame) ? tr("frame %1 to %2").arg(m_course.start()).arg(frame)
                                            : tr("counting…"));
     m_unit->setText(unit());
-    m_list->setLines(m_view == energy ? lines.energyAt(frame) : lines.momentumAt(frame), unit());
+    m_list->setLines(m_view == energy ? counted().energyAt(frame) : counted().momentumAt(frame), unit());
 }
 
 void EnergyPanel::setCovered(bool covered)

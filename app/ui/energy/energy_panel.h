@@ -57,7 +57,8 @@ private:
     QWidget *ledger();
     void refresh();
     void refreshNow();
-    void showLedger(const EnergyLines &lines);
+    void showLedger();
+    const EnergyLines &counted();
     void followGlance();
     bool isSeen() const { return isVisible() && !m_isCovered; }
     void watch();
@@ -65,6 +66,7 @@ private:
 
     Session &m_session;
     EnergyCourse m_course;
+    std::optional<EnergyLines> m_lines; ///< of what is counted: to look at all of it takes long
     View m_view = energy;
     PanelTitle *m_title;
     QStackedWidget *m_pages;

@@ -13,7 +13,8 @@ namespace {
 
 using sim::Account;
 
-constexpr int levels = 5; ///< of a pile
+constexpr int levels = 5;         ///< of a pile
+constexpr double lostEdge = 0.72; ///< how much of its colour the edge of what was lost has
 
 QColor faded(QColor color, int alpha)
 {
@@ -79,7 +80,7 @@ void EnergyPlot::dressEnergy()
     const QColor colors[levels] = {t.spring, t.gravity, t.ghost, t.damping, t.contact};
     for (int i = 0; i < levels; ++i) {
         const bool isLost = i > 2;
-        QCPGraph *level = line(QPen(faded(colors[i], isLost ? 150 : 255), 1.2));
+        QCPGraph *level = line(curvePen(faint(colors[i], isLost ? lostEdge : 1.0, t.panel), 1.2));
         level->setBrush(faded(colors[i], isLost ? 90 : 205));
         if (i > 0)
             level->setChannelFillGraph(m_lines[static_cast<std::size_t>(i) - 1]);

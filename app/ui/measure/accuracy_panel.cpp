@@ -50,7 +50,9 @@ AccuracyPanel::AccuracyPanel(AccuracyStudy &study, const Theme &theme, QWidget *
     m_views = new QStackedWidget(this);
     m_workPrecision = new WorkPrecisionPlot(study, theme, m_views);
     m_views->addWidget(m_workPrecision);
-    m_views->addWidget(new RunPlot(study, theme, m_views));
+    m_overTheRun = new RunPlot(study, theme, m_views);
+    m_views->addWidget(m_overTheRun);
+    connect(m_overTheRun, &RunPlot::pointedAt, this, &AccuracyPanel::pointedAt);
     m_views->addWidget(new OrderPlot(study, theme, m_views));
     const auto seen = [this] { return static_cast<SpotPlot *>(m_views->currentWidget()); };
     m_export = new PlotExport([seen] { return seen()->picture(); }, theme, this);

@@ -32,6 +32,7 @@ public:
     void setView(View view);
     View view() const;
     WorkPrecisionPlot &workPrecision() const { return *m_workPrecision; }
+    RunPlot &run() const { return *m_overTheRun; }
     /// Of the plot that is seen.
     PlotExport &exports() const { return *m_export; }
     /// What the card says, without its marks.
@@ -40,6 +41,10 @@ public:
 
     QSize sizeHint() const override { return {560, 520}; }
     QSize minimumSizeHint() const override { return {420, 360}; }
+
+signals:
+    /// The mouse is at a frame of the plot over the run, or has left.
+    void pointedAt(std::optional<std::int64_t> frame);
 
 protected:
     void showEvent(QShowEvent *event) override;
@@ -66,6 +71,7 @@ private:
     QLabel *m_unstable;
     QStackedWidget *m_views;
     WorkPrecisionPlot *m_workPrecision;
+    RunPlot *m_overTheRun;
     std::vector<QToolButton *> m_tabs;
     QLabel *m_state;
     ProgressLine *m_progress;

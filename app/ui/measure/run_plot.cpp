@@ -33,10 +33,42 @@ RunPlot::RunPlot(AccuracyStudy &study, const Theme &theme, QWidget *parent) : Sp
 {
     setObjectName("overTheRun");
     setAccessibleName(tr("Error over the run"));
-    connect(&study.session(), &Session::moved, this, [this] {
-        if (isVisible())
-            update();
-    });
+    for (const auto signal : {&Session::moved, &Session::glanceChanged}) {
+        connect(&study.session(), signal, this, [this] {
+            if (isVisible())
+                update();
+        });
+    }
+}
+
+std::optional<std::int64_t> RunPlot::frameAt(QPointF place) const
+{
+    if (!m_study.accuracy() || !QRectF(axisRect()->rect()).contains(place))
+        return std::nullopt;
+    const auto frame = static_cast<std::int64_t>(std::lround(xAxis->pixelToCoord(place.x())));
+    const std::int64_t computed = m_study.session().timeline().computed();
+    const bool isThere = frame >= 0 && frame <= std::min<std::int64_t>(computed, m_study.accuracy()->horizon);
+    return isThere ? std::optional(frame) : std::nullopt;
+}
+
+std::optional<std::int64_t> RunPlot::hovered() const
+{
+    const std::optional<sim::Cursor> &moment = m_study.session().marked();
+    if (!m_study.accuracy() || !moment || moment->phase > 0 || moment->frame > m_study.accuracy()->horizon)
+        return std::nullopt;
+    return moment->frame;
+}
+
+void RunPlot::mouseMoveEvent(QMouseEvent *event)
+{
+    SpotPlot::mouseMoveEvent(event);
+    emit pointedAt(frameAt(event->position()));
+}
+
+void RunPlot::leaveEvent(QEvent *event)
+{
+    SpotPlot::leaveEvent(event);
+    emit pointedAt(std::nullopt);
 }
 
 void RunPlot::chooseRows()
@@ -123,13 +155,25 @@ void RunPlot::draw(QPainter &painter)
             continue;
         drawMarker(painter, line.back(), ink, markerSize, m_theme.tokens().panel);
     }
-    const double now = xAxis->coordToPixel(static_cast<double>(m_study.session().timeline().at().frame));
-    painter.setPen(QPen(m_theme.tokens().now, 2.0));
-    painter.drawLine(QPointF(now, area.top()), QPointF(now, area.bottom()));
+    drawMoments(painter);
     painter.restore();
     drawEndLabels(painter, m_names, m_theme.ui(12, QFont::Medium), m_theme.tokens().panel);
     if (chosen())
         drawRing(painter, onScreen(*chosen()), QPen(m_theme.tokens().ink, 2.0), markerSize);
+}
+
+/// The cursor of the run, and the thin one of a look.
+void RunPlot::drawMoments(QPainter &painter) const
+{
+    const QRectF area = axisRect()->rect();
+    const auto line = [&](std::int64_t frame, const QPen &pen) {
+        const double x = xAxis->coordToPixel(static_cast<double>(frame));
+        painter.setPen(pen);
+        painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
+    };
+    line(m_study.session().timeline().at().frame, QPen(m_theme.tokens().now, 2.0));
+    if (hovered())
+        line(*hovered(), QPen(m_theme.tokens().ink3, 1.0));
 }
 
 QByteArray RunPlot::numbersOf(const sim::Accuracy &accuracy) const

@@ -50,6 +50,7 @@ CursorPlot::CursorPlot(Session &session, const Theme &theme, QWidget *parent)
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setPlottingHint(QCP::phImmediateRefresh, false); // in the middle of a change others cannot be painted yet
+    setPlottingHint(QCP::phFastPolylines); // line by line: as one outline a curve takes tens of times as long
     setCursor(Qt::PointingHandCursor);
     setAntialiasedElements(QCP::aeAll);
     setNoAntialiasingOnDrag(false);
@@ -216,6 +217,13 @@ void CursorPlot::paintDot(QPainter &painter, QPointF at) const
         paintDisc(painter, at, m_theme.tokens().now, QPen(m_theme.tokens().panel, 1.5));
 }
 
+void CursorPlot::paintInside(QPainter &painter, QPointF at) const
+{
+    const Tokens &t = m_theme.tokens();
+    if (isSomewhere(at) && QRectF(axisRect()->rect()).adjusted(-2.0, -2.0, 2.0, 2.0).contains(at))
+        paintDisc(painter, at, t.panel, QPen(t.now, 1.5));
+}
+
 void CursorPlot::paintHoveredLine(QPainter &painter, double x) const
 {
     const QRectF area = axisRect()->rect();
@@ -245,6 +253,20 @@ void CursorPlot::paintTag(QPainter &painter, QPointF dot, const QString &text) c
     painter.drawRoundedRect(tag, 4.0, 4.0);
     painter.setPen(t.ink);
     painter.drawText(tag, Qt::AlignCenter, text);
+}
+
+QPen curvePen(const QColor &ink, double width)
+{
+    return {ink, width, Qt::SolidLine, Qt::SquareCap, Qt::BevelJoin};
+}
+
+QColor faint(const QColor &ink, double share, const QColor &ground)
+{
+    const auto mixed = [share](float over, float under) {
+        return static_cast<float>(share) * over + static_cast<float>(1.0 - share) * under;
+    };
+    return QColor::fromRgbF(mixed(ink.redF(), ground.redF()), mixed(ink.greenF(), ground.greenF()),
+                            mixed(ink.blueF(), ground.blueF()));
 }
 
 bool isSomewhere(QPointF place)

@@ -52,6 +52,8 @@ protected:
     /// The amber line with its head, if `x` is within the axes.
     void paintCursor(QPainter &painter, double x) const;
     void paintDot(QPainter &painter, QPointF at) const;
+    /// A moment inside the cursor's frame: a ring, lighter than the dot.
+    void paintInside(QPainter &painter, QPointF at) const;
     void paintHoveredLine(QPainter &painter, double x) const;
     void paintHoveredDot(QPainter &painter, QPointF at) const;
     /// Words in a box over or, where a dot is there, under `dot`.
@@ -79,6 +81,12 @@ private:
     bool m_isDragging = false;
     bool m_isRinged = false; ///< the keyboard is here
 };
+
+/// A pen for curves, which are drawn line by line: with ends that leave no gap between two of them. `ink` must be opaque,
+/// or the places where two lines meet would show.
+QPen curvePen(const QColor &ink, double width);
+/// `ink` as it looks where it lets `ground` through, `share` of it left, as an opaque colour.
+QColor faint(const QColor &ink, double share, const QColor &ground);
 
 /// Whether a place is one at all.
 bool isSomewhere(QPointF place);

@@ -97,9 +97,9 @@ void PlotCard::setSpec(const PlotSpec &spec)
     m_plot->setSpec(spec);
 }
 
-void PlotCard::refresh(const std::vector<double> &now)
+void PlotCard::refresh(const std::vector<double> &begun, const std::optional<PlotCourse::Inside> &inside)
 {
-    m_plot->refresh(now);
+    m_plot->refresh(begun, inside);
     writeHeader();
     if (m_session.isPlaying() && m_sinceValue.isValid() && !m_sinceValue.hasExpired(valueMilliseconds))
         return;

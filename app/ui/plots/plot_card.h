@@ -24,7 +24,7 @@ public:
 
     void setSpec(const PlotSpec &spec);
     const PlotSpec &spec() const { return m_plot->spec(); }
-    void refresh(const std::vector<double> &now);
+    void refresh(const std::vector<double> &begun, const std::optional<PlotCourse::Inside> &inside);
     QuantityPlot &plot() const { return *m_plot; }
     PlotExport &exports() const { return *m_export; }
     /// What can be done with it; the caller owns it.

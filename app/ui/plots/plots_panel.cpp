@@ -1,6 +1,5 @@
 #include "app/ui/plots/plots_panel.h"
 
-#include "app/model/quantity_words.h"
 #include "app/ui/panels/panel_title.h"
 #include "app/ui/panels/progress_line.h"
 #include "app/ui/plots/plot_card.h"
@@ -9,13 +8,13 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QMenu>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace app {
 
@@ -59,10 +58,7 @@ PlotsPanel::PlotsPanel(Session &session, const Theme &theme, QWidget *parent)
     column->addWidget(m_title);
     column->addWidget(m_pages, 1);
     column->addWidget(saving());
-    m_soon.setSingleShot(true);
-    m_soon.setInterval(0);
     m_patience.setSingleShot(true);
-    connect(&m_soon, &QTimer::timeout, this, &PlotsPanel::refresh);
     connect(&m_patience, &QTimer::timeout, m_saving, &QWidget::show);
     connect(&session, &Session::stepOpened, this, &PlotsPanel::open);
     connect(&m_list, &PlotList::changed, this, &PlotsPanel::rebuild);
@@ -71,21 +67,10 @@ PlotsPanel::PlotsPanel(Session &session, const Theme &theme, QWidget *parent)
     connect(&session, &Session::runChanged, this, &PlotsPanel::refreshSoon);
     connect(&session, &Session::selectionChanged, this, &PlotsPanel::refreshSoon);
     connect(&session, &Session::playingChanged, this, &PlotsPanel::refreshSoon);
+    connect(&session, &Session::glanceChanged, this, &PlotsPanel::followGlance);
     connect(&theme, &Theme::changed, this, &PlotsPanel::refreshSoon);
     open();
     rebuild();
-}
-
-QWidget *PlotsPanel::emptyPage()
-{
-    auto *text =
-        new QLabel(tr("Nothing is plotted. <b>Add</b>, above, has curves to begin with: how far down a "
-                      "body is, how fast it goes, or one quantity against another."),
-                   m_pages);
-    text->setWordWrap(true);
-    text->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    text->setContentsMargins(16, 4, 16, 8);
-    return text;
 }
 
 QWidget *PlotsPanel::saving()
@@ -107,65 +92,6 @@ QWidget *PlotsPanel::saving()
     row->addWidget(stop);
     m_saving->hide();
     return m_saving;
-}
-
-QMenu *PlotsPanel::addMenu()
-{
-    auto *menu = new QMenu(this);
-    menu->setToolTipsVisible(true);
-    connect(menu, &QMenu::aboutToShow, this, [this, menu] { fillAddMenu(*menu); });
-    return menu;
-}
-
-void PlotsPanel::fillAddMenu(QMenu &menu)
-{
-    menu.clear();
-    const auto offer = [&](const QString &text, const PlotSpec &plot) {
-        QAction *made = menu.addAction(text);
-        const sim::Scene &scene = m_session.timeline().track().shown().scene;
-        for (const Quantity &one : {m_course.bound(plot.up), m_course.bound(plot.across)}) {
-            if (const std::optional<NoValue> why = whyNot(one, scene)) {
-                made->setEnabled(false);
-                made->setToolTip(noValueWords(one, scene, *why));
-            }
-        }
-        if (m_list.isFull()) {
-            made->setEnabled(false);
-            made->setToolTip(tr("There are %1 plots: more would be too small to read. Remove one first.")
-                                 .arg(PlotList::most));
-        }
-        connect(made, &QAction::triggered, this, [this, plot] { add(plot); });
-    };
-    const auto ofTime = [&](Measured what) {
-        return offer(tr("%1 against time").arg(measuredTitle(what)), {{what}});
-    };
-    ofTime(Measured::placeX);
-    ofTime(Measured::placeY);
-    ofTime(Measured::speed);
-    if (m_session.timeline().now().angle.rows() > 0)
-        ofTime(Measured::angle);
-    ofTime(Measured::energy);
-    menu.addSeparator();
-    offer(tr("the path: y against x"), {{Measured::placeY}, {Measured::placeX}});
-    offer(tr("velocity y against y"), {{Measured::velocityY}, {Measured::placeY}});
-    if (m_session.timeline().now().spin.rows() > 0)
-        offer(tr("turning speed against angle"), {{Measured::spin}, {Measured::angle}});
-    menu.addSeparator();
-    QAction *hint = menu.addAction(tr("Anything else: add one, and choose what it shows"));
-    hint->setEnabled(false);
-    hint->setToolTip(tr("The names above a plot are menus"));
-}
-
-void PlotsPanel::add(const PlotSpec &plot)
-{
-    if (m_list.isFull())
-        return;
-    m_list.add(plot);
-    m_cards.back()->plot().setFocus(Qt::OtherFocusReason);
-    QTimer::singleShot(0, m_cards.back(), [this] {
-        if (!m_cards.empty())
-            m_scroll->ensureWidgetVisible(m_cards.back());
-    });
 }
 
 void PlotsPanel::open()
@@ -250,18 +176,28 @@ void PlotsPanel::rebuild()
 
 void PlotsPanel::refreshSoon()
 {
-    if (isVisible() && !m_isCovered)
-        m_soon.start();
+    if (!isVisible() || m_isCovered || std::exchange(m_isDue, true))
+        return;
+    // Not by a timer: those come after the window is painted, which would be painted again.
+    QMetaObject::invokeMethod(this, &PlotsPanel::refresh, Qt::QueuedConnection);
+}
+
+void PlotsPanel::followGlance()
+{
+    const bool isInside = m_session.isGlancing() && m_session.shown().at().phase > 0;
+    if (std::exchange(m_looksInside, isInside) || isInside)
+        refreshSoon();
 }
 
 void PlotsPanel::refresh()
 {
-    m_soon.stop();
+    m_isDue = false;
     if (!isVisible() || m_isCovered)
         return;
-    const std::vector<double> now = m_course.now();
+    const std::vector<double> begun = m_course.begun();
+    const std::optional<PlotCourse::Inside> inside = m_course.inside();
     for (PlotCard *card : m_cards)
-        card->refresh(now);
+        card->refresh(begun, inside);
     writeCaption();
 }
 

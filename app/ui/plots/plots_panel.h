@@ -35,7 +35,7 @@ public:
     PlotList &list() { return m_list; }
     PlotCourse &course() { return m_course; }
     /// Whether all that is computed of what is shown is drawn.
-    bool isSettled() const { return !m_course.isReading() && !m_soon.isActive(); }
+    bool isSettled() const { return !m_course.isReading() && !m_isDue; }
     /// The button that adds plots.
     FlatButton &addButton() const { return *m_add; }
     /// Adds a plot as the button's menu does.
@@ -79,6 +79,7 @@ private:
     void letGo(PlotCard &card);
     std::size_t indexOf(const PlotCard &card) const;
     void refreshSoon();
+    void followGlance();
     void watch();
     void refresh();
     void zoom(int steps);
@@ -99,9 +100,10 @@ private:
     QWidget *m_saving = nullptr;
     ProgressLine *m_progress = nullptr;
     bool m_isCovered = false;
-    int m_wantedHeight = 0; ///< px
-    QTimer m_soon;          ///< all that changes together is drawn together
-    QTimer m_patience;      ///< what takes longer shows how far it is
+    bool m_isDue = false;       ///< all that changes together is drawn together
+    bool m_looksInside = false; ///< whether somebody looks at a moment inside a frame
+    int m_wantedHeight = 0;     ///< px
+    QTimer m_patience;          ///< what takes longer shows how far it is
 };
 
 }

@@ -1,6 +1,7 @@
 #include "app/ui/plots/quantity_plot.h"
 
 #include "app/model/quantity_words.h"
+#include "app/ui/plots/dashed_curve.h"
 #include "app/ui/plots/number_ticker.h"
 #include "app/ui/theme/plot_axes.h"
 
@@ -13,12 +14,15 @@ namespace app {
 
 namespace {
 
-constexpr double curveWidth = 1.8;  ///< px
-constexpr double thickWidth = 3.4;  ///< px
+constexpr double curveWidth = 1.6;  ///< px
+constexpr double thickWidth = 3.2;  ///< px
+constexpr double ghostWidth = 1.5;  ///< px
+constexpr double dash = 4.5;        ///< px
 constexpr double paleFuture = 0.35; ///< how much of its colour a curve has after the cursor
 const QMargins besideTime(54, 22, 14, 24);
 const QMargins besideQuantity(54, 22, 16, 42); ///< with a name below the axis
 const char *const curveLayer = "curves";
+const char *const ghostLayer = "ghost"; ///< below it: the old run stays as it is where the cursor moves
 
 }
 
@@ -26,26 +30,25 @@ QuantityPlot::QuantityPlot(Session &session, const PlotCourse &course, const The
     : CursorPlot(session, theme, parent), m_course(course)
 {
     setObjectName("quantityPlot");
-    addLayer(curveLayer, layer("main"), limAbove);
-    layer(curveLayer)->setMode(QCPLayer::lmBuffered);
+    addLayer(ghostLayer, layer("main"), limAbove);
+    addLayer(curveLayer, layer(ghostLayer), limAbove);
+    for (const char *buffered : {ghostLayer, curveLayer})
+        layer(buffered)->setMode(QCPLayer::lmBuffered);
     xAxis->setTicker(QSharedPointer<QCPAxisTicker>(new NumberTicker(5)));
     yAxis->setTicker(QSharedPointer<QCPAxisTicker>(new NumberTicker(4)));
     axisRect()->setAutoMargins(QCP::msNone);
-    m_ghost = makeCurve();
-    m_future = makeCurve();
-    m_past = makeCurve();
+    m_ghost = onLayer(ghostLayer, {new DashedGraph(xAxis, yAxis), new DashedCurve(xAxis, yAxis)});
+    for (Curve *curve : {&m_future, &m_past})
+        *curve = onLayer(curveLayer, {new QCPGraph(xAxis, yAxis), new QCPCurve(xAxis, yAxis)});
     connect(&theme, &Theme::changed, this, &QuantityPlot::dress);
     dress();
 }
 
-QuantityPlot::Curve QuantityPlot::makeCurve()
+QuantityPlot::Curve QuantityPlot::onLayer(const char *name, Curve curve)
 {
-    Curve made;
-    made.graph = addGraph();
-    made.curve = new QCPCurve(xAxis, yAxis);
-    made.graph->setLayer(curveLayer);
-    made.curve->setLayer(curveLayer);
-    return made;
+    curve.graph->setLayer(name);
+    curve.curve->setLayer(name);
+    return curve;
 }
 
 void QuantityPlot::setPen(const Curve &curve, const QPen &pen)
@@ -81,15 +84,10 @@ void QuantityPlot::setPointedBody(const QString &body)
 void QuantityPlot::dressCurves()
 {
     const Tokens &t = m_theme.tokens();
-    QPen pen(t.body, m_isThick ? thickWidth : curveWidth, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
-    setPen(m_past, pen);
-    QColor pale = t.body;
-    pale.setAlphaF(static_cast<float>(paleFuture));
-    pen.setColor(pale);
-    setPen(m_future, pen);
-    QPen dashed(t.ghost, 1.5, Qt::CustomDashLine, Qt::FlatCap);
-    dashed.setDashPattern({3.0, 3.0});
-    setPen(m_ghost, dashed);
+    const double width = m_isThick ? thickWidth : curveWidth;
+    setPen(m_past, curvePen(t.body, width));
+    setPen(m_future, curvePen(faint(t.body, paleFuture, t.panel), width));
+    setPen(m_ghost, dashedPen(t.ghost, ghostWidth, dash));
 }
 
 void QuantityPlot::setSpec(const PlotSpec &spec)
@@ -124,14 +122,18 @@ QString QuantityPlot::readout(double up, double across) const
 
 QString QuantityPlot::valueText() const
 {
-    return m_empty.isEmpty() || std::isfinite(m_nowUp) ? readout(m_nowUp, m_nowAcross) : QString();
+    return m_empty.isEmpty() || std::isfinite(reading().up) ? readout(reading().up, reading().across)
+                                                            : QString();
 }
 
 QString QuantityPlot::sentence() const
 {
     if (!m_empty.isEmpty())
         return tr("%1. %2").arg(title(), m_empty);
-    return tr("%1: %2 at frame %3").arg(title(), valueText()).arg(m_session.timeline().at().frame);
+    const std::int64_t frame = m_session.timeline().at().frame;
+    return (m_inside ? tr("%1: %2 inside frame %3") : tr("%1: %2 at frame %3"))
+        .arg(title(), valueText())
+        .arg(frame);
 }
 
 QString QuantityPlot::whyEmpty() const
@@ -146,34 +148,55 @@ QString QuantityPlot::whyEmpty() const
     return {};
 }
 
-void QuantityPlot::refresh(const std::vector<double> &now)
+QuantityPlot::Spot QuantityPlot::spotOf(const std::vector<double> &numbers, double time) const
 {
+    const auto valueAt = [&numbers](std::size_t column) {
+        return column < numbers.size() ? numbers[column] : std::numeric_limits<double>::quiet_NaN();
+    };
+    return {valueAt(m_up), m_spec.isAgainstTime() ? time : valueAt(m_across)};
+}
+
+void QuantityPlot::refresh(const std::vector<double> &begun, const std::optional<PlotCourse::Inside> &inside)
+{
+    const std::int64_t at = m_session.timeline().at().frame;
     m_up = m_course.columnOf(m_spec.up);
     m_across = m_course.columnOf(m_spec.across);
-    const auto valueAt = [&now](std::size_t column) {
-        return column < now.size() ? now[column] : std::numeric_limits<double>::quiet_NaN();
-    };
-    m_nowUp = valueAt(m_up);
-    m_nowAcross = valueAt(m_across);
+    m_now = spotOf(begun, static_cast<double>(at));
+    m_inside = inside ? std::optional(spotOf(inside->values, inside->time)) : std::nullopt;
     m_empty = whyEmpty();
-    const std::int64_t at = m_session.timeline().at().frame;
+    const bool isGhostRead = m_drawnGhost != m_course.ghostRevision();
     const bool isChanged = m_drawn != m_course.revision() || m_drawnAt != at;
+    m_drawnGhost = m_course.ghostRevision();
     m_drawn = m_course.revision();
     m_drawnAt = at;
+    if (isGhostRead || m_axesAreOld)
+        fillGhost();
     if (isChanged || m_axesAreOld)
         fillCurves();
+    draw(isChanged, isGhostRead);
+    announce();
+}
+
+void QuantityPlot::draw(bool curves, bool ghost)
+{
     const bool isRescaled = fitAxes();
     if (std::exchange(m_axesAreOld, false) || isRescaled) {
         replot(QCustomPlot::rpQueuedRefresh);
         ++m_axesPainted;
         ++m_curvesPainted;
-    } else if (isChanged) {
+        ++m_ghostsPainted;
+        return;
+    }
+    if (ghost) {
+        layer(ghostLayer)->replot();
+        ++m_ghostsPainted;
+    }
+    if (curves) {
         layer(curveLayer)->replot();
         ++m_curvesPainted;
     } else {
         update();
     }
-    announce();
 }
 
 void QuantityPlot::fitAxis(QCPAxis &axis, PlotRange &range, std::size_t column)
@@ -187,9 +210,11 @@ void QuantityPlot::fitAxis(QCPAxis &axis, PlotRange &range, std::size_t column)
         for (std::size_t i = 0; column < samples->columns() && i < samples->size(); ++i)
             take(samples->at(i, column).low, samples->at(i, column).high);
     }
-    const double now = column == m_up ? m_nowUp : m_nowAcross;
-    if (std::isfinite(now))
-        take(now, now);
+    for (const Spot *spot : {&m_now, m_inside ? &*m_inside : &m_now}) {
+        const double now = column == m_up ? spot->up : spot->across;
+        if (std::isfinite(now))
+            take(now, now);
+    }
     if (!(low <= high) || !std::isfinite(high - low))
         return;
     range = rangeAfter(range, low, high);
@@ -250,12 +275,17 @@ void QuantityPlot::fill(const Curve &curve, const Samples &samples, std::size_t 
 
 void QuantityPlot::fillCurves()
 {
-    const Samples &run = m_course.run(), &ghost = m_course.ghost();
+    const Samples &run = m_course.run();
     const std::size_t end = run.isEmpty() ? 0 : run.size() - 1;
     const std::int64_t at = m_session.timeline().at().frame;
     const std::size_t here = run.isEmpty() || at < run.firstFrame() ? 0 : run.bucketNear(at);
     fill(m_past, run, 0, here);
     fill(m_future, run, here, here < end ? end : 0);
+}
+
+void QuantityPlot::fillGhost()
+{
+    const Samples &ghost = m_course.ghost();
     fill(m_ghost, ghost, 0, ghost.isEmpty() ? 0 : ghost.size() - 1);
 }
 

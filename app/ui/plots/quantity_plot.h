@@ -20,12 +20,13 @@ public:
     /// The curve is drawn thicker while somebody points at its body.
     void setPointedBody(const QString &body);
     bool isThick() const { return m_isThick; }
-    /// Draws what has changed. `now`: the numbers at the cursor, by the course's columns.
-    void refresh(const std::vector<double> &now);
+    /// Draws what has changed. `begun`: the numbers where the cursor's frame begins, by the course's columns; `inside`:
+    /// those inside it, if that is where somebody is.
+    void refresh(const std::vector<double> &begun, const std::optional<PlotCourse::Inside> &inside);
 
     /// "y of foot 1 against time".
     QString title() const override;
-    /// The number at the cursor with its unit; of a plot against another quantity both.
+    /// The number at the cursor, also inside a frame, with its unit; of a plot against another quantity both.
     QString valueText() const;
     QString sentence() const override;
     /// What is said in place of a curve; empty where there is one.
@@ -33,8 +34,11 @@ public:
     std::optional<std::int64_t> frameAt(QPointF place) const override;
     /// Where a frame of the run is drawn.
     QPointF placeOf(std::int64_t frame) const;
-    /// How often curves and axes were painted: for tests.
+    /// Where the moment inside a frame is drawn, if somebody is inside one.
+    std::optional<QPointF> insidePlace() const;
+    /// How often curves, the old run's and axes were painted: for tests.
     int curvesPainted() const { return m_curvesPainted; }
+    int ghostsPainted() const { return m_ghostsPainted; }
     int axesPainted() const { return m_axesPainted; }
 
     QSize minimumSizeHint() const override { return {200, 110}; }
@@ -55,13 +59,19 @@ protected:
     void keyPressEvent(QKeyEvent *event) override;
 
 private:
+    /// A moment of the plot.
+    struct Spot
+    {
+        double up = 0.0;
+        double across = 0.0; ///< against time: frames
+    };
     /// One curve of the plot, as a function of time or of another quantity.
     struct Curve
     {
         QCPGraph *graph = nullptr;
         QCPCurve *curve = nullptr;
     };
-    Curve makeCurve();
+    static Curve onLayer(const char *name, Curve curve);
     void setPen(const Curve &curve, const QPen &pen);
     void dress();
     void dressCurves();
@@ -69,7 +79,10 @@ private:
     bool fitAxes();
     void fitAxis(QCPAxis &axis, PlotRange &range, std::size_t column);
     void keepShape();
+    void draw(bool curves, bool ghost);
     void fillCurves();
+    void fillGhost();
+    Spot spotOf(const std::vector<double> &numbers, double time) const;
     /// Draws the buckets from `first` to `last`, both included.
     void fill(const Curve &curve, const Samples &samples, std::size_t first, std::size_t last);
     QString unit(const Quantity &quantity) const;
@@ -78,6 +91,9 @@ private:
     QPointF place(double across, double up) const;
     void paintUnits(QPainter &painter) const;
     void paintNow(QPainter &painter) const;
+    QPointF placeOf(const Spot &spot) const;
+    /// What the numbers at the cursor are of.
+    const Spot &reading() const { return m_inside ? *m_inside : m_now; }
     void paintEmpty(QPainter &painter) const;
 
     const PlotCourse &m_course;
@@ -89,14 +105,16 @@ private:
     Curve m_ghost;
     PlotRange m_upRange;
     PlotRange m_acrossRange;
-    double m_nowUp = 0.0;
-    double m_nowAcross = 0.0;
+    Spot m_now;                   ///< where the cursor's frame begins
+    std::optional<Spot> m_inside; ///< inside it
     QString m_empty;
     quint64 m_drawn = 0;         ///< the course's revision that the curves are from
+    quint64 m_drawnGhost = 0;    ///< the same of the ghost
     std::int64_t m_drawnAt = -1; ///< the frame at which they change
     bool m_axesAreOld = true;
     bool m_isThick = false;
     int m_curvesPainted = 0;
+    int m_ghostsPainted = 0;
     int m_axesPainted = 0;
     double m_wheel = 0.0; ///< what is left of a notch
 };

@@ -26,6 +26,16 @@ QPointF QuantityPlot::placeOf(std::int64_t frame) const
     return place(run.at(bucket, m_across).first, run.at(bucket, m_up).first);
 }
 
+QPointF QuantityPlot::placeOf(const Spot &spot) const
+{
+    return place(spot.across, spot.up);
+}
+
+std::optional<QPointF> QuantityPlot::insidePlace() const
+{
+    return m_inside ? std::optional(placeOf(*m_inside)) : std::nullopt;
+}
+
 void QuantityPlot::paintMarks(QPainter &painter) const
 {
     if (m_empty.isEmpty())
@@ -57,11 +67,12 @@ void QuantityPlot::paintUnits(QPainter &painter) const
 
 void QuantityPlot::paintNow(QPainter &painter) const
 {
-    const bool isAgainstTime = m_spec.isAgainstTime();
-    const double frame = static_cast<double>(m_session.timeline().at().frame);
-    if (isAgainstTime)
-        paintCursor(painter, xAxis->coordToPixel(frame));
-    paintDot(painter, place(isAgainstTime ? frame : m_nowAcross, m_nowUp));
+    const QPointF now = placeOf(m_now);
+    if (m_spec.isAgainstTime())
+        paintCursor(painter, now.x());
+    if (m_inside)
+        paintInside(painter, placeOf(*m_inside));
+    paintDot(painter, now); // on top: it stays in sight where both are near each other
 }
 
 QString QuantityPlot::hoveredText(std::int64_t frame) const

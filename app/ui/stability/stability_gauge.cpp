@@ -15,6 +15,7 @@ constexpr int margin = 8;
 constexpr int gap = 8;
 constexpr int gaugeHeight = 24;
 constexpr int tickHeight = 12;
+constexpr double paleness = 0.45;
 
 }
 
@@ -28,23 +29,39 @@ StabilityGauge::StabilityGauge(const StabilityWatch &watch, const Theme &theme, 
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     setAttribute(Qt::WA_Hover);
     connect(&watch, &StabilityWatch::changed, this, &StabilityGauge::refresh);
+    connect(&watch.look(), &StabilityLook::changed, this, &StabilityGauge::refresh);
     connect(&theme, &Theme::changed, this, qOverload<>(&QWidget::update));
     refresh();
 }
 
+const StabilityReading *StabilityGauge::reading() const
+{
+    const StabilityLook &look = m_watch.look();
+    return look.isLooking() && look.reading() ? look.reading() : m_watch.reading();
+}
+
+QString StabilityGauge::description() const
+{
+    if (!reading())
+        return {};
+    const QString verdict = QTextDocumentFragment::fromHtml(stabilityVerdict(*reading())).toPlainText();
+    const StabilityLook &look = m_watch.look();
+    return look.isLooking() && look.isCurrent() ? tr("Looking at frame %1: %2").arg(look.frame()).arg(verdict)
+                                                : verdict;
+}
+
 void StabilityGauge::refresh()
 {
-    const StabilityReading *reading = m_watch.reading();
-    const QString words = reading ? gaugeWords(*reading) : QString();
+    const QString words = reading() ? gaugeWords(*reading()) : QString();
     const bool grows = QFontMetrics(m_theme.ui(12)).horizontalAdvance(words) !=
                        QFontMetrics(m_theme.ui(12)).horizontalAdvance(m_words);
     m_words = words;
     setText(words);
     setAccessibleName(tr("Stability"));
-    const QString verdict = reading ? stabilityVerdict(*reading) : QString();
-    setAccessibleDescription(QTextDocumentFragment::fromHtml(verdict).toPlainText());
+    setAccessibleDescription(description());
     setToolTip(QStringLiteral("<p>%1</p><p>%2</p>")
-                   .arg(verdict, tr("Click for the reasons, and for what would mend it (Ctrl+L).")));
+                   .arg(reading() ? stabilityVerdict(*reading()) : QString(),
+                        tr("Click for the reasons, and for what would mend it (Ctrl+L).")));
     if (grows)
         updateGeometry();
     update();
@@ -52,10 +69,9 @@ void StabilityGauge::refresh()
 
 double StabilityGauge::percent() const
 {
-    const StabilityReading *reading = m_watch.reading();
-    if (!reading || reading->stability.bound != sim::Bound::stiffness)
+    if (!reading() || reading()->stability.bound != sim::Bound::stiffness)
         return 0.0;
-    return 100.0 * std::min(reading->stability.share(), 1.0 / limitPlace);
+    return 100.0 * std::min(reading()->stability.share(), 1.0 / limitPlace);
 }
 
 double StabilityGauge::filled() const
@@ -66,7 +82,7 @@ double StabilityGauge::filled() const
 QColor StabilityGauge::fillColor() const
 {
     const Tokens &tokens = m_theme.tokens();
-    switch (nearnessOf(m_watch.reading()->stability)) {
+    switch (nearnessOf(reading()->stability)) {
     case Nearness::past:
         return tokens.past;
     case Nearness::near:
@@ -91,8 +107,7 @@ QSize StabilityGauge::sizeHint() const
 void StabilityGauge::paintBar(QPainter &painter, const QRectF &bar) const
 {
     const Tokens &tokens = m_theme.tokens();
-    const StabilityReading *reading = m_watch.reading();
-    const bool isBound = reading && reading->stability.bound == sim::Bound::stiffness;
+    const bool isBound = reading() && reading()->stability.bound == sim::Bound::stiffness;
     const double round = bar.height() / 2.0;
     if (!isBound) {
         painter.setPen(QPen(tokens.line2, 1.0, Qt::DotLine));
@@ -122,6 +137,8 @@ void StabilityGauge::paintEvent(QPaintEvent *)
     painter.setRenderHint(QPainter::Antialiasing);
     if (underMouse() || isChecked())
         m_theme.paintSurface(painter, rect(), 6, Surface::hovered);
+    if (isPale())
+        painter.setOpacity(paleness);
     const QFont font = m_theme.ui(12);
     const QFontMetricsF metrics(font);
     painter.setFont(font);

@@ -7,8 +7,8 @@
 
 namespace app {
 
-/// How near the step in use is to its limit: a bar with a tick at the limit, and words. A click, Space or Enter asks
-/// for the reasons.
+/// How near the step in use is to its limit: a bar with a tick at the limit, and words. While somebody looks at another
+/// moment it is of that one, and pale until that is known. A click, Space or Enter asks for the reasons.
 class StabilityGauge : public QAbstractButton
 {
     Q_OBJECT
@@ -16,6 +16,8 @@ class StabilityGauge : public QAbstractButton
 public:
     StabilityGauge(const StabilityWatch &watch, const Theme &theme, QWidget *parent = nullptr);
 
+    /// Whether what it shows is not of the moment that somebody looks at, as that takes long to be known.
+    bool isPale() const { return m_watch.look().isLate(); }
     /// What stands beside the bar.
     QString words() const { return m_words; }
     /// The share of the limit, in percent, as far as the bar goes; 0 where there is none.
@@ -36,6 +38,8 @@ protected:
 
 private:
     void refresh();
+    const StabilityReading *reading() const;
+    QString description() const;
     QColor fillColor() const;
     void paintBar(QPainter &painter, const QRectF &bar) const;
 

@@ -53,6 +53,7 @@ void MainWindow::joinCursors()
     connect(m_plots, &PlotsPanel::pointedAt, this, point);
     connect(m_energy, &EnergyPanel::pointedAt, this, point);
     connect(m_branches, &BranchesPanel::pointedAt, this, point);
+    connect(m_accuracy, &AccuracyPanel::pointedAt, this, point);
     connect(m_timeline, &TimelineStrip::pointedAt, this, point);
     connect(m_scene, &SceneView::bodyPointedAt, m_plots, &PlotsPanel::setPointedBody);
     connect(&m_session, &Session::glanceChanged, this, [this] {

@@ -1,0 +1,59 @@
+#include "app/model/code_meanings.h"
+
+#include <QCoreApplication>
+
+namespace app {
+
+namespace {
+
+using enum sim::Kind;
+
+constexpr Meaning meanings[] = {
+    {"from", spring, "px",
+     QT_TRANSLATE_NOOP("CodeSymbols", "Where the body is, seen from the place it hangs on.")},
+    {"out", spring, "",
+     QT_TRANSLATE_NOOP("CodeSymbols", "The direction away from the place it hangs on, 1 long.")},
+    {"angle", spring, "rad", QT_TRANSLATE_NOOP("CodeSymbols", "The same direction, as an angle.")},
+    {"length", spring, "px",
+     QT_TRANSLATE_NOOP("CodeSymbols", "How far the body is from the place it hangs on.")},
+    {"target", spring, "px", QT_TRANSLATE_NOOP("CodeSymbols", "Where the spring pulls the body to.")},
+    {"d", spring, "px",
+     QT_TRANSLATE_NOOP("CodeSymbols", "The way from the body to where the spring pulls it.")},
+    {"pull", spring, "px/frame²",
+     QT_TRANSLATE_NOOP("CodeSymbols", "What all springs together add to the velocity each frame.")},
+    {"pull", gravity, "px/frame²",
+     QT_TRANSLATE_NOOP("CodeSymbols", "What gravity adds to the velocity each frame.")},
+    {"d", driver, "px", QT_TRANSLATE_NOOP("CodeSymbols", "The way from the body to its target.")},
+    {"keep", damping, "",
+     QT_TRANSLATE_NOOP("CodeSymbols", "The share of the velocity that is left after this step.")},
+    {"pull", std::nullopt, "px/frame²",
+     QT_TRANSLATE_NOOP("CodeSymbols", "What is added to the velocity each frame.")},
+    {"x", std::nullopt, "px", QT_TRANSLATE_NOOP("CodeSymbols", "Where the body is: x to the right, y down.")},
+    {"v", std::nullopt, "px/frame",
+     QT_TRANSLATE_NOOP("CodeSymbols", "The velocity: how far the body goes in a frame.")},
+    {"velocity", std::nullopt, "px/frame",
+     QT_TRANSLATE_NOOP("CodeSymbols", "The velocity: how far the body goes in a frame.")},
+    {"a", std::nullopt, "px/frame²",
+     QT_TRANSLATE_NOOP("CodeSymbols", "What is added to the velocity each frame.")},
+    {"target", std::nullopt, "px", ""},
+    {"d", std::nullopt, "px", ""},
+    {"distance", std::nullopt, "px",
+     QT_TRANSLATE_NOOP("CodeSymbols", "How far the two are from each other.")},
+    {"length", std::nullopt, "px", ""},
+    {"spin", std::nullopt, "°/frame", QT_TRANSLATE_NOOP("CodeSymbols", "How fast it turns.")},
+    {"angle", std::nullopt, "°", QT_TRANSLATE_NOOP("CodeSymbols", "The direction in which it points.")},
+};
+
+}
+
+const Meaning *meaningOf(const QString &name, const sim::Phase &phase)
+{
+    const QString whole = name.section('.', 0, 0);
+    for (const Meaning &one : meanings) {
+        if (whole == QLatin1String(one.name) && (!one.kind || one.kind == phase.kind))
+            return &one;
+    }
+    return nullptr;
+}
+
+}

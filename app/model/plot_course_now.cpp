@@ -1,0 +1,84 @@
+// The numbers of single moments that plots show: at the cursor, and inside its frame.
+
+#include "app/model/plot_course.h"
+
+#include <limits>
+
+namespace app {
+
+namespace {
+
+constexpr std::int64_t mostComputedAgain = 200'000; ///< points times rows, for the row before the cursor
+
+}
+
+std::optional<std::vector<double>> PlotCourse::kept(std::int64_t frame) const
+{
+    const Samples &samples = run();
+    if (samples.stride() > 1 || samples.isEmpty() || frame < samples.firstFrame() ||
+        frame >= samples.nextFrame())
+        return std::nullopt;
+    std::vector<double> values(m_quantities.size());
+    const std::size_t bucket = samples.bucketNear(frame);
+    for (std::size_t column = 0; column < values.size(); ++column)
+        values[column] = samples.at(bucket, column).first;
+    return values;
+}
+
+/// What is read of `state`; `start`: the frame with which quantities that compare two moments compare it.
+std::vector<double> PlotCourse::read(const sim::Track &track, std::shared_ptr<const sim::Segment> segment,
+                                     const sim::State &state, std::int64_t start) const
+{
+    std::vector<double> values(m_quantities.size(), std::numeric_limits<double>::quiet_NaN());
+    const QuantityReader reader(allBound(), std::move(segment));
+    std::optional<sim::State> before;
+    if (start >= 0 && (start - track.knownBefore(start)) / m_rowFrames * state.points() <= mostComputedAgain)
+        before = track.stateAt(start);
+    reader.read({state, before ? &*before : nullptr, static_cast<double>(m_rowFrames)}, values);
+    return values;
+}
+
+std::vector<double> PlotCourse::readAt(const sim::Timeline &run) const
+{
+    const sim::Track &track = run.track();
+    const sim::Cursor at = track.at();
+    std::shared_ptr<const sim::Segment> segment = track.shownPtr();
+    const sim::State state = run.hasPending() ? track.preview(segment) : track.now();
+    return read(track, std::move(segment), state, at.phase > 0 ? at.frame : at.frame - m_rowFrames);
+}
+
+std::vector<double> PlotCourse::now() const
+{
+    const sim::Timeline &timeline = m_session.timeline();
+    if (timeline.at().phase == 0 && !timeline.hasPending()) {
+        if (std::optional<std::vector<double>> values = kept(timeline.at().frame))
+            return *std::move(values);
+    }
+    return readAt(timeline);
+}
+
+std::vector<double> PlotCourse::begun() const
+{
+    const sim::Timeline &timeline = m_session.timeline();
+    const sim::Track &track = timeline.track();
+    const std::int64_t frame = timeline.at().frame;
+    if (timeline.at().phase == 0)
+        return now();
+    if (std::optional<std::vector<double>> values = kept(frame))
+        return *std::move(values);
+    const sim::State state = track.stateAt(frame);
+    return read(track, track.segmentAt(frame), state, frame - m_rowFrames);
+}
+
+std::optional<PlotCourse::Inside> PlotCourse::inside() const
+{
+    const sim::Timeline &shown = m_session.shown();
+    const sim::Timeline &run = shown.at().phase > 0 ? shown : m_session.timeline();
+    const sim::Cursor at = run.at();
+    if (at.phase == 0)
+        return std::nullopt;
+    const double share = double(at.phase) / run.track().shown().pipeline.phasesPerRow();
+    return Inside{static_cast<double>(at.frame) + share * m_rowFrames, readAt(run)};
+}
+
+}

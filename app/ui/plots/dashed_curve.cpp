@@ -1,0 +1,96 @@
+#include "app/ui/plots/dashed_curve.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace app {
+
+namespace {
+
+bool isPoint(QPointF point)
+{
+    return std::isfinite(point.x()) && std::isfinite(point.y());
+}
+
+/// From where to where a line is within `seen`, as shares of its length (Liang and Barsky); nothing if it is nowhere.
+std::optional<std::pair<double, double>> partWithin(const QRectF &seen, QPointF from, QPointF to)
+{
+    double start = 0.0, end = 1.0;
+    const auto cut = [&](double at, double way, double low, double high) {
+        if (way == 0.0)
+            return at >= low && at <= high;
+        const auto [in, out] = std::minmax({(low - at) / way, (high - at) / way});
+        start = std::max(start, in);
+        end = std::min(end, out);
+        return start < end;
+    };
+    const bool isSeen = cut(from.x(), to.x() - from.x(), seen.left(), seen.right()) &&
+                        cut(from.y(), to.y() - from.y(), seen.top(), seen.bottom());
+    return isSeen ? std::optional(std::pair(start, end)) : std::nullopt;
+}
+
+/// Dashes in place of the line that `painter` would draw. Returns whether it could.
+bool drawDashes(QCPPainter &painter, const QVector<QPointF> &lines, const QRectF &seen)
+{
+    const QPen pen = painter.pen();
+    if (painter.modes().testFlag(QCPPainter::pmVectorized) || pen.dashPattern().isEmpty())
+        return false;
+    painter.setPen(QPen(pen.color(), pen.widthF(), Qt::SolidLine, Qt::FlatCap));
+    painter.drawLines(dashesAlong(lines, pen.dashPattern().front() * pen.widthF(), seen));
+    painter.setPen(pen);
+    return true;
+}
+
+}
+
+QVector<QLineF> dashesAlong(const QVector<QPointF> &points, double length, const QRectF &seen)
+{
+    QVector<QLineF> dashes;
+    double before = 0.0; // along the line, from the beginning of a dash on
+    for (qsizetype i = 1; i < points.size(); ++i) {
+        const QPointF from = points[i - 1], to = points[i];
+        if (!isPoint(from) || !isPoint(to)) {
+            before = 0.0;
+            continue;
+        }
+        const double whole = std::hypot(to.x() - from.x(), to.y() - from.y());
+        const auto part = partWithin(seen, from, to);
+        const double end = part ? part->second * whole : 0.0;
+        for (double at = part ? part->first * whole : 0.0; at < end;) {
+            const double inPair = std::fmod(before + at, 2.0 * length);
+            const double next = std::min(end, at + (inPair < length ? length : 2.0 * length) - inPair);
+            if (inPair < length)
+                dashes.append({from + (to - from) * (at / whole), from + (to - from) * (next / whole)});
+            if (!(next > at)) // so far away that a dash more is none
+                break;
+            at = next;
+        }
+        before = std::fmod(before + whole, 2.0 * length);
+    }
+    return dashes;
+}
+
+void DashedGraph::drawLinePlot(QCPPainter *painter, const QVector<QPointF> &lines) const
+{
+    applyDefaultAntialiasingHint(painter);
+    if (!drawDashes(*painter, lines, clipRect()))
+        QCPGraph::drawLinePlot(painter, lines);
+}
+
+void DashedCurve::drawCurveLine(QCPPainter *painter, const QVector<QPointF> &lines) const
+{
+    applyDefaultAntialiasingHint(painter);
+    if (!drawDashes(*painter, lines, clipRect()))
+        QCPCurve::drawCurveLine(painter, lines);
+}
+
+QPen dashedPen(const QColor &ink, double width, double length)
+{
+    QPen pen(ink, width, Qt::CustomDashLine, Qt::FlatCap);
+    pen.setDashPattern({length / width, length / width});
+    return pen;
+}
+
+}

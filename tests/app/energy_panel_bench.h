@@ -1,0 +1,111 @@
+#pragma once
+
+#include "app/ui/energy/energy_panel.h"
+#include "app/ui/energy/energy_plot.h"
+#include "panels_bench.h"
+
+#include <QtTest>
+
+#include <map>
+
+/// What the suites of the ledger of energy share: the panel as a window, and hands for it.
+namespace energy_panel_bench {
+
+using namespace app;
+
+/// The lessons of the other suites, and one whose foot has no velocity of its own.
+inline LessonLibrary withPuppet()
+{
+    LessonLibrary library = twoLessons();
+    lessons::Step puppet = library.lessons.front().steps.front();
+    puppet.id = "puppet";
+    puppet.tries.clear();
+    puppet.method = "semi_implicit_euler";
+    puppet.scene = [build = puppet.scene](const sim::Values &values) {
+        sim::Scene scene = build(values);
+        for (sim::Group &group : scene.groups)
+            group.inertia = sim::Inertia::none;
+        return scene;
+    };
+    library.lessons.front().steps.push_back(puppet);
+    return library;
+}
+
+/// A foot that starts at rest, 30 px to the right of and 10 px below the place to which a spring with k = 0.2 pulls it;
+/// the body stands.
+struct Bench
+{
+    Bench()
+    {
+        session().openStep("one", "second");
+        show(panel, {660, 300});
+    }
+    Session &session() { return world.session; }
+    void goTo(std::int64_t frame)
+    {
+        session().goTo({frame, 0});
+        QVERIFY(QTest::qWaitFor([&] { return panel.course().last() >= frame; }));
+    }
+    const EnergyLine *line(const QString &id) const
+    {
+        for (const EnergyLine &one : panel.lines()) {
+            if (one.id == id)
+                return &one;
+        }
+        return nullptr;
+    }
+    std::int64_t frame() { return session().timeline().at().frame; }
+    QPoint placeOf(std::int64_t frame)
+    {
+        EnergyPlot &plot = panel.plot();
+        return {qRound(plot.xAxis->coordToPixel(static_cast<double>(frame))), plot.height() / 2};
+    }
+    void hover(QPoint place, Qt::MouseButtons buttons = {})
+    {
+        EnergyPlot &plot = panel.plot();
+        QMouseEvent move(QEvent::MouseMove, place, plot.mapToGlobal(place), Qt::NoButton, buttons, {});
+        QApplication::sendEvent(&plot, &move);
+    }
+    /// The rows of a table, by the names of its columns without their units.
+    static std::vector<std::map<QString, double>> readTable(const QString &path)
+    {
+        QFile file(path);
+        if (!file.open(QIODevice::ReadOnly))
+            return {};
+        const QStringList lines = QString::fromUtf8(file.readAll()).trimmed().split('\n');
+        QStringList titles;
+        for (const QString &field : lines.front().split(','))
+            titles << field.section('"', 1, 1).section(" [", 0, 0);
+        std::vector<std::map<QString, double>> rows;
+        for (const QString &line : lines.mid(1)) {
+            const QStringList fields = line.split(',');
+            rows.emplace_back();
+            for (int i = 0; i < titles.size() && i < fields.size(); ++i)
+                rows.back()[titles[i]] = fields[i].toDouble();
+        }
+        return rows;
+    }
+    /// What has never had anything in it has no line.
+    double amount(const QString &id) const { return line(id) ? line(id)->amount : 0.0; }
+
+    World world{withPuppet()};
+    EnergyPanel panel{world.session, world.theme};
+};
+
+inline constexpr double atStart = 0.5 * 0.2 * (30.0 * 30.0 + 10.0 * 10.0);
+
+inline double springEnergy(const sim::State &state)
+{
+    const sim::Vec2 d = state.at(0) - sim::Vec2{270.0, 200.0};
+    return 0.5 * 0.2 * (d.x * d.x + d.y * d.y);
+}
+
+inline double motionEnergy(const sim::State &state)
+{
+    double sum = 0.0;
+    for (int i = 0; i < state.points(); ++i)
+        sum += 0.5 * (state.speed(i).x * state.speed(i).x + state.speed(i).y * state.speed(i).y);
+    return sum;
+}
+
+}

@@ -1,0 +1,154 @@
+// What plots paint, and when: the run, the old run, and a moment inside a frame.
+
+#include "app/ui/plots/dashed_curve.h"
+#include "plots_panel_bench.h"
+
+#include <limits>
+
+using namespace app;
+using plots_panel_bench::Bench;
+
+class PlotsPaintedTest : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { prepareProgram(); }
+
+    void theOldRunIsADashedCurve()
+    {
+        Bench bench;
+        bench.goTo(120);
+        bench.goTo(40);
+        const QColor ghost = bench.world.theme.tokens().ghost;
+        QTest::qWait(20);
+        QCOMPARE(bench.pixels(ghost, bench.plot().grab().toImage()), 0);
+        bench.session().setParameter("k", 0.3);
+        bench.goTo(120);
+        QTest::qWait(20);
+        QVERIFY(bench.pixels(ghost, bench.plot().grab().toImage()) > 20);
+    }
+
+    void dashesAreHalfOfALineAndLieOnIt()
+    {
+        QVector<QPointF> bent;
+        for (int i = 0; i <= 100; ++i)
+            bent << QPointF(3.0 * i, i % 2 ? 40.0 : 0.0); // corners every 40.1 px, dashes of 4.5
+        double all = 0.0, drawn = 0.0;
+        for (qsizetype i = 1; i < bent.size(); ++i)
+            all += QLineF(bent[i - 1], bent[i]).length();
+        for (const QLineF &dash : dashesAlong(bent, 4.5, QRectF(-1.0, -1.0, 400.0, 100.0))) {
+            drawn += dash.length();
+            QVERIFY(dash.length() <= 4.5 + 1e-9);
+            for (const QPointF end :
+                 {dash.p1(), dash.p2()}) { // between two corners, on the line from one to the other
+                const double along = end.x() / 3.0, over = along - std::floor(along);
+                const bool rises = static_cast<int>(std::floor(along + 1e-9)) % 2 == 0;
+                const double height = 40.0 * (rises ? over : 1.0 - over);
+                QVERIFY(std::abs(end.y() - height) < 1e-6 || over < 1e-6 || over > 1.0 - 1e-6);
+            }
+        }
+        QVERIFY(std::abs(drawn - all / 2.0) < 4.5);
+    }
+
+    void dashesAreCountedOnlyWhereTheyAreSeen()
+    {
+        const QRectF seen(0.0, 0.0, 300.0, 200.0);
+        constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+        QCOMPARE(dashesAlong({{-500.0, 50.0}, {-10.0, 50.0}}, 4.5, seen).size(), 0);
+        QCOMPARE(dashesAlong({{-9e15, 50.0}, {9e15, 50.0}}, 4.5, seen).size() > 0, true);
+        QVERIFY(dashesAlong({{-9e15, 50.0}, {9e15, 50.0}}, 4.5, seen).size() < 100);
+        QVERIFY(dashesAlong({{150.0, -1e300}, {150.0, 1e300}}, 4.5, seen).size() <
+                100); // and comes to an end
+        QCOMPARE(dashesAlong({{10.0, 10.0}, {10.0, 10.0}}, 4.5, seen).size(), 0);
+        const QVector<QLineF> parted =
+            dashesAlong({{0.0, 9.0}, {9.0, 9.0}, {nan, nan}, {100.0, 9.0}, {109.0, 9.0}}, 4.5, seen);
+        QCOMPARE(parted.size(), 2);
+        QCOMPARE(parted[0], QLineF(0.0, 9.0, 4.5, 9.0));
+        QCOMPARE(parted[1], QLineF(100.0, 9.0, 104.5, 9.0));
+    }
+
+    void nothingIsPaintedWhileNothingChanges()
+    {
+        Bench bench;
+        bench.goTo(60);
+        QTest::qWait(50);
+        const int curves = bench.plot().curvesPainted();
+        QTest::qWait(200);
+        QCOMPARE(bench.plot().curvesPainted(), curves);
+        const int axes = bench.plot().axesPainted();
+        for (int i = 0; i < 40; ++i) { // as playing does
+            bench.session().frameForward();
+            QCoreApplication::processEvents();
+        }
+        QVERIFY(bench.plot().curvesPainted() - curves <= 41); // one for each picture
+        QVERIFY2(bench.plot().axesPainted() - axes <= 6,
+                 qPrintable(QString::number(bench.plot().axesPainted() - axes)));
+        bench.panel->hide();
+        const int hidden = bench.plot().curvesPainted();
+        bench.session().goTo({10, 0});
+        QTest::qWait(50);
+        QCOMPARE(bench.plot().curvesPainted(), hidden);
+    }
+
+    void theOldRunIsNotPaintedAnewWhereOnlyTheCursorMoves()
+    {
+        Bench bench;
+        bench.goTo(120);
+        bench.goTo(40);
+        bench.session().setParameter("k", 0.3);
+        bench.goTo(120);
+        QTest::qWait(20);
+        const int ghosts = bench.plot().ghostsPainted(), axes = bench.plot().axesPainted();
+        const int curves = bench.plot().curvesPainted();
+        QVERIFY(ghosts > 0);
+        for (std::int64_t frame = 119; frame > 60; --frame)
+            bench.goTo(frame);
+        QCOMPARE(bench.plot().ghostsPainted(), ghosts);
+        QCOMPARE(bench.plot().axesPainted(), axes);
+        QVERIFY(bench.plot().curvesPainted() <= curves + 59); // once for each moment
+    }
+
+    void insideAFrameARingIsWhereTheQuantityIsThen_data()
+    {
+        QTest::addColumn<bool>("isAgainstTime");
+        QTest::newRow("against time") << true;
+        QTest::newRow("against another quantity") << false;
+    }
+    void insideAFrameARingIsWhereTheQuantityIsThen()
+    {
+        QFETCH(bool, isAgainstTime);
+        Bench bench;
+        if (!isAgainstTime)
+            bench.panel->list().change(0, {{Measured::placeY}, {Measured::velocityY}});
+        bench.goTo(12);
+        QuantityPlot &plot = bench.plot();
+        QVERIFY(!plot.insidePlace());
+        const QString before = plot.valueText();
+        const sim::Timeline &run = bench.session().timeline();
+        const double y = run.now().at(0).y;
+        while (run.now().at(0).y == y)
+            bench.session().phaseForward();
+        QVERIFY(run.at().phase > 0 && run.at().frame == 12);
+        bench.settle();
+        const double time = 12.0 + double(run.at().phase) / run.track().shown().pipeline.phasesPerRow();
+        const double across = isAgainstTime ? time : run.now().speed(0).y;
+        QVERIFY(plot.insidePlace());
+        const QPointF ring(plot.xAxis->coordToPixel(across), plot.yAxis->coordToPixel(run.now().at(0).y));
+        QVERIFY(QLineF(*plot.insidePlace(), ring).length() < 1e-6);
+        QVERIFY(plot.valueText() != before);
+        QVERIFY2(plot.sentence().endsWith("inside frame 12"), qPrintable(plot.sentence()));
+        const QImage shown = plot.grab().toImage();
+        const QColor now = bench.world.theme.tokens().now;
+        QCOMPARE(shown.pixelColor(plot.placeOf(12).toPoint()), now); // the dot stays where the curve is
+        QCOMPARE(shown.pixelColor(ring.toPoint()), bench.world.theme.tokens().panel);
+        while (run.at().phase > 0)
+            bench.session().phaseForward();
+        bench.settle();
+        QVERIFY(!plot.insidePlace());
+        QVERIFY(plot.sentence().endsWith("at frame 13"));
+    }
+};
+
+QTEST_MAIN(PlotsPaintedTest)
+#include "tst_plots_painted.moc"

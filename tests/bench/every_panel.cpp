@@ -1,0 +1,63 @@
+#include "every_panel.h"
+
+#include "app/ui/plots/plots_panel.h"
+
+#include <QApplication>
+#include <QDockWidget>
+
+using namespace app;
+
+namespace {
+
+QDockWidget *dock(const MainWindow &window, const char *name)
+{
+    return window.findChild<QDockWidget *>(name);
+}
+
+void addPlots(MainWindow &window)
+{
+    while (window.plots().cards().size() < 3)
+        window.plots().add({{window.plots().cards().size() == 1 ? Measured::speed : Measured::energy}});
+}
+
+}
+
+void openStep(Session &session, const QString &what)
+{
+    const QStringList parts = what.split(',');
+    session.openStep(parts.front().section('/', 0, 0), parts.front().section('/', 1));
+    session.startAfresh();
+    for (const QString &part : parts.mid(1))
+        session.setParameter(part.section('=', 0, 0), part.section('=', 1).toDouble());
+}
+
+void openEveryPanel(MainWindow &window)
+{
+    addPlots(window);
+    window.setMode(MainWindow::Mode::measure); // begins to measure accuracy
+    if (dock(window, "lessons")->isHidden() || dock(window, "code")->isHidden()) {
+        window.setMode(MainWindow::Mode::learn);
+        window.showEnergy(true);
+        window.tabifyDockWidget(dock(window, "code"), dock(window, "accuracy"));
+        dock(window, "accuracy")->show();
+    }
+    window.showPlots(true);
+    window.showEffects(true);
+    QApplication::processEvents();
+}
+
+void showEveryPanel(MainWindow &window)
+{
+    addPlots(window);
+    window.setMode(MainWindow::Mode::learn);
+    window.showPlots(true);
+    window.showEnergy(true);
+    window.showEffects(true);
+    for (const char *name : {"branches", "effects", "energy"}) // a dock leaves its tabs only so
+        window.removeDockWidget(dock(window, name));
+    for (const char *name : {"energy", "effects"}) {
+        window.addDockWidget(Qt::BottomDockWidgetArea, dock(window, name));
+        dock(window, name)->show();
+    }
+    QApplication::processEvents();
+}
