@@ -2,12 +2,14 @@
 
 #include "app/ui/panels/help_page.h"
 #include "app/ui/window/status_figures.h"
+#include "app/ui/window/tour.h"
 #include "drawn_text.h"
 #include "german_bench.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QLabel>
+#include <QPushButton>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QtTest>
@@ -48,6 +50,8 @@ int lacking(const QWidget &widget)
         return label->wordWrap() ? label->heightForWidth(label->width()) - 2 - label->height()
                                  : label->minimumSizeHint().width() - label->width();
     }
+    if (const auto *button = qobject_cast<const QPushButton *>(&widget)) // its padding counts, too
+        return button->minimumSizeHint().width() - button->width();
     if (const auto *button = qobject_cast<const QAbstractButton *>(&widget)) {
         if (button->hasHeightForWidth()) // its text wraps
             return button->heightForWidth(button->width()) - button->height();
@@ -111,6 +115,7 @@ private slots:
     void theReasonsOfStabilityAreNotCut();
     void theGalleriesOfPresetsAreNotCut();
     void thePageOfKeysIsNotSquashed();
+    void theCardsOfTheTourAreNotCut();
     void aWindowThatGoesTakesItsOpenGalleryAlong();
     void cleanupTestCase() { m_shown.reset(); }
 
@@ -248,6 +253,24 @@ void GermanTest::thePageOfKeysIsNotSquashed()
         QTest::keyClick(page, Qt::Key_Escape);
         QVERIFY(!page->isVisible());
     }
+}
+
+void GermanTest::theCardsOfTheTourAreNotCut()
+{
+    m_shown.reset();
+    German german;
+    german.window.startTour();
+    Tour *tour = german.window.findChild<Tour *>();
+    QStringList cut;
+    for (std::size_t stop = 0; stop < tour->count(); ++stop) {
+        settle();
+        QCOMPARE(tour->stop(), stop);
+        for (const QString &where : cutIn(*tour))
+            cut << QString("card %1: %2").arg(stop + 1).arg(where);
+        QTest::keyClick(tour, Qt::Key_Return);
+    }
+    QVERIFY(!tour->isRunning());
+    QVERIFY2(cut.isEmpty(), qPrintable('\n' + cut.join('\n')));
 }
 
 void GermanTest::aWindowThatGoesTakesItsOpenGalleryAlong()
