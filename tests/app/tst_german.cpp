@@ -50,8 +50,9 @@ int lacking(const QWidget &widget)
         return label->wordWrap() ? label->heightForWidth(label->width()) - 2 - label->height()
                                  : label->minimumSizeHint().width() - label->width();
     }
-    if (const auto *button = qobject_cast<const QPushButton *>(&widget)) // its padding counts, too
-        return button->minimumSizeHint().width() - button->width();
+    const auto *push = qobject_cast<const QPushButton *>(&widget);
+    if (push && !push->text().isEmpty()) // its padding counts, too
+        return push->minimumSizeHint().width() - push->width();
     if (const auto *button = qobject_cast<const QAbstractButton *>(&widget)) {
         if (button->hasHeightForWidth()) // its text wraps
             return button->heightForWidth(button->width()) - button->height();
