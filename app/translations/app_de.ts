@@ -502,10 +502,6 @@
         <translation>rad/Bild</translation>
     </message>
     <message>
-        <source>How fast the clock of this gait group turns its legs. 0: they stand still.</source>
-        <translation>Wie schnell die Uhr dieser Ganggruppe ihre Beine dreht. 0: Sie stehen still.</translation>
-    </message>
-    <message>
         <source>Begin</source>
         <translation>Beginn</translation>
     </message>
@@ -564,6 +560,10 @@
     <message>
         <source>Gait group %1</source>
         <translation>Ganggruppe %1</translation>
+    </message>
+    <message>
+        <source>How fast the clock of this gait group turns its legs. 0: they stand still. To walk, feet need ground.</source>
+        <translation>Wie schnell die Uhr dieser Ganggruppe ihre Beine dreht. 0: Sie stehen still. Zum Gehen brauchen Füße Boden.</translation>
     </message>
 </context>
 <context>
@@ -3084,10 +3084,6 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>Klicke auf zwei Punkte: Ein Stab geht vom einen zum anderen.</translation>
     </message>
     <message>
-        <source>Click a body, then each of its feet.</source>
-        <translation>Klicke auf einen Körper, dann auf jeden seiner Füße.</translation>
-    </message>
-    <message>
         <source>Click a part to choose it, drag it to move it, or draw a box round several.</source>
         <translation>Klicke auf ein Teil, um es zu wählen, zieh es, um es zu verschieben, oder zieh einen Rahmen um mehrere.</translation>
     </message>
@@ -3100,12 +3096,16 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>Gibt diesem Fuß eine eigene Ganggruppe mit eigener Uhr</translation>
     </message>
     <message>
-        <source>Click each of its feet. Esc: another body.</source>
-        <translation>Klicke auf jeden seiner Füße. Esc: ein anderer Körper.</translation>
-    </message>
-    <message>
         <source>Click where it ends; the next goes on from there. Esc: begin elsewhere.</source>
         <translation>Klicke, wo das andere Ende hinkommt; von dort geht es weiter. Esc: woanders beginnen.</translation>
+    </message>
+    <message>
+        <source>Click each of its feet, or where one shall be. Esc: another body.</source>
+        <translation>Klicke auf jeden seiner Füße oder dorthin, wo einer sein soll. Esc: ein anderer Körper.</translation>
+    </message>
+    <message>
+        <source>Click a body, then each of its feet, or where one shall be.</source>
+        <translation>Klicke auf einen Körper, dann auf jeden seiner Füße oder dorthin, wo einer sein soll.</translation>
     </message>
 </context>
 <context>
@@ -7461,10 +7461,6 @@ für weniger so genau.</translation>
         <translation>Dreht jeden Zweig ein Stück des Wegs dorthin zurück, wo er wuchs.</translation>
     </message>
     <message>
-        <source>Keeps everything between two walls and above a floor.</source>
-        <translation>Hält alles zwischen zwei Wänden und über einem Boden.</translation>
-    </message>
-    <message>
         <source>Keep a point near its distance, but let it lag behind for a while.</source>
         <translation>Hält einen Punkt nahe an seinem Abstand, lässt ihn aber eine Weile nachhängen.</translation>
     </message>
@@ -7515,6 +7511,10 @@ für weniger so genau.</translation>
     <message>
         <source>Keeps everything on one side of a straight line, which leans as you like.</source>
         <translation>Hält alles auf einer Seite einer Geraden, die so schräg liegt, wie du willst.</translation>
+    </message>
+    <message>
+        <source>Keeps everything between two walls and above a floor: they slow what slides along them, and nothing bounces.</source>
+        <translation>Hält alles zwischen zwei Wänden und über einem Boden: Sie bremsen, was an ihnen entlanggleitet, und nichts prallt ab.</translation>
     </message>
 </context>
 <context>

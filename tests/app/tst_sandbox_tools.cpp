@@ -149,7 +149,8 @@ private slots:
         bench.key(Qt::Key_F);
         const QLabel *hint = nullptr;
         for (const QLabel *one : bench.panel().findChildren<QLabel *>()) {
-            if (one->isVisible() && one->text() == "Click a body, then each of its feet.")
+            if (one->isVisible() &&
+                one->text() == "Click a body, then each of its feet, or where one shall be.")
                 hint = one;
         }
         QVERIFY(hint); // though what is chosen has properties

@@ -195,7 +195,7 @@ QString BuildPanel::toolHint() const
 {
     if (m_bench.first())
         return m_bench.tool() == BuildTool::foot
-                   ? tr("Click each of its feet. Esc: another body.")
+                   ? tr("Click each of its feet, or where one shall be. Esc: another body.")
                    : tr("Click where it ends; the next goes on from there. Esc: begin elsewhere.");
     switch (m_bench.tool()) {
     case BuildTool::point:
@@ -207,7 +207,7 @@ QString BuildPanel::toolHint() const
     case BuildTool::stick:
         return tr("Click two points: a stick goes from one to the other.");
     case BuildTool::foot:
-        return tr("Click a body, then each of its feet.");
+        return tr("Click a body, then each of its feet, or where one shall be.");
     case BuildTool::select:
         break;
     }

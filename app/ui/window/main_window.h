@@ -217,6 +217,9 @@ private:
     void copyAsText();
     void pasteText();
     bool takesDrop(const QObject *watched, QEvent &event);
+    /// Gives the keys to the scene where the widget that had them has gone out of sight: the next in the row, to which
+    /// they went, would be pressed by whoever means to play.
+    void catchFocus(const QWidget *before, const QWidget *now);
     /// Asks about files that are not saved. Returns whether the window may close.
     bool mayClose();
     /// Does `deed`, at once or when the learner has agreed to lose what is not saved.
