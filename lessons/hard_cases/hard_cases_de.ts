@@ -5,39 +5,39 @@
     <name>HardCases</name>
     <message>
         <source>its steps are too long for what is so stiff</source>
-        <translation>seine Zeitschritte sind zu lang für etwas so Steifes</translation>
+        <translation>Seine Zeitschritte sind zu lang für etwas so Steifes</translation>
     </message>
     <message>
         <source>its steps are longer than those that the case’s sticks are measured by</source>
-        <translation>seine Zeitschritte sind länger als die, an denen die Stäbe des Falls gemessen werden</translation>
+        <translation>Seine Zeitschritte sind länger als die, an denen die Stäbe des Falls gemessen werden</translation>
     </message>
     <message>
         <source>it swings on for longer than the run</source>
-        <translation>es schwingt länger weiter, als der Lauf dauert</translation>
+        <translation>Es schwingt länger weiter, als der Lauf dauert</translation>
     </message>
     <message>
         <source>it moves one body after the other</source>
-        <translation>es bewegt einen Körper nach dem anderen</translation>
+        <translation>Es bewegt einen Körper nach dem anderen</translation>
     </message>
     <message>
         <source>it would need too many steps</source>
-        <translation>es würde zu viele Zeitschritte brauchen</translation>
+        <translation>Es würde zu viele Zeitschritte brauchen</translation>
     </message>
     <message>
         <source>its errors add up</source>
-        <translation>seine Fehler summieren sich</translation>
+        <translation>Seine Fehler summieren sich</translation>
     </message>
     <message>
         <source>its errors keep it stirring</source>
-        <translation>seine Fehler halten es in Unruhe</translation>
+        <translation>Seine Fehler halten es in Unruhe</translation>
     </message>
     <message>
         <source>no place there is free</source>
-        <translation>kein Ort dort ist frei</translation>
+        <translation>Kein Ort dort ist frei</translation>
     </message>
     <message>
         <source>it cannot compute all of it</source>
-        <translation>es kann nicht alles davon berechnen</translation>
+        <translation>Es kann nicht alles davon berechnen</translation>
     </message>
     <message>
         <source>You have changed it: nobody claims this.</source>
