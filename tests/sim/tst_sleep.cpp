@@ -176,24 +176,6 @@ private slots:
             }
         }
     }
-
-private:
-    struct Waker
-    {
-        const char *name;
-        Scene (*build)(const Values &);
-        decltype(Event::what) what;
-        bool changes; ///< whether it changes where the scene goes
-    };
-    static std::vector<Waker> wakers()
-    {
-        return {{"grab", homing, Grab{"foot0"}, true},
-                {"set", homing, Set{"k", 0.15}, true},
-                {"key", waiting, Key{&Keys::right, true}, true},
-                {"target", waiting, Target{{300.0, 50.0}}, true},
-                {"pointer", waiting, Pointer{{12.0, 34.0}, false}, true},
-                {"gust", windy, Gust{15.0}, false}};
-    }
 };
 
 QTEST_APPLESS_MAIN(TestSleep)
