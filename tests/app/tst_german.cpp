@@ -8,9 +8,11 @@
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
+#include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QSettings>
+#include <QStyleOptionComboBox>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -49,6 +51,13 @@ int lacking(const QWidget &widget)
         // 2 px of it are below the letters of the last line.
         return label->wordWrap() ? label->heightForWidth(label->width()) - 2 - label->height()
                                  : label->minimumSizeHint().width() - label->width();
+    }
+    if (const auto *combo = qobject_cast<const QComboBox *>(&widget)) {
+        QStyleOptionComboBox option;
+        option.initFrom(combo);
+        const QRect field =
+            combo->style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, combo);
+        return combo->fontMetrics().horizontalAdvance(combo->currentText()) - field.width();
     }
     const auto *push = qobject_cast<const QPushButton *>(&widget);
     if (push && !push->text().isEmpty()) // its padding counts, too
