@@ -285,7 +285,7 @@ Anders gesehen ist Dämpfung ein **Widerstand**: Er schiebt gegen die Bewegung, 
     </message>
     <message>
         <source>Something that pulls together what is too far apart, and pushes apart what is too close. The more is missing, the stronger it pulls.</source>
-        <translation>Etwas, das zusammenzieht, was zu weit auseinander ist, und auseinanderdrückt, was zu nah ist. Je mehr fehlt, desto stärker zieht sie.</translation>
+        <translation>Etwas, das zusammenzieht, was zu weit auseinander ist, und auseinanderdrückt, was zu nah ist. Je mehr fehlt, desto stärker zieht die Feder.</translation>
     </message>
     <message>
         <source>Stiffness</source>
