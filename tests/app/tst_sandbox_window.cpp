@@ -61,6 +61,36 @@ private slots:
         QVERIFY(!bench.session().isPlaying());
     }
 
+    void theToolInHandIsReadInEveryScheme_data()
+    {
+        QTest::addColumn<Scheme>("scheme");
+        QTest::newRow("light") << Scheme::light;
+        QTest::newRow("dark") << Scheme::dark;
+        QTest::newRow("high contrast") << Scheme::highContrast;
+    }
+    void theToolInHandIsReadInEveryScheme()
+    {
+        QFETCH(const Scheme, scheme);
+        Bench bench;
+        bench.build();
+        bench.world.theme.setScheme(scheme);
+        QCoreApplication::processEvents();
+        for (QToolButton *tool : bench.panel().findChildren<QToolButton *>("tool")) {
+            tool->click();
+            QVERIFY(tool->isChecked());
+            const QImage image = tool->grab().toImage();
+            const int ground = qGray(image.pixel(image.width() / 2, 4));
+            for (const bool upper : {true, false}) { // icon and name
+                int ink = 0;
+                for (int y = upper ? 6 : 28; y < (upper ? 26 : 44); ++y) {
+                    for (int x = 8; x < image.width() - 8; ++x)
+                        ink += std::abs(qGray(image.pixel(x, y)) - ground) > 80 ? 1 : 0;
+                }
+                QVERIFY2(ink > 15, qPrintable(QString("%1: %2").arg(tool->text()).arg(ink)));
+            }
+        }
+    }
+
     void startingAfreshWithALinkChosenAndEnergyOnShow()
     {
         Bench bench;

@@ -6,6 +6,7 @@
 #include "app/ui/sandbox/effect_switches.h"
 #include "app/ui/sandbox/example_gallery.h"
 #include "app/ui/sandbox/property_row.h"
+#include "app/ui/theme/icons.h"
 
 #include <QAction>
 #include <QGridLayout>
@@ -43,7 +44,8 @@ QToolButton *toolButton(QAction *action, const Theme &theme, QWidget *parent)
     button->setFocusPolicy(Qt::TabFocus);
     button->setAccessibleName(action->iconText());
     const auto dress = [action, &theme] {
-        action->setIcon(theme.icon(action->property("iconName").toString()));
+        const Tokens &t = theme.tokens();
+        action->setIcon(iconOf(action->property("iconName").toString(), t.ink2, t.onSunk));
     };
     dress();
     QObject::connect(&theme, &Theme::changed, button, dress);
