@@ -1,6 +1,7 @@
 // The window in German: nothing is cut.
 
 #include "app/ui/panels/help_page.h"
+#include "app/ui/sandbox/build_panel.h"
 #include "app/ui/window/status_figures.h"
 #include "app/ui/window/tour.h"
 #include "drawn_text.h"
@@ -126,6 +127,7 @@ private slots:
     void theGalleriesOfPresetsAreNotCut();
     void thePageOfKeysIsNotSquashed();
     void theCardsOfTheTourAreNotCut();
+    void theSandboxIsNotCut();
     void aWindowThatGoesTakesItsOpenGalleryAlong();
     void cleanupTestCase() { m_shown.reset(); }
 
@@ -280,6 +282,22 @@ void GermanTest::theCardsOfTheTourAreNotCut()
         QTest::keyClick(tour, Qt::Key_Return);
     }
     QVERIFY(!tour->isRunning());
+    QVERIFY2(cut.isEmpty(), qPrintable('\n' + cut.join('\n')));
+}
+
+void GermanTest::theSandboxIsNotCut()
+{
+    m_shown.reset();
+    German german;
+    QStringList cut;
+    german.window.setMode(MainWindow::Mode::build);
+    for (const auto mode : {MainWindow::Mode::build, MainWindow::Mode::measure}) {
+        german.window.setMode(mode);
+        settle();
+        QVERIFY(german.session.isWorkshop());
+        for (const QString &where : cutIn(*german.window.findChild<BuildPanel *>()))
+            cut << (mode == MainWindow::Mode::build ? "build " : "measure ") + where;
+    }
     QVERIFY2(cut.isEmpty(), qPrintable('\n' + cut.join('\n')));
 }
 

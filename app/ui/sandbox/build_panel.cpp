@@ -146,8 +146,8 @@ QWidget *BuildPanel::feet()
 {
     auto *box = new QWidget(this);
     auto *row = new QHBoxLayout(box);
-    row->setContentsMargins(12, 8, 12, 10);
-    row->setSpacing(8);
+    row->setContentsMargins(8, 8, 8, 10); // beside Measure there is no more
+    row->setSpacing(6);
     const auto add = [&](const QString &text, const QString &tip, auto slot) {
         auto *button = new QPushButton(text, box);
         button->setToolTip(tip);
