@@ -133,7 +133,8 @@ Named gaitSpeed()
     return {"speed",
             Text::tr("Swing"),
             Text::tr("rad/frame"),
-            Text::tr("How fast the clock of this gait group turns its legs. 0: they stand still."),
+            Text::tr("How fast the clock of this gait group turns its legs. 0: they stand still. To walk, "
+                     "feet need ground."),
             built::gaitSpeed,
             3};
 }

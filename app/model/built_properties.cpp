@@ -1,6 +1,7 @@
 #include "app/model/built_properties.h"
 
 #include "app/model/built_names.h"
+#include "app/model/sentences.h"
 
 #include <QCoreApplication>
 
@@ -105,16 +106,20 @@ private:
     std::vector<BuiltProperty> m_all;
 };
 
+/// What a point is called in the picture.
+QString titleOf(const sim::Blueprint &plan, int point)
+{
+    return bodyTitle(QString::fromStdString(plan.points[std::size_t(point)].name));
+}
+
 void addPoints(Collector &all, const sim::Blueprint &plan, const Chosen &chosen)
 {
     const auto of = [](const Named &named, auto field) {
         return propertyOf(named, pointsOf, chosenPoints, field);
     };
     const std::size_t count = chosen.points.size();
-    all.begin(count == 1
-                  ? Text::tr("Point %1")
-                        .arg(QString::fromStdString(plan.points[std::size_t(chosen.points.front())].name))
-                  : Text::tr("%1 points").arg(count));
+    all.begin(count == 1 ? Text::tr("Point %1").arg(titleOf(plan, chosen.points.front()))
+                         : Text::tr("%1 points").arg(count));
     all.add(placed(of(
         x(), [](auto &point) -> auto & { return point.x.x; })));
     all.add(placed(of(
@@ -160,7 +165,7 @@ void addFootOf(Collector &all, const sim::Blueprint &plan, int foot)
     const auto ofGait = [&](const Named &named, auto field) {
         return propertyOf(named, gaitsOf, theGait, field);
     };
-    all.begin(Text::tr("Foot of %1").arg(QString::fromStdString(plan.points[std::size_t(one.body)].name)));
+    all.begin(Text::tr("Foot of %1").arg(titleOf(plan, one.body)));
     all.add(propertyOf(
         angle(), feetOf, theFoot, [](auto &leg) -> auto & { return leg.angle; }));
     const double last = double(plan.gaits.size()) - 1.0;

@@ -7,6 +7,7 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
 #include <cmath>
 
 namespace app {
@@ -29,11 +30,25 @@ QString percent(double share)
 {
     if (share >= 9.995)
         return Text::tr("%1 × the limit").arg(roughNumber(share));
-    return Text::tr("%1\u2009% of the limit").arg(qRound(100.0 * share));
+    // A step just past the limit, or just below it, is not at it.
+    const double hundredfold = 100.0 * share;
+    if (share > 1.0 && hundredfold < 100.5)
+        return Text::tr("%1\u2009% of the limit").arg(fixedNumber(std::max(100.1, hundredfold), 1));
+    if (share < 1.0 && hundredfold >= 99.5)
+        return Text::tr("%1\u2009% of the limit").arg(fixedNumber(std::min(99.9, hundredfold), 1));
+    return Text::tr("%1\u2009% of the limit").arg(qRound(hundredfold));
 }
 
 QString frames(double h)
 {
+    const double whole = std::round(h);
+    if (std::abs(h - 1.0) < 0.0005)
+        return stepTitle(1.0);
+    // A limit just below a whole number of frames would read as that.
+    if (h < 9.95 && h != whole && roughNumber(h) == roughNumber(whole))
+        return Text::tr("%1\u2009"
+                        "frames")
+            .arg(fixedNumber(h, 3));
     return Text::tr("%1\u2009"
                     "frames")
         .arg(roughNumber(h));

@@ -502,10 +502,6 @@
         <translation>rad/Bild</translation>
     </message>
     <message>
-        <source>How fast the clock of this gait group turns its legs. 0: they stand still.</source>
-        <translation>Wie schnell die Uhr dieser Ganggruppe ihre Beine dreht. 0: Sie stehen still.</translation>
-    </message>
-    <message>
         <source>Begin</source>
         <translation>Beginn</translation>
     </message>
@@ -564,6 +560,10 @@
     <message>
         <source>Gait group %1</source>
         <translation>Ganggruppe %1</translation>
+    </message>
+    <message>
+        <source>How fast the clock of this gait group turns its legs. 0: they stand still. To walk, feet need ground.</source>
+        <translation>Wie schnell die Uhr dieser Ganggruppe ihre Beine dreht. 0: Sie stehen still. Zum Gehen brauchen Füße Boden.</translation>
     </message>
 </context>
 <context>
@@ -761,7 +761,7 @@
     </message>
     <message>
         <source>Runs every hard case under every method, and tells what holds; exit code 1 if a method fails a case that it claims.</source>
-        <translation>Rechnet jeden harten Fall mit jedem Verfahren und meldet, was hält; Exit-Code 1, wenn ein Verfahren an einem Fall scheitert, den es zusagt.</translation>
+        <translation>Rechnet jeden schwierigen Fall mit jedem Verfahren und meldet, was hält; Exit-Code 1, wenn ein Verfahren an einem Fall scheitert, den es zusagt.</translation>
     </message>
     <message>
         <source>Runs this case only.</source>
@@ -945,7 +945,7 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     </message>
     <message>
         <source>Show the plots.</source>
-        <translation>Zeigt die Kurven.</translation>
+        <translation>Zeigt die Diagramme.</translation>
     </message>
 </context>
 <context>
@@ -1173,7 +1173,7 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     </message>
     <message>
         <source>No difference up to frame %1. Play on to see what comes of it.</source>
-        <translation>Kein Unterschied bis Bild %1. Spiel weiter, um zu sehen, was daraus wird.</translation>
+        <translation>Kein Unterschied bis Bild %1. Spiele weiter, um zu sehen, was daraus wird.</translation>
     </message>
     <message>
         <source>Largest: %1&#x2009;px apart, %2, at frame %3.</source>
@@ -2126,11 +2126,11 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     <name>GrowthTable</name>
     <message>
         <source>step [frames]</source>
-        <translation>Schritt [Bilder]</translation>
+        <translation>Zeitschritt [Bilder]</translation>
     </message>
     <message>
         <source>growth [a frame]</source>
-        <translation>Wachstum [je Bild]</translation>
+        <translation>Wachstum [pro Bild]</translation>
     </message>
 </context>
 <context>
@@ -3085,7 +3085,7 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     </message>
     <message>
         <source>%1 Neither shorter steps nor more passes make that half as much: perhaps they cannot all have their lengths at once.</source>
-        <translation>%1 Weder kürzere Schritte noch mehr Durchgänge machen es halb so schlimm: Vielleicht können nicht alle zugleich ihre Länge haben.</translation>
+        <translation>%1 Weder kürzere Zeitschritte noch mehr Durchgänge machen es halb so schlimm: Vielleicht können nicht alle zugleich ihre Länge haben.</translation>
     </message>
     <message numerus="yes">
         <source>Use %n &amp;passes</source>
@@ -3207,7 +3207,7 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     </message>
     <message>
         <source>Building happens at the start of the run: press Home to go there.</source>
-        <translation>Gebaut wird am Anfang des Laufs: Drücke Pos1, um dorthin zu gehen.</translation>
+        <translation>Gebaut wird am Anfang des Laufs: Drück Pos1, um dorthin zu gehen.</translation>
     </message>
     <message>
         <source>%1 added</source>
@@ -3325,7 +3325,7 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     <name>app::ArrangeMenu</name>
     <message>
         <source>Drag this panel to where it is to stand</source>
-        <translation>Ziehe diese Leiste dorthin, wo sie stehen soll</translation>
+        <translation>Zieh diese Leiste dorthin, wo sie stehen soll</translation>
     </message>
     <message>
         <source>A&amp;rrange panels</source>
@@ -3337,7 +3337,7 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     </message>
     <message>
         <source>Drag a panel by its title to where it is to stand</source>
-        <translation>Ziehe eine Leiste an ihrem Titel dorthin, wo sie stehen soll</translation>
+        <translation>Zieh eine Leiste an ihrem Titel dorthin, wo sie stehen soll</translation>
     </message>
     <message>
         <source>As &amp;at first</source>
@@ -3470,10 +3470,6 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>Klicke auf zwei Punkte: Ein Stab geht vom einen zum anderen.</translation>
     </message>
     <message>
-        <source>Click a body, then each of its feet.</source>
-        <translation>Klicke auf einen Körper, dann auf jeden seiner Füße.</translation>
-    </message>
-    <message>
         <source>Click a part to choose it, drag it to move it, or draw a box round several.</source>
         <translation>Klicke auf ein Teil, um es zu wählen, zieh es, um es zu verschieben, oder zieh einen Rahmen um mehrere.</translation>
     </message>
@@ -3486,12 +3482,16 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>Gibt diesem Fuß eine eigene Ganggruppe mit eigener Uhr</translation>
     </message>
     <message>
-        <source>Click each of its feet. Esc: another body.</source>
-        <translation>Klicke auf jeden seiner Füße. Esc: ein anderer Körper.</translation>
-    </message>
-    <message>
         <source>Click where it ends; the next goes on from there. Esc: begin elsewhere.</source>
         <translation>Klicke, wo das andere Ende hinkommt; von dort geht es weiter. Esc: woanders beginnen.</translation>
+    </message>
+    <message>
+        <source>Click each of its feet, or where one shall be. Esc: another body.</source>
+        <translation>Klicke auf jeden seiner Füße oder dorthin, wo einer sein soll. Esc: ein anderer Körper.</translation>
+    </message>
+    <message>
+        <source>Click a body, then each of its feet, or where one shall be.</source>
+        <translation>Klicke auf einen Körper, dann auf jeden seiner Füße oder dorthin, wo einer sein soll.</translation>
     </message>
 </context>
 <context>
@@ -4296,7 +4296,7 @@ Klick klappt ein oder aus (Eingabe)</translation>
     </message>
     <message>
         <source>Enter goes there, Escape leaves</source>
-        <translation>Eingabe geht hin, Escape verlässt das Feld</translation>
+        <translation>Eingabe geht hin, Esc verlässt das Feld</translation>
     </message>
     <message>
         <source>A frame is a whole number from 0 to %1.</source>
@@ -5592,7 +5592,7 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     </message>
     <message>
         <source>Play, or step a frame: then a curve begins here.</source>
-        <translation>Spiel ab, oder geh ein Bild weiter: Dann beginnt hier eine Kurve.</translation>
+        <translation>Spiele ab, oder geh ein Bild weiter: Dann beginnt hier eine Kurve.</translation>
     </message>
     <message>
         <source>frame</source>
@@ -6158,7 +6158,7 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     </message>
     <message>
         <source>How far the body that is worst off ever is from the exact motion, over these frames</source>
-        <translation>Wie weit der Körper, um den es am schlechtesten steht, über diese Bilder je von der exakten Bewegung abweicht</translation>
+        <translation>Wie weit der ungenaueste Körper in diesen Bildern höchstens von der exakten Bewegung abweicht</translation>
     </message>
     <message>
         <source>1 point</source>
@@ -6649,7 +6649,7 @@ für weniger so genau.</translation>
     <name>app::Workbench</name>
     <message>
         <source>Building happens at the start of the run: press Home to go there.</source>
-        <translation>Gebaut wird am Anfang des Laufs: Drücke Pos1, um dorthin zu gehen.</translation>
+        <translation>Gebaut wird am Anfang des Laufs: Drück Pos1, um dorthin zu gehen.</translation>
     </message>
     <message>
         <source>There is no room for more of this kind: delete something first.</source>
@@ -7008,7 +7008,7 @@ für weniger so genau.</translation>
     </message>
     <message>
         <source>The gait turns 159,155 times in a frame.</source>
-        <translation>Der Gang dreht sich 159.155-mal in einem Bild.</translation>
+        <translation>Der Gang dreht sich 159&#x2009;155-mal in einem Bild.</translation>
     </message>
     <message>
         <source>a hand that is nowhere</source>
@@ -7304,7 +7304,7 @@ für weniger so genau.</translation>
     </message>
     <message>
         <source>Each branch forks into two as large as itself, sixteen times: 131,071 branches in the wind.</source>
-        <translation>Jeder Zweig gabelt sich in zwei so große wie er selbst, sechzehnmal: 131.071 Zweige im Wind.</translation>
+        <translation>Jeder Zweig gabelt sich in zwei so große wie er selbst, sechzehnmal: 131&#x2009;071 Zweige im Wind.</translation>
     </message>
     <message>
         <source>a tree without an end</source>
@@ -7507,10 +7507,6 @@ für weniger so genau.</translation>
         <translation>Dreht jeden Zweig ein Stück des Wegs dorthin zurück, wo er wuchs.</translation>
     </message>
     <message>
-        <source>Keeps everything between two walls and above a floor.</source>
-        <translation>Hält alles zwischen zwei Wänden und über einem Boden.</translation>
-    </message>
-    <message>
         <source>Keep a point near its distance, but let it lag behind for a while.</source>
         <translation>Hält einen Punkt nahe an seinem Abstand, lässt ihn aber eine Weile nachhängen.</translation>
     </message>
@@ -7561,6 +7557,10 @@ für weniger so genau.</translation>
     <message>
         <source>Keeps everything on one side of a straight line, which leans as you like.</source>
         <translation>Hält alles auf einer Seite einer Geraden, die so schräg liegt, wie du willst.</translation>
+    </message>
+    <message>
+        <source>Keeps everything between two walls and above a floor: they slow what slides along them, and nothing bounces.</source>
+        <translation>Hält alles zwischen zwei Wänden und über einem Boden: Sie bremsen, was an ihnen entlanggleitet, und nichts prallt ab.</translation>
     </message>
 </context>
 <context>

@@ -13,7 +13,7 @@
     </message>
     <message>
         <source>How far the point that is worst off is from its exact place.</source>
-        <translation>Wie weit der Punkt, um den es am schlechtesten steht, von seinem exakten Ort entfernt ist.</translation>
+        <translation>Wie weit der ungenaueste Punkt von seinem exakten Ort entfernt ist.</translation>
     </message>
     <message>
         <source>Energy drift</source>
@@ -117,7 +117,7 @@ Runge–Kutta 4 fragt viermal pro Zeitschritt nach den Kräften, das semi-impliz
 
 Dafür müssen die Zeitschritte erst einmal klein genug sein: Bei 2&#x2009;Bildern sind beide weit daneben.
 
-Die Kurve **Genauigkeit** (Messen, ganz oben) zeigt jedes Verfahren als Leiter. Steiler heißt höhere Ordnung.</translation>
+Das Diagramm **Genauigkeit** (Messen, ganz oben) zeigt jedes Verfahren als Leiter. Steiler heißt höhere Ordnung.</translation>
     </message>
     <message>
         <source>Steps that adapt</source>
@@ -289,7 +289,7 @@ Jeder **Effekt** in der Liste hat seinen Preis, und einer, der nicht darin steht
     </message>
     <message>
         <source>Above the picture, press **Step** and choose **1/8&#x2009;frame**. Press **Space**, and stop after frame 100. How far off it is stands above the parameters.</source>
-        <translation>Drücke über der Szene **Zeitschritt** und wähle **1/8&#x2009;Bild**. Drück die **Leertaste** und halte nach Bild 100 an. Wie weit er daneben ist, steht über den Parametern.</translation>
+        <translation>Drück über der Szene **Zeitschritt** und wähle **1/8&#x2009;Bild**. Drück die **Leertaste** und halte nach Bild 100 an. Wie weit er daneben ist, steht über den Parametern.</translation>
     </message>
     <message>
         <source>Choose **2&#x2009;frames** as step above the picture, press **Space**, and wait.</source>
@@ -297,11 +297,11 @@ Jeder **Effekt** in der Liste hat seinen Preis, und einer, der nicht darin steht
     </message>
     <message>
         <source>Choose **1&#x2009;frame** as step. Press **Home**, type 0.02 beside **k**, press **Space**, and wait four seconds.</source>
-        <translation>Wähle **1&#x2009;Bild** als Zeitschritt. Drücke **Pos1**, gib neben **k** 0,02 ein, drück die **Leertaste** und warte vier Sekunden.</translation>
+        <translation>Wähle **1&#x2009;Bild** als Zeitschritt. Drück **Pos1**, gib neben **k** 0,02 ein, drück die **Leertaste** und warte vier Sekunden.</translation>
     </message>
     <message>
         <source>Above the picture, press **Step**, type 5 into the field **Other**, and press **Enter**. Then press **Space**.</source>
-        <translation>Drücke über der Szene **Zeitschritt**, gib im Feld **Andere** 5 ein und drücke **Eingabe**. Drück dann die **Leertaste**.</translation>
+        <translation>Drück über der Szene **Zeitschritt**, gib im Feld **Andere** 5 ein und drück **Eingabe**. Drück dann die **Leertaste**.</translation>
     </message>
     <message>
         <source>Step</source>
@@ -333,7 +333,7 @@ Jeder **Effekt** in der Liste hat seinen Preis, und einer, der nicht darin steht
     </message>
     <message>
         <source>Above the picture, press **Method** and choose **Explicit Euler**. Press **Space** and watch the drift above the parameters.</source>
-        <translation>Drücke über der Szene **Verfahren** und wähle **Explizites Euler**. Drück die **Leertaste** und sieh dir die Drift über den Parametern an.</translation>
+        <translation>Drück über der Szene **Verfahren** und wähle **Explizites Euler**. Drück die **Leertaste** und sieh dir die Drift über den Parametern an.</translation>
     </message>
     <message>
         <source>Choose **Explicit Euler** as method and **1/8&#x2009;frame** as step. Press **Space** and wait.</source>
@@ -409,7 +409,7 @@ Das explizite Euler-Verfahren macht mit einem Zeitschritt h
 
 `v → v − h k x`
 
-Setz das in E ein. Die Teile mit x × v heben sich auf, und übrig bleibt
+Setze das in E ein. Die Teile mit x × v heben sich auf, und übrig bleibt
 
 `v² + k x² + h² k (v² + k x²)`
 
@@ -497,7 +497,7 @@ und das halbe h lässt davon 1/2, 1/4, 1/16 übrig, für p = 1, 2, 4.</translati
     </message>
     <message>
         <source>Above the picture, press **Tolerance** and choose **0.1&#x2009;px**. Press **Space**, and stop after frame 150.</source>
-        <translation>Drücke über der Szene **Toleranz** und wähle **0,1&#x2009;px**. Drück die **Leertaste** und halte nach Bild 150 an.</translation>
+        <translation>Drück über der Szene **Toleranz** und wähle **0,1&#x2009;px**. Drück die **Leertaste** und halte nach Bild 150 an.</translation>
     </message>
     <message>
         <source>Press **Space**. Take the foot and throw it so that it just passes the dot in the middle.</source>
@@ -529,7 +529,7 @@ und das halbe h lässt davon 1/2, 1/4, 1/16 übrig, für p = 1, 2, 4.</translati
     </message>
     <message>
         <source>A bounce in the middle of a step spoils every order, unless the method looks for the very moment.</source>
-        <translation>Ein Aufprall mitten in einem Zeitschritt verdirbt jede Ordnung, außer das Verfahren sucht genau den Moment.</translation>
+        <translation>Ein Aufprall mitten in einem Zeitschritt verdirbt jede Ordnung, es sei denn, das Verfahren sucht genau diesen Moment.</translation>
     </message>
     <message>
         <source>Choose **1/8&#x2009;frame** as step, type 200 into the frame counter, and read how far off it is.</source>
@@ -541,7 +541,7 @@ und das halbe h lässt davon 1/2, 1/4, 1/16 übrig, für p = 1, 2, 4.</translati
     </message>
     <message>
         <source>Keep Dormand–Prince. Press **Home**, type 0.5 beside **Bounce**, press **Space**, and wait.</source>
-        <translation>Behalte Dormand–Prince. Drücke **Pos1**, gib neben **Abprall** 0,5 ein, drück die **Leertaste** und warte.</translation>
+        <translation>Behalte Dormand–Prince. Drück **Pos1**, gib neben **Abprall** 0,5 ein, drück die **Leertaste** und warte.</translation>
     </message>
     <message>
         <source>Event finding</source>
@@ -597,7 +597,7 @@ und das halbe h lässt davon 1/2, 1/4, 1/16 übrig, für p = 1, 2, 4.</translati
     </message>
     <message>
         <source>One thing that acts in a scene: springs, gravity, damping, walls. Only those that a scene lists cost time.</source>
-        <translation>Eines, was in einer Szene wirkt: Federn, Schwerkraft, Dämpfung, Wände. Nur was in der Liste einer Szene steht, kostet Zeit.</translation>
+        <translation>Etwas, das in einer Szene wirkt: Federn, Schwerkraft, Dämpfung, Wände. Nur was in der Liste einer Szene steht, kostet Zeit.</translation>
     </message>
 </context>
 <context>

@@ -93,7 +93,7 @@
     </message>
     <message>
         <source>How far it backs up before a move, as a part of the way to the target.</source>
-        <translation>Wie weit er vor einer Bewegung zurückweicht, als Anteil des Wegs zum Ziel.</translation>
+        <translation>Wie weit es vor einer Bewegung zurückweicht, als Anteil des Wegs zum Ziel.</translation>
     </message>
     <message>
         <source>Soft</source>
@@ -149,7 +149,7 @@
     </message>
     <message>
         <source>How many tentacles it has.</source>
-        <translation>Wie viele Tentakel er hat.</translation>
+        <translation>Wie viele Tentakel es hat.</translation>
     </message>
     <message>
         <source>Links</source>
@@ -165,7 +165,7 @@
     </message>
     <message>
         <source>The share of its speed that a tentacle keeps each frame. Less: thicker water.</source>
-        <translation>Der Anteil seines Tempos, den ein Tentakel in jedem Bild behält. Weniger: dickeres Wasser.</translation>
+        <translation>Der Anteil seines Tempos, den ein Tentakel in jedem Bild behält. Weniger: zäheres Wasser.</translation>
     </message>
     <message>
         <source>A motor</source>
@@ -267,7 +267,7 @@ Nothing here was drawn frame by frame: springs and constraints do all of it.</so
 
 Auch diese Stäbe sind einseitig. Von der Seite nach außen stellt jedes Glied sein äußeres Ende richtig und lässt das innere in Ruhe. Darum **genügt ein Durchgang**: Kein späteres Glied stört ein früheres, und jedes Glied hat genau seine 7&#x202f;px.
 
-Der Preis: Ein Tentakel spürt den Körper, aber der Körper spürt den Tentakel nicht. Für etwas so Leichtes ist das eine faire Lüge.
+Der Preis: Ein Tentakel spürt den Körper, aber der Körper spürt den Tentakel nicht. Für etwas so Leichtes ist das ein erlaubter Schwindel.
 
 Nichts hier wurde Bild für Bild gezeichnet: Federn und Zwangsbedingungen tun das alles.</translation>
     </message>
@@ -407,7 +407,7 @@ Und diese Geschwindigkeit trägt den Punkt ein Viertel der Zeit lang:
 
 Beides zusammen:
 
-`0.25 × 0.25 = 0.0625`
+`0,25 × 0,25 = 0,0625`
 
 Der Ort ändert sich also um ein Sechzehntel, und 0,9 bewirkt so viel wie 0,9 / 16, das ist 0,056.</translation>
     </message>
@@ -425,7 +425,7 @@ Der Ort ändert sich also um ein Sechzehntel, und 0,9 bewirkt so viel wie 0,9 / 
     </message>
     <message>
         <source>Click the background far off, and stop at once. Then press **Shift+→** again and again until the lead has moved, and the tail has not.</source>
-        <translation>Klicke weit entfernt auf den Hintergrund und halte gleich an. Drücke dann immer wieder **Umschalt+→**, bis die Spitze sich bewegt hat und der Schwanz noch nicht.</translation>
+        <translation>Klicke weit entfernt auf den Hintergrund und halte gleich an. Drück dann immer wieder **Umschalt+→**, bis die Spitze sich bewegt hat und der Schwanz noch nicht.</translation>
     </message>
     <message>
         <source>One-sided</source>
@@ -445,7 +445,7 @@ Der Ort ändert sich also um ein Sechzehntel, und 0,9 bewirkt so viel wie 0,9 / 
     </message>
     <message>
         <source>Stop. Click the background far from the creature, and press **Shift+→** until the strip under the timeline has ticked the shift.</source>
-        <translation>Halte an. Klicke weit vom Wesen entfernt auf den Hintergrund und drücke **Umschalt+→**, bis der Streifen unter der Zeitleiste die Verschiebung abgehakt hat.</translation>
+        <translation>Halte an. Klicke weit vom Wesen entfernt auf den Hintergrund und drück **Umschalt+→**, bis der Streifen unter der Zeitleiste die Verschiebung abgehakt hat.</translation>
     </message>
     <message>
         <source>Type 0.6 into the field beside **Anticipation**. Press **Space** and click far away.</source>

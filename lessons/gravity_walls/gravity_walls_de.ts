@@ -37,7 +37,7 @@ On the floor nothing holds the feet: they slide apart, and the body comes down b
 
 Sie kommt **vor der Dämpfung**, neben den Federn. So hat auch Hängendes Züge, die sich aufheben: Ein Fuß hängt dort, wo seine Feder so stark nach oben zieht wie die Schwerkraft nach unten, **wie groß die Dämpfung auch ist**. Käme die Schwerkraft nach der Dämpfung, hieße mehr Dämpfung, tiefer zu hängen.
 
-Am Boden hält nichts die Füße: Sie gleiten auseinander, und der Körper sinkt zwischen sie. Seine Geschwindigkeit dort ist nicht 0: In jedem Bild zieht die Schwerkraft ihn in den Boden, und der Boden kehrt ihn um.</translation>
+Am Boden hält nichts die Füße: Sie gleiten auseinander, und der Körper sinkt zwischen sie. Seine Geschwindigkeit dort ist nicht 0: In jedem Bild zieht die Schwerkraft ihn in den Boden, und der Boden kehrt seine Geschwindigkeit um.</translation>
     </message>
     <message>
         <source>Throw the creature so that some part of it hits the left wall.</source>
@@ -81,7 +81,7 @@ Am Boden hält nichts die Füße: Sie gleiten auseinander, und der Körper sinkt
     </message>
     <message>
         <source>Throw the creature at a wall and stop just before it is there. Then press **Shift+→** again and again: after a move, look whether an edge is past the wall.</source>
-        <translation>Wirf die Figur gegen eine Wand und halte an, kurz bevor sie dort ist. Drücke dann immer wieder **Umschalt+→**: Sieh nach jeder Bewegung, ob ein Rand an der Wand vorbei ist.</translation>
+        <translation>Wirf die Figur gegen eine Wand und halte an, kurz bevor sie dort ist. Drück dann immer wieder **Umschalt+→**: Sieh nach jeder Bewegung, ob ein Rand an der Wand vorbei ist.</translation>
     </message>
     <message>
         <source>Type 0 into the field beside **Bounce**, press **Space**, and throw the creature at the left or the right wall.</source>
@@ -117,7 +117,7 @@ Am Boden hält nichts die Füße: Sie gleiten auseinander, und der Körper sinkt
     </message>
     <message>
         <source>Stop, and press **Shift+→** until the strip under the timeline has ticked gravity.</source>
-        <translation>Halte an und drücke **Umschalt+→**, bis der Streifen unter der Zeitleiste die Schwerkraft abgehakt hat.</translation>
+        <translation>Halte an und drück **Umschalt+→**, bis der Streifen unter der Zeitleiste die Schwerkraft abgehakt hat.</translation>
     </message>
     <message>
         <source>Type 240 beside **Left wall** and 300 beside **Right wall**. Press **Space**, lift the large disc until its feet hang under it, let it down slowly until they stand, and let go.</source>

@@ -5,39 +5,39 @@
     <name>HardCases</name>
     <message>
         <source>its steps are too long for what is so stiff</source>
-        <translation>seine Zeitschritte sind zu lang für etwas so Steifes</translation>
+        <translation>Seine Zeitschritte sind zu lang für etwas so Steifes</translation>
     </message>
     <message>
         <source>its steps are longer than those that the case’s sticks are measured by</source>
-        <translation>seine Zeitschritte sind länger als die, an denen die Stäbe des Falls gemessen werden</translation>
+        <translation>Seine Zeitschritte sind länger als die, an denen die Stäbe des Falls gemessen werden</translation>
     </message>
     <message>
         <source>it swings on for longer than the run</source>
-        <translation>es schwingt länger weiter, als der Lauf dauert</translation>
+        <translation>Es schwingt länger weiter, als der Lauf dauert</translation>
     </message>
     <message>
         <source>it moves one body after the other</source>
-        <translation>es bewegt einen Körper nach dem anderen</translation>
+        <translation>Es bewegt einen Körper nach dem anderen</translation>
     </message>
     <message>
         <source>it would need too many steps</source>
-        <translation>es würde zu viele Zeitschritte brauchen</translation>
+        <translation>Es würde zu viele Zeitschritte brauchen</translation>
     </message>
     <message>
         <source>its errors add up</source>
-        <translation>seine Fehler summieren sich</translation>
+        <translation>Seine Fehler summieren sich</translation>
     </message>
     <message>
         <source>its errors keep it stirring</source>
-        <translation>seine Fehler halten es in Unruhe</translation>
+        <translation>Seine Fehler halten es in Unruhe</translation>
     </message>
     <message>
         <source>no place there is free</source>
-        <translation>kein Ort dort ist frei</translation>
+        <translation>Kein Ort dort ist frei</translation>
     </message>
     <message>
         <source>it cannot compute all of it</source>
-        <translation>es kann nicht alles davon berechnen</translation>
+        <translation>Es kann nicht alles davon berechnen</translation>
     </message>
     <message>
         <source>You have changed it: nobody claims this.</source>
@@ -205,7 +205,7 @@ It can be saved by small steps: 1/32 of a frame is too long still, 1/64 holds. T
 **Backward Euler** needs one step a frame, at any stiffness. The price: it slows what swings, as if there were more damping. For what should be stiff and calm that is right; for what should swing, it is not.</source>
         <translation>Drei Beine, jedes 5000-mal so steif wie zuvor: fast Stäbe. In einem Zeitschritt schickt das semi-implizite Euler-Verfahren die Füße 20 000&#x2009;px weit weg. Einige Bilder später sind die Zahlen zu groß zum Schreiben: Der Lauf **hält beim letzten guten Bild an** und sagt, wer zuerst davonging. Nichts ist verloren. Geh zurück und ändere etwas.
 
-Retten lässt er sich mit kleinen Zeitschritten: 1/32 Bild ist noch zu lang, 1/64 hält. Das ist 64-mal die Arbeit, für eine Bewegung, die niemand sieht.
+Retten lässt er sich mit kleinen Zeitschritten: 1/32 Bild ist noch zu lang, 1/64 hält. Das ist die 64-fache Arbeit, für eine Bewegung, die niemand sieht.
 
 Das **implizite Euler-Verfahren** braucht einen Zeitschritt pro Bild, bei jeder Steifigkeit. Der Preis: Es bremst, was schwingt, als gäbe es mehr Dämpfung. Für etwas, das steif und ruhig sein soll, ist das richtig; für etwas, das schwingen soll, nicht.</translation>
     </message>
@@ -395,15 +395,15 @@ Hände, Wände und Zeitschritte gehören zu einem Fall. Greifst du ein, ist es d
     </message>
     <message>
         <source>Above the picture, press **Step** and choose **1/2&#x2009;frame**. Press **Space** and wait four seconds.</source>
-        <translation>Drücke über der Szene **Zeitschritt** und wähle **1/2&#x2009;Bild**. Drück die **Leertaste** und warte vier Sekunden.</translation>
+        <translation>Drück über der Szene **Zeitschritt** und wähle **1/2&#x2009;Bild**. Drück die **Leertaste** und warte vier Sekunden.</translation>
     </message>
     <message>
         <source>Press **Home**, type 3.9 into the field beside **k**, press **Space**, and wait four seconds.</source>
-        <translation>Drücke **Pos1**, gib im Feld neben **k** 3,9 ein, drück die **Leertaste** und warte vier Sekunden.</translation>
+        <translation>Drück **Pos1**, gib im Feld neben **k** 3,9 ein, drück die **Leertaste** und warte vier Sekunden.</translation>
     </message>
     <message>
         <source>Press **Home**, type 0.9 into the field beside **Damping**, press **Space**, and wait.</source>
-        <translation>Drücke **Pos1**, gib im Feld neben **Dämpfung** 0,9 ein, drück die **Leertaste** und warte.</translation>
+        <translation>Drück **Pos1**, gib im Feld neben **Dämpfung** 0,9 ein, drück die **Leertaste** und warte.</translation>
     </message>
     <message>
         <source>Stability limit</source>
@@ -479,7 +479,7 @@ und für x, mit der neuen Geschwindigkeit −v,
 
 `h v = 2 x`
 
-Setz das eine ins andere ein:
+Setze das eine ins andere ein:
 
 `k h² = 4`
 
@@ -491,11 +491,11 @@ Mit weniger bleibt eine Schwingung so weit, wie sie ist. Mit mehr wächst sie.</
     </message>
     <message>
         <source>Above the picture, press **Method** and choose **Semi-implicit Euler**. Press **Space** and wait seven seconds.</source>
-        <translation>Drücke über der Szene **Verfahren** und wähle **Semi-implizites Euler**. Drück die **Leertaste** und warte sieben Sekunden.</translation>
+        <translation>Drück über der Szene **Verfahren** und wähle **Semi-implizites Euler**. Drück die **Leertaste** und warte sieben Sekunden.</translation>
     </message>
     <message>
         <source>Choose **Published** as method and **1&#x2009;frame** as step. Press **Home**, type 0.2 beside **k**, press **Space**, and wait.</source>
-        <translation>Wähle **Veröffentlicht** als Verfahren und **1&#x2009;Bild** als Zeitschritt. Drücke **Pos1**, gib neben **k** 0,2 ein, drück die **Leertaste** und warte.</translation>
+        <translation>Wähle **Veröffentlicht** als Verfahren und **1&#x2009;Bild** als Zeitschritt. Drück **Pos1**, gib neben **k** 0,2 ein, drück die **Leertaste** und warte.</translation>
     </message>
     <message>
         <source>Choose **Published** as method and **1/4&#x2009;frame** as step. Press **Space** and wait.</source>
@@ -507,15 +507,15 @@ Mit weniger bleibt eine Schwingung so weit, wie sie ist. Mit mehr wächst sie.</
     </message>
     <message>
         <source>Press **Home**, type 38 into the field beside **Feet**, press **Space**, and wait.</source>
-        <translation>Drücke **Pos1**, gib im Feld neben **Füße** 38 ein, drück die **Leertaste** und warte.</translation>
+        <translation>Drück **Pos1**, gib im Feld neben **Füße** 38 ein, drück die **Leertaste** und warte.</translation>
     </message>
     <message>
         <source>Above the picture, press **Step** and choose **1/2&#x2009;frame**. Press **Space** and wait.</source>
-        <translation>Drücke über der Szene **Zeitschritt** und wähle **1/2&#x2009;Bild**. Drück die **Leertaste** und warte.</translation>
+        <translation>Drück über der Szene **Zeitschritt** und wähle **1/2&#x2009;Bild**. Drück die **Leertaste** und warte.</translation>
     </message>
     <message>
         <source>Press **Home**, type 0.1 into the field beside **k**, press **Space**, and wait.</source>
-        <translation>Drücke **Pos1**, gib im Feld neben **k** 0,1 ein, drück die **Leertaste** und warte.</translation>
+        <translation>Drück **Pos1**, gib im Feld neben **k** 0,1 ein, drück die **Leertaste** und warte.</translation>
     </message>
     <message>
         <source>A method that looks for the place from which its own pulls lead back to where it came from. It holds at any stiffness, and slows what swings.</source>
@@ -527,7 +527,7 @@ Mit weniger bleibt eine Schwingung so weit, wie sie ist. Mit mehr wächst sie.</
     </message>
     <message>
         <source>Above the picture, press **Method** and choose **Semi-implicit Euler**. Press **Space** and wait two seconds.</source>
-        <translation>Drücke über der Szene **Verfahren** und wähle **Semi-implizites Euler**. Drück die **Leertaste** und warte zwei Sekunden.</translation>
+        <translation>Drück über der Szene **Verfahren** und wähle **Semi-implizites Euler**. Drück die **Leertaste** und warte zwei Sekunden.</translation>
     </message>
     <message>
         <source>Choose **Published** as method, press **Space**, and wait two seconds. Take a foot, carry it up, let go, and wait.</source>
@@ -595,15 +595,15 @@ leistet das, der Winkel (angle) aus der Nummer (number): Der goldene Winkel geht
     </message>
     <message>
         <source>Above the picture, press **Step** and choose **1/64&#x2009;frame**. Press **Space** and wait.</source>
-        <translation>Drücke über der Szene **Zeitschritt** und wähle **1/64&#x2009;Bild**. Drück die **Leertaste** und warte.</translation>
+        <translation>Drück über der Szene **Zeitschritt** und wähle **1/64&#x2009;Bild**. Drück die **Leertaste** und warte.</translation>
     </message>
     <message>
         <source>Choose **Backward Euler** as method. Press **Home**, type 1000000 beside **k**, and press **Space**.</source>
-        <translation>Wähle **Implizites Euler** als Verfahren. Drücke **Pos1**, gib neben **k** 1000000 ein und drück die **Leertaste**.</translation>
+        <translation>Wähle **Implizites Euler** als Verfahren. Drück **Pos1**, gib neben **k** 1000000 ein und drück die **Leertaste**.</translation>
     </message>
     <message>
         <source>Choose **Backward Euler** as method. Press **Home**, type 0.2 beside **k** and 1 beside **Damping**, press **Space**, and wait.</source>
-        <translation>Wähle **Implizites Euler** als Verfahren. Drücke **Pos1**, gib neben **k** 0,2 und neben **Dämpfung** 1 ein, drück die **Leertaste** und warte.</translation>
+        <translation>Wähle **Implizites Euler** als Verfahren. Drück **Pos1**, gib neben **k** 0,2 und neben **Dämpfung** 1 ein, drück die **Leertaste** und warte.</translation>
     </message>
     <message>
         <source>Stiff</source>
@@ -623,7 +623,7 @@ leistet das, der Winkel (angle) aus der Nummer (number): Der goldene Winkel geht
     </message>
     <message>
         <source>Press **Home**, type 1 into the field beside **k**, press **Space**, and wait.</source>
-        <translation>Drücke **Pos1**, gib im Feld neben **k** 1 ein, drück die **Leertaste** und warte.</translation>
+        <translation>Drück **Pos1**, gib im Feld neben **k** 1 ein, drück die **Leertaste** und warte.</translation>
     </message>
     <message>
         <source>Choose **sticks** beside **Made of**, press **Space**, and wait.</source>
@@ -639,15 +639,15 @@ leistet das, der Winkel (angle) aus der Nummer (number): Der goldene Winkel geht
     </message>
     <message>
         <source>Press **Ctrl+G**, type 5000, and press **Enter**.</source>
-        <translation>Drücke **Strg+G**, gib 5000 ein und drücke **Eingabe**.</translation>
+        <translation>Drück **Strg+G**, gib 5000 ein und drück **Eingabe**.</translation>
     </message>
     <message>
         <source>Above the picture, press **Step** and choose **1/2&#x2009;frame**. Press **Ctrl+G**, type 5000, and press **Enter**.</source>
-        <translation>Drücke über der Szene **Zeitschritt** und wähle **1/2&#x2009;Bild**. Drücke **Strg+G**, gib 5000 ein und drücke **Eingabe**.</translation>
+        <translation>Drück über der Szene **Zeitschritt** und wähle **1/2&#x2009;Bild**. Drück **Strg+G**, gib 5000 ein und drück **Eingabe**.</translation>
     </message>
     <message>
         <source>Choose **Velocity Verlet** as method and **1&#x2009;frame** as step. Press **Ctrl+G**, type 20000, and press **Enter**.</source>
-        <translation>Wähle **Velocity-Verlet** als Verfahren und **1&#x2009;Bild** als Zeitschritt. Drücke **Strg+G**, gib 20000 ein und drücke **Eingabe**.</translation>
+        <translation>Wähle **Velocity-Verlet** als Verfahren und **1&#x2009;Bild** als Zeitschritt. Drück **Strg+G**, gib 20000 ein und drück **Eingabe**.</translation>
     </message>
     <message>
         <source>What a method can hold follows from its rule, and can be said before the run.</source>
@@ -682,7 +682,7 @@ leistet das, der Winkel (angle) aus der Nummer (number): Der goldene Winkel geht
     <name>lesson.json</name>
     <message>
         <source>Hard cases</source>
-        <translation>Harte Fälle</translation>
+        <translation>Schwierige Fälle</translation>
     </message>
     <message>
         <source>What breaks a simulation, why, and what holds.</source>

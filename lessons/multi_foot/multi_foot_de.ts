@@ -17,7 +17,7 @@ Damping is 0.85 from here on. The feet still move before the body, and each spri
 
 Zwei Züge an einem Körper brauchen keine neue Formel: **Sie addieren sich**. Der erste Zug geht in die Geschwindigkeit ein, dann der zweite. Die Dämpfung kommt einmal, nach allen Zügen, und dann bewegt sich der Körper.
 
-Von hier an ist die Dämpfung 0,85. Die Füße bewegen sich noch immer vor dem Körper, und jede Feder macht ein wenig Impuls aus dem Nichts. Bei 0,9 ist das mehr, als die Dämpfung nimmt, und die Figur verlässt das Bild.</translation>
+Von hier an ist die Dämpfung 0,85. Die Füße bewegen sich noch immer vor dem Körper, und jede Feder macht ein wenig Impuls aus dem Nichts. Bei 0,9 ist das mehr, als die Dämpfung nimmt, und die Figur verlässt die Szene.</translation>
     </message>
     <message>
         <source>Any number of feet</source>
@@ -61,7 +61,7 @@ Die Federn sind nicht schuld: Mit zwei Zeitschritten von je einem halben Bild ha
     </message>
     <message>
         <source>Set **damping** to 0.9 and hands off. How long does it stay in the picture?</source>
-        <translation>Setze **Dämpfung** auf 0,9, und Hände weg. Wie lange bleibt sie im Bild?</translation>
+        <translation>Setze **Dämpfung** auf 0,9, und Hände weg. Wie lange bleibt sie in der Szene?</translation>
     </message>
     <message>
         <source>Pull one foot at least 100&#x202f;px out, let go, and wait until all is still.</source>
@@ -69,7 +69,7 @@ Die Federn sind nicht schuld: Mit zwei Zeitschritten von je einem halben Bild ha
     </message>
     <message>
         <source>Set **feet** to 12 and give it 200&#x202f;frames. Does it calm down?</source>
-        <translation>Setze **Füße** auf 12 und gib ihnen 200&#x202f;Bilder. Kommt alles zur Ruhe?</translation>
+        <translation>Setze **Füße** auf 12 und gib ihnen 200&#x202f;Bilder Zeit. Kommt alles zur Ruhe?</translation>
     </message>
     <message>
         <source>Go back in time, change **damping**, and compare with the ghost.</source>
@@ -157,7 +157,7 @@ Die Federn sind nicht schuld: Mit zwei Zeitschritten von je einem halben Bild ha
     </message>
     <message>
         <source>Leave 60 in the field beside **Feet**, press **Home** to go to frame 0, choose **1/2 frame** as step above the picture, and press **Space**.</source>
-        <translation>Lass im Feld neben **Füße** 60 stehen, drücke **Pos1**, um zu Bild 0 zu gehen, wähle über der Szene **1/2&#x2009;Bild** als Zeitschritt und drück die **Leertaste**.</translation>
+        <translation>Lass im Feld neben **Füße** 60 stehen, drück **Pos1**, um zu Bild 0 zu gehen, wähle über der Szene **1/2&#x2009;Bild** als Zeitschritt und drück die **Leertaste**.</translation>
     </message>
     <message>
         <source>Seed</source>

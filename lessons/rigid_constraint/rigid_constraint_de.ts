@@ -69,7 +69,7 @@
     </message>
     <message>
         <source>How much a wall’s push holds back what slides along it. 0: like ice.</source>
-        <translation>Wie sehr der Druck einer Wand bremst, was an ihr entlanggleitet. 0: wie Eis.</translation>
+        <translation>Wie stark eine Wand bremst, was an ihr entlanggleitet. 0: wie Eis.</translation>
     </message>
     <message>
         <source>Joints</source>
@@ -93,7 +93,7 @@ Both points start in one place, where a stick has no direction. `atan2(0, 0)` is
 This angle is counted from the y axis: that is why dx comes first in `atan2`.</source>
         <translation>Ein **Stab** ist eine Regel: Diese zwei Punkte sind 100&#x202f;px auseinander, was auch geschieht. Eine solche Regel heißt **Zwangsbedingung**. Der Zeiger trägt p0, und die Regel tut den Rest.
 
-In jedem Bild misst der Code den Abstand. Was er zu viel hat, ist der **Fehler**; unter 0 hat er zu wenig. Beide Punkte gehen am Stab entlang, und jeder übernimmt **die Hälfte des Fehlers**. Dann stimmt der Abstand, auf einen Schlag: Es gibt hier keine Feder und keine Geschwindigkeit.
+In jedem Bild misst der Code den Abstand. Um wie viel er zu groß ist, das ist der **Fehler**; unter 0 ist er zu klein. Beide Punkte gehen am Stab entlang, und jeder übernimmt **die Hälfte des Fehlers**. Dann stimmt der Abstand, auf einen Schlag: Es gibt hier keine Feder und keine Geschwindigkeit.
 
 Beide Punkte beginnen an einem Ort, wo ein Stab keine Richtung hat. `atan2(0, 0)` ist 0, also trennen sie sich gerade nach oben und unten.
 
@@ -149,7 +149,7 @@ Drei Stäbe von 100&#x202f;px können alle zugleich stimmen. Stäbe von 100, 100
 **The order matters.** A pull at p0 runs down the list in one frame, as each stick sees what the one before it moved. A correction that has to go the other way gets one stick further each frame.
 
 A stick’s colour shows its error. After a fast move you can watch the error spread, and shrink frame by frame.</source>
-        <translation>Abgeschriebene Zeilen genügen nicht für eine große Figur. Hier füllt **eine Schleife** eine Liste von Stäben: Jeder Punkt ist an den vor ihm gebunden und an den davor, das gibt eine Reihe von Dreiecken. Eine zweite Schleife geht in jedem Bild die Liste durch und setzt einen Stab nach dem anderen durch.
+        <translation>Kopierte Zeilen genügen nicht für eine große Figur. Hier füllt **eine Schleife** eine Liste von Stäben: Jeder Punkt ist an den vor ihm gebunden und an den davor, das gibt eine Reihe von Dreiecken. Eine zweite Schleife geht in jedem Bild die Liste durch und setzt einen Stab nach dem anderen durch.
 
 **Die Reihenfolge zählt.** Ein Zug an p0 läuft in einem Bild die Liste hinunter, denn jeder Stab sieht, was der vor ihm bewegt hat. Eine Korrektur, die in die andere Richtung muss, kommt in jedem Bild einen Stab weiter.
 
@@ -169,7 +169,7 @@ is the next place. This is **Verlet integration**. Watch the phases: move, stick
 Walls are constraints, too: no point may be past one. **Friction** holds back what slides along them.
 
 **iterations** says how often a frame goes through the list of sticks. At 1 this box gives way like rubber; more make it stiff.</source>
-        <translation>Jetzt bewegen sich die Punkte von selbst, und fallen. Aber ein Stab setzt einen Punkt woandershin, ohne nach seiner Geschwindigkeit zu fragen. Die Abhilfe: **Speichere keine Geschwindigkeit. Sie ist der Weg, den der Punkt kam**, sein Ort jetzt minus sein Ort ein Bild zuvor:
+        <translation>Jetzt bewegen sich die Punkte von selbst und fallen. Aber ein Stab setzt einen Punkt woandershin, ohne nach seiner Geschwindigkeit zu fragen. Die Abhilfe: **Speichere keine Geschwindigkeit. Sie ist der Weg, den der Punkt kam**, sein Ort jetzt minus sein Ort ein Bild zuvor:
 
 `x + (x − before) + g`
 
@@ -289,7 +289,7 @@ Zieh sie, wirf sie, lass sie fallen. Die Farbe eines Stabs zeigt, welcher Fehler
     </message>
     <message>
         <source>Press **Space**. Hold the mouse button down in the picture and lead p0 to one side.</source>
-        <translation>Drück die **Leertaste**. Halte im Bild die Maustaste gedrückt und führe p0 zur Seite.</translation>
+        <translation>Drück die **Leertaste**. Halte in der Szene die Maustaste gedrückt und führe p0 zur Seite.</translation>
     </message>
     <message>
         <source>Stop. Press the mouse button 50&#x2009;px or more beside p0 and keep it down. Then press **Shift+→** once.</source>
@@ -353,7 +353,7 @@ where w is how easily an end moves: 1 for both here, and 0 for a nail. Two ends 
 
 `130 − 100 = 30&#x2009;px`
 
-Beide Enden gehen am Stab entlang, aufeinander zu. Zusammen müssen sie 30&#x2009;px kommen, also kommt jedes 15. Der Anteil (share) von a ist
+Beide Enden gehen am Stab entlang, aufeinander zu. Zusammen müssen sie 30&#x2009;px weit gehen, also jedes 15. Der Anteil (share) von a ist
 
 `share of a = w_a / (w_a + w_b)`
 
@@ -369,7 +369,7 @@ Dabei ist w, wie leicht sich ein Ende bewegt: 1 für beide hier, und 0 für eine
     </message>
     <message>
         <source>Type 0 into the field beside **Share**. Press **Space**, hold the mouse button down and lead p0 to the other side of the picture.</source>
-        <translation>Gib 0 in das Feld neben **Anteil** ein. Drück die **Leertaste**, halte die Maustaste gedrückt und führe p0 auf die andere Seite des Bildes.</translation>
+        <translation>Gib 0 in das Feld neben **Anteil** ein. Drück die **Leertaste**, halte die Maustaste gedrückt und führe p0 auf die andere Seite der Szene.</translation>
     </message>
     <message>
         <source>Type 0.5 into the field beside **Share**. Press **Space**, hold the mouse button down, move the pointer far away, and keep still.</source>
@@ -413,7 +413,7 @@ Bei 0,5: die Hälfte, ein Viertel, ein Achtel. Bei 1 wird nie etwas besser, bei 
     </message>
     <message>
         <source>Press **Space**, hold the mouse button down, and move the pointer quickly across the picture.</source>
-        <translation>Drück die **Leertaste**, halte die Maustaste gedrückt und bewege den Zeiger schnell quer durch das Bild.</translation>
+        <translation>Drück die **Leertaste**, halte die Maustaste gedrückt und bewege den Zeiger schnell quer durch die Szene.</translation>
     </message>
     <message>
         <source>Keep the mouse button down and the pointer still for some seconds. The largest error stands above the parameters.</source>
@@ -429,7 +429,7 @@ Bei 0,5: die Hälfte, ein Viertel, ein Achtel. Bei 1 wird nie etwas besser, bei 
     </message>
     <message>
         <source>Press **Space**, hold the mouse button down, lead p0 across the picture, and keep still.</source>
-        <translation>Drück die **Leertaste**, halte die Maustaste gedrückt, führe p0 quer durch das Bild und halte still.</translation>
+        <translation>Drück die **Leertaste**, halte die Maustaste gedrückt, führe p0 quer durch die Szene und halte still.</translation>
     </message>
     <message>
         <source>Type 15 into the field beside **Triangles**. Press **Space**, hold the mouse button down, and shake p0 to and fro.</source>

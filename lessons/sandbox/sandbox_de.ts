@@ -97,7 +97,7 @@
     </message>
     <message>
         <source>Push</source>
-        <translation>Druck</translation>
+        <translation>Abstoßung</translation>
     </message>
     <message>
         <source>1/frame²</source>
@@ -137,7 +137,7 @@
     </message>
     <message>
         <source>How much a wall’s push holds back what slides along it. 0: like ice.</source>
-        <translation>Wie sehr der Druck einer Wand bremst, was an ihr entlanggleitet. 0: wie Eis.</translation>
+        <translation>Wie stark eine Wand bremst, was an ihr entlanggleitet. 0: wie Eis.</translation>
     </message>
     <message>
         <source>Gusts</source>
@@ -155,7 +155,7 @@
         <source>Here you build the scene. Choose a tool, then click in the picture: **points** are bodies with a mass and a size, a **nail** holds one where it is. **Springs** and **sticks** go from one point to another. A **foot** hangs on a body at an angle of its own, and feet of one group swing to one clock.
 
 What acts on the whole scene, as gravity or wind, you choose below. Building happens at the start of the run: play to see what your scene does, and come back to go on building.</source>
-        <translation>Hier baust du die Szene. Wähle ein Werkzeug, dann klick ins Bild: **Punkte** sind Körper mit einer Masse und einer Größe, ein **Nagel** hält einen, wo er ist. **Federn** und **Stäbe** gehen von einem Punkt zum anderen. Ein **Fuß** hängt in einem eigenen Winkel an einem Körper, und Füße einer Gruppe schwingen nach einer Uhr.
+        <translation>Hier baust du die Szene. Wähle ein Werkzeug, dann klick in die Szene: **Punkte** sind Körper mit einer Masse und einer Größe, ein **Nagel** hält einen, wo er ist. **Federn** und **Stäbe** gehen von einem Punkt zum anderen. Ein **Fuß** hängt in einem eigenen Winkel an einem Körper, und Füße einer Gruppe schwingen nach einer Uhr.
 
 Was auf die ganze Szene wirkt, wie Schwerkraft oder Wind, wählst du unten. Gebaut wird am Anfang des Laufs: Spiele ab, um zu sehen, was deine Szene tut, und komm zurück, um weiterzubauen.</translation>
     </message>

@@ -46,7 +46,7 @@ std::vector<Guide> pullToCome(const sim::Scene &, const sim::State &state, const
     const sim::Vec2 centre = centreOf(values);
     const sim::Vec2 pull = sim::spring(state.at(foot), centre, values["k"]).pull;
     return {guide(Guide::Shape::cross, centre),
-            guide(Guide::Shape::arrow, state.at(foot), pull, 0.0, Text::tr("pull to come"))};
+            guide(Guide::Shape::arrow, state.at(foot), pull, 0.0, Text::tr("pull, not acting yet"))};
 }
 
 std::vector<Guide> centreCross(const sim::Scene &scene, const sim::State &, const sim::Values &values)

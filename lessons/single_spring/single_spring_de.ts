@@ -4,8 +4,8 @@
 <context>
     <name>SingleSpring</name>
     <message>
-        <source>pull to come</source>
-        <translation>künftiger Zug</translation>
+        <source>pull, not acting yet</source>
+        <translation>Zug, wirkt noch nicht</translation>
     </message>
     <message>
         <source>%1° = %2&#x202f;rad</source>
@@ -43,7 +43,7 @@ x and y are worked out apart. The distance in x changes the velocity in x, the d
 Each frame has three phases: the spring adds its pull to the velocity, damping takes its share, and the foot moves.
 
 The foot is fastest near the cross, where the pull is weakest, so it **overshoots** and swings back. Damping makes each swing smaller, until the foot stands on the cross, where the pull is 0.</source>
-        <translation>Eine **Feder** zieht den Fuß zum Kreuz. Der Zug ist der Abstand mal die Steifigkeit **k**: doppelt so weit, **doppelter Zug**. Das ist das Hookesche Gesetz.
+        <translation>Eine **Feder** zieht den Fuß zum Kreuz. Der Zug ist der Abstand mal die Steifigkeit **k**: doppelt so weit, **doppelter Zug**. Das ist das Hooke’sche Gesetz.
 
 x und y werden getrennt ausgerechnet. Der Abstand in x ändert die Geschwindigkeit in x, der Abstand in y die Geschwindigkeit in y. Zusammen zeigen sie auf das Kreuz.
 
@@ -63,9 +63,9 @@ The foot comes late. The pull changes its velocity, and only the velocity change
 This body is a handle: it feels no pull and keeps no velocity, and stays where you leave it.</source>
         <translation>Jetzt endet die Feder am **Körper**, und den Körper kannst du umhertragen. Die Feder liest den Ort des Körpers in jedem Bild neu, darum **folgt dir der Fuß überallhin**. Ihre Formel ist dieselbe wie zuvor: Nur die Mitte ist jetzt ein Ort, der sich bewegt.
 
-Der Fuß kommt verspätet. Der Zug ändert seine Geschwindigkeit, und erst die Geschwindigkeit ändert seinen Ort.
+Der Fuß kommt zu spät. Der Zug ändert seine Geschwindigkeit, und erst die Geschwindigkeit ändert seinen Ort.
 
-Dieser Körper ist ein Griff: Er spürt keinen Zug und behält keine Geschwindigkeit, und bleibt, wo du ihn lässt.</translation>
+Dieser Körper ist ein Griff: Er spürt keinen Zug, behält keine Geschwindigkeit und bleibt, wo du ihn lässt.</translation>
     </message>
     <message>
         <source>An offset</source>
@@ -113,7 +113,7 @@ Der Winkel ist in **Radiant**: 1 rad = 57,2958°, und eine halbe Drehung ist 3,1
     </message>
     <message>
         <source>Set **damping** to 1 and throw it again. Does it ever stop? Give it 60&#x202f;frames.</source>
-        <translation>Setze **Dämpfung** auf 1 und wirf ihn noch einmal. Bleibt er je stehen? Gib ihm 60&#x202f;Bilder.</translation>
+        <translation>Setze **Dämpfung** auf 1 und wirf ihn noch einmal. Bleibt er je stehen? Gib ihm 60&#x202f;Bilder Zeit.</translation>
     </message>
     <message>
         <source>Pull the foot at least 100&#x202f;px away from the cross, let go, and wait until it is still.</source>
@@ -125,7 +125,7 @@ Der Winkel ist in **Radiant**: 1 rad = 57,2958°, und eine halbe Drehung ist 3,1
     </message>
     <message>
         <source>Set **damping** to 1, pull the foot out and let go. Does it ever stop? Give it 100&#x202f;frames.</source>
-        <translation>Setze **Dämpfung** auf 1, zieh den Fuß hinaus und lass los. Bleibt er je stehen? Gib ihm 100&#x202f;Bilder.</translation>
+        <translation>Setze **Dämpfung** auf 1, zieh den Fuß hinaus und lass los. Bleibt er je stehen? Gib ihm 100&#x202f;Bilder Zeit.</translation>
     </message>
     <message>
         <source>Go back in time, change **damping**, and compare with the ghost.</source>
@@ -197,7 +197,7 @@ Der Winkel ist in **Radiant**: 1 rad = 57,2958°, und eine halbe Drehung ist 3,1
     </message>
     <message>
         <source>One picture of the run, and the time from it to the next. 30 of them are shown in a second, unless you choose another speed.</source>
-        <translation>Ein Bild (Frame) des Laufs, und die Zeit von ihm bis zum nächsten. In einer Sekunde werden 30 gezeigt, außer du wählst ein anderes Tempo.</translation>
+        <translation>Ein Bild (Frame) des Laufs, und die Zeit von ihm bis zum nächsten. In einer Sekunde werden 30 gezeigt, es sei denn, du wählst ein anderes Tempo.</translation>
     </message>
     <message>
         <source>Velocity</source>
@@ -243,17 +243,17 @@ Damping is a share **per frame**. Where a frame is computed in two halves, each 
 Seen the other way, damping is a **drag**: a push against the motion, and the faster a thing is, the stronger the push.</source>
         <translation>Jedes Bild behält 0,9 der Geschwindigkeit, darum werden die Wege kürzer:
 
-`9 + 8.1 + 7.29 + …`
+`9 + 8,1 + 7,29 + …`
 
 Jede Zahl ist 0,9-mal die davor. Eine solche Summe endet nie, und doch bleibt sie unter einer Grenze:
 
-`10 × 0.9 / (1 − 0.9) = 90`
+`10 × 0,9 / (1 − 0,9) = 90`
 
 Dämpfung ist ein Anteil **pro Bild**. Wo ein Bild in zwei Hälften berechnet wird, behält jede Hälfte die Wurzel davon, sodass beide zusammen 0,9 behalten:
 
-`√0.9 × √0.9 = 0.9`
+`√0,9 × √0,9 = 0,9`
 
-Anders gesehen ist Dämpfung ein **Widerstand**: ein Druck gegen die Bewegung, und je schneller etwas ist, desto stärker der Druck.</translation>
+Anders gesehen ist Dämpfung ein **Widerstand**: Er schiebt gegen die Bewegung, und je schneller etwas ist, desto stärker.</translation>
     </message>
     <message>
         <source>A spring pulls with k times the distance, and what it pulls swings past the middle.</source>
@@ -285,7 +285,7 @@ Anders gesehen ist Dämpfung ein **Widerstand**: ein Druck gegen die Bewegung, u
     </message>
     <message>
         <source>Something that pulls together what is too far apart, and pushes apart what is too close. The more is missing, the stronger it pulls.</source>
-        <translation>Etwas, das zusammenzieht, was zu weit auseinander ist, und auseinanderdrückt, was zu nah ist. Je mehr fehlt, desto stärker zieht sie.</translation>
+        <translation>Etwas, das zusammenzieht, was zu weit auseinander ist, und auseinanderdrückt, was zu nah ist. Je mehr fehlt, desto stärker zieht die Feder.</translation>
     </message>
     <message>
         <source>Stiffness</source>
@@ -296,12 +296,12 @@ Anders gesehen ist Dämpfung ein **Widerstand**: ein Druck gegen die Bewegung, u
         <translation>Steifigkeit|steifer</translation>
     </message>
     <message>
-        <source>How hard a spring pulls for each pixel: the number k. At 0.2 it adds a fifth of the missing distance to the velocity, each frame.</source>
-        <translation>Wie stark eine Feder für jedes Pixel zieht: die Zahl k. Bei 0,2 fügt sie der Geschwindigkeit in jedem Bild ein Fünftel des fehlenden Abstands hinzu.</translation>
+        <source>How hard a spring pulls for each pixel: the number k. At 0.2 it adds a fifth of the missing distance to the velocity, each frame. Physics calls it the spring constant, too.</source>
+        <translation>Wie stark eine Feder für jedes Pixel zieht: die Zahl k. Bei 0,2 fügt sie der Geschwindigkeit in jedem Bild ein Fünftel des fehlenden Abstands hinzu. In der Physik heißt sie auch Federkonstante.</translation>
     </message>
     <message>
         <source>Hooke’s law</source>
-        <translation>Das Hookesche Gesetz</translation>
+        <translation>Das Hooke’sche Gesetz</translation>
     </message>
     <message>
         <source>Twice as far, twice the pull: a spring pulls with k times the distance.</source>
@@ -365,7 +365,7 @@ Hier wird er einmal pro Bild zur Geschwindigkeit addiert, in x und in y getrennt
 
 `vx = vx + k × (cx − x)`
 
-Echte Federn halten sich daran, solange sie nicht verbogen werden.</translation>
+Echte Federn halten sich daran, solange sie nicht überdehnt werden.</translation>
     </message>
     <message>
         <source>A spring reads the place of its other end anew in each frame, so what hangs on it follows.</source>
@@ -373,11 +373,11 @@ Echte Federn halten sich daran, solange sie nicht verbogen werden.</translation>
     </message>
     <message>
         <source>Press **Space**. Take the large disc, carry it across the picture, and let go. Wait until the foot has come to rest on it.</source>
-        <translation>Drück die **Leertaste**. Nimm die große Scheibe, trag sie quer durch das Bild und lass los. Warte, bis der Fuß auf ihr zur Ruhe gekommen ist.</translation>
+        <translation>Drück die **Leertaste**. Nimm die große Scheibe, trag sie quer durch die Szene und lass los. Warte, bis der Fuß auf ihr zur Ruhe gekommen ist.</translation>
     </message>
     <message>
         <source>Type 0.02 into the field beside **k**. Press **Space**, and swing the body quickly from one corner of the picture to the other.</source>
-        <translation>Gib 0,02 in das Feld neben **k** ein. Drück die **Leertaste** und schwing den Körper schnell von einer Ecke des Bildes zur anderen.</translation>
+        <translation>Gib 0,02 in das Feld neben **k** ein. Drück die **Leertaste** und schwing den Körper schnell von einer Ecke der Szene zur anderen.</translation>
     </message>
     <message>
         <source>Press **Space**, throw the foot, and stop with **Space** while it flies. Then press **Shift+→** once.</source>
@@ -397,7 +397,7 @@ Echte Federn halten sich daran, solange sie nicht verbogen werden.</translation>
     </message>
     <message>
         <source>Press **Space**, take the large disc, and carry it across the picture.</source>
-        <translation>Drück die **Leertaste**, nimm die große Scheibe und trag sie quer durch das Bild.</translation>
+        <translation>Drück die **Leertaste**, nimm die große Scheibe und trag sie quer durch die Szene.</translation>
     </message>
     <message>
         <source>Target</source>
@@ -417,7 +417,7 @@ Echte Federn halten sich daran, solange sie nicht verbogen werden.</translation>
     </message>
     <message>
         <source>Press **Space**. Put the foot just to the left of the body, hold it still for a moment, and let go.</source>
-        <translation>Drück die **Leertaste**. Setz den Fuß knapp links neben den Körper, halte ihn einen Moment still und lass los.</translation>
+        <translation>Drück die **Leertaste**. Setze den Fuß knapp links neben den Körper, halte ihn einen Moment still und lass los.</translation>
     </message>
     <message>
         <source>Press **Space**. Hold the foot straight below the body, with the mouse button down. The angle is written beside the arc.</source>
@@ -465,7 +465,7 @@ Echte Federn halten sich daran, solange sie nicht verbogen werden.</translation>
     </message>
     <message>
         <source>Why atan2, and not a division?</source>
-        <translation>Warum atan2, und nicht teilen?</translation>
+        <translation>Warum atan2 und nicht einfach teilen?</translation>
     </message>
     <message>
         <source>How steep a way is, is a division:

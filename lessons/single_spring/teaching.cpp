@@ -72,7 +72,8 @@ Teaching fixedCentre()
                       "close. The more is missing, the stronger it pulls.")},
             {Text::tr("Stiffness"), Text::tr("stiffness|stiffer"),
              Text::tr("How hard a spring pulls for each pixel: the number k. At 0.2 it adds a fifth of "
-                      "the missing distance to the velocity, each frame.")},
+                      "the missing distance to the velocity, each frame. Physics calls it the spring "
+                      "constant, too.")},
             {Text::tr("Hooke’s law"), Text::tr("Hooke’s law"),
              Text::tr("Twice as far, twice the pull: a spring pulls with k times the distance.")},
             {Text::tr("Phase"), Text::tr("phase|phases"),

@@ -58,10 +58,10 @@ Step trunkStep()
         "A branch is three things: where it begins, its **angle**, and its length. Where it ends follows: "
         "`cos` and `sin` of the angle, times the length, lead from its origin to its end.\n\n"
         "The trunk begins in the middle of the ground, 275 px to the right and 400 px down. Its angle "
-        "is −90 °: y points down, so angles grow clockwise, and minus a quarter turn is straight up. It is "
+        "is −90°: y points down, so angles grow clockwise, and minus a quarter turn is straight up. It is "
         "100 px long.\n\n"
         "`cos` and `sin` take radians, so the angle is divided by the degrees to a radian: 57.2958. The "
-        "tutorial behind this lesson divides by 57.3. That leans the trunk by 0.0066 ° to the right, "
+        "tutorial behind this lesson divides by 57.3. That leans the trunk by 0.0066° to the right, "
         "and its end is 0.0116 px off. The switch **Formula** has both.");
     step.tries = trunkTries();
     step.scene = trunk::setUp;
@@ -74,7 +74,7 @@ Step branchesStep()
     Step step = treeStep("branches", Text::tr("Branches"), branches::grow);
     step.addParameters({spread(), slope(), minScale(), baseLength(), formula()});
     step.narration = Text::tr(
-        "Where a branch ends, two smaller ones begin. One leans 30 ° to the left of it, one to the "
+        "Where a branch ends, two smaller ones begin. One leans 30° to the left of it, one to the "
         "right: that is the **spread**. Each is 0.8 times as large: the **slope**. And each of them "
         "does the same.\n\n"
         "Such a rule that uses itself needs an end. A branch grows only while it is **larger than 0.2** "
@@ -94,7 +94,7 @@ Step randomnessStep()
     step.addParameters({jitter(), spread(), slope(), minScale(), baseLength(), formula()});
     step.narration = Text::tr(
         "Real trees are not so neat. So each new branch is turned by a little more: by chance, up to "
-        "10 ° to either side. That is the **jitter**.\n\n"
+        "10° to either side. That is the **jitter**.\n\n"
         "A branch leans from where its parent points. So what chance did to the parent, its children "
         "carry on, and one change near the trunk turns a whole bough.\n\n"
         "Each number of chance is worked out from the branch’s own number and the **seed**, a whole "

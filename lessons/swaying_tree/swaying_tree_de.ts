@@ -74,24 +74,24 @@
     <message>
         <source>A branch is three things: where it begins, its **angle**, and its length. Where it ends follows: `cos` and `sin` of the angle, times the length, lead from its origin to its end.
 
-The trunk begins in the middle of the ground, 275&#x202f;px to the right and 400&#x202f;px down. Its angle is −90&#x202f;°: y points down, so angles grow clockwise, and minus a quarter turn is straight up. It is 100&#x202f;px long.
+The trunk begins in the middle of the ground, 275&#x202f;px to the right and 400&#x202f;px down. Its angle is −90°: y points down, so angles grow clockwise, and minus a quarter turn is straight up. It is 100&#x202f;px long.
 
-`cos` and `sin` take radians, so the angle is divided by the degrees to a radian: 57.2958. The tutorial behind this lesson divides by 57.3. That leans the trunk by 0.0066&#x202f;° to the right, and its end is 0.0116&#x202f;px off. The switch **Formula** has both.</source>
+`cos` and `sin` take radians, so the angle is divided by the degrees to a radian: 57.2958. The tutorial behind this lesson divides by 57.3. That leans the trunk by 0.0066° to the right, and its end is 0.0116&#x202f;px off. The switch **Formula** has both.</source>
         <translation>Ein Zweig ist dreierlei: wo er beginnt, sein **Winkel** und seine Länge. Wo er endet, folgt daraus: `cos` und `sin` des Winkels, mal die Länge, führen von seinem Anfang zu seinem Ende.
 
-Der Stamm beginnt in der Mitte des Bodens, 275&#x202f;px nach rechts und 400&#x202f;px nach unten. Sein Winkel ist −90 °: y zeigt nach unten, darum wachsen Winkel im Uhrzeigersinn, und minus eine Vierteldrehung ist gerade nach oben. Er ist 100&#x202f;px lang.
+Der Stamm beginnt in der Mitte des Bodens, 275&#x202f;px nach rechts und 400&#x202f;px nach unten. Sein Winkel ist −90°: y zeigt nach unten, darum wachsen Winkel im Uhrzeigersinn, und minus eine Vierteldrehung ist gerade nach oben. Er ist 100&#x202f;px lang.
 
-`cos` und `sin` nehmen Radiant, darum wird der Winkel durch die Grad pro Radiant geteilt: 57,2958. Das Tutorial, auf dem diese Lektion beruht, teilt durch 57,3. Das neigt den Stamm um 0,0066 ° nach rechts, und sein Ende ist 0,0116&#x202f;px daneben. Der Schalter **Formel** hat beide.</translation>
+`cos` und `sin` nehmen Radiant, darum wird der Winkel durch die Grad pro Radiant geteilt: 57,2958. Das Tutorial, auf dem diese Lektion beruht, teilt durch 57,3. Das neigt den Stamm um 0,0066° nach rechts, und sein Ende ist 0,0116&#x202f;px daneben. Der Schalter **Formel** hat beide.</translation>
     </message>
     <message>
-        <source>Where a branch ends, two smaller ones begin. One leans 30&#x202f;° to the left of it, one to the right: that is the **spread**. Each is 0.8 times as large: the **slope**. And each of them does the same.
+        <source>Where a branch ends, two smaller ones begin. One leans 30° to the left of it, one to the right: that is the **spread**. Each is 0.8 times as large: the **slope**. And each of them does the same.
 
 Such a rule that uses itself needs an end. A branch grows only while it is **larger than 0.2** of the trunk. That makes 8 levels: 1 + 2 + 4 + … + 128 = **255 branches** from one rule.
 
 With a slope of 1 nothing would get smaller and the tree would never end. So the levels are counted before it grows, and a tree of more than 131071 branches is refused.
 
 Branches are numbered level by level, from left to right: 0 is the trunk.</source>
-        <translation>Wo ein Zweig endet, beginnen zwei kleinere. Einer neigt sich um 30 ° nach links von ihm, einer nach rechts: Das ist die **Spreizung**. Jeder ist 0,8-mal so groß: die **Verjüngung**. Und jeder von ihnen tut dasselbe.
+        <translation>Wo ein Zweig endet, beginnen zwei kleinere. Einer neigt sich um 30° nach links von ihm, einer nach rechts: Das ist die **Spreizung**. Jeder ist 0,8-mal so groß: die **Verjüngung**. Und jeder von ihnen tut dasselbe.
 
 Eine solche Regel, die sich selbst verwendet, braucht ein Ende. Ein Zweig wächst nur, solange er **größer als 0,2** vom Stamm ist. Das ergibt 8 Ebenen: 1 + 2 + 4 + … + 128 = **255 Zweige** aus einer Regel.
 
@@ -104,14 +104,14 @@ Zweige sind Ebene für Ebene nummeriert, von links nach rechts: 0 ist der Stamm.
         <translation>Ein wenig Zufall</translation>
     </message>
     <message>
-        <source>Real trees are not so neat. So each new branch is turned by a little more: by chance, up to 10&#x202f;° to either side. That is the **jitter**.
+        <source>Real trees are not so neat. So each new branch is turned by a little more: by chance, up to 10° to either side. That is the **jitter**.
 
 A branch leans from where its parent points. So what chance did to the parent, its children carry on, and one change near the trunk turns a whole bough.
 
 Each number of chance is worked out from the branch’s own number and the **seed**, a whole number that belongs to the experiment. So the same seed grows the same tree, each time that you go back to the start.
 
 A variable or two are enough for quite other patterns. The **gallery** has some; from one of them, go on by yourself.</source>
-        <translation>Echte Bäume sind nicht so ordentlich. Darum wird jeder neue Zweig noch ein wenig mehr gedreht: zufällig, bis zu 10 ° nach jeder Seite. Das ist die **Streuung**.
+        <translation>Echte Bäume sind nicht so ordentlich. Darum wird jeder neue Zweig noch ein wenig mehr gedreht: zufällig, bis zu 10° nach jeder Seite. Das ist die **Streuung**.
 
 Ein Zweig neigt sich von der Richtung seines Elternzweigs weg. Was der Zufall mit den Eltern tat, tragen die Kinder also weiter, und eine Änderung nahe am Stamm dreht einen ganzen Ast.
 
@@ -125,7 +125,7 @@ Ein, zwei Variablen genügen für ganz andere Muster. Die **Beispiele** zeigen e
     </message>
     <message>
         <source>What the tutorial’s text means, or what its code prints.</source>
-        <translation>Was der Text des Tutorials meint oder was sein Code gedruckt hat.</translation>
+        <translation>Was der Text des Tutorials meint oder was sein Code tut, so wie er gedruckt ist.</translation>
     </message>
     <message>
         <source>Trunk length</source>
@@ -181,7 +181,7 @@ Ein, zwei Variablen genügen für ganz andere Muster. Die **Beispiele** zeigen e
     </message>
     <message>
         <source>How slowly a branch turns: each frame by the missing angle divided by this.</source>
-        <translation>Wie langsam ein Zweig sich dreht: in jedem Bild um den fehlenden Winkel, geteilt hierdurch.</translation>
+        <translation>Wie langsam ein Zweig sich dreht: in jedem Bild um den fehlenden Winkel, geteilt durch diese Zahl.</translation>
     </message>
     <message>
         <source>Wind</source>
@@ -269,7 +269,7 @@ Ein, zwei Variablen genügen für ganz andere Muster. Die **Beispiele** zeigen e
     </message>
     <message>
         <source>Make the trunk half as high as the stage: set **trunk length** to 200.</source>
-        <translation>Mach den Stamm halb so hoch wie die Bühne: Setze **Stammlänge** auf 200.</translation>
+        <translation>Mach den Stamm halb so hoch wie die Szene: Setze **Stammlänge** auf 200.</translation>
     </message>
     <message>
         <source>Switch **Formula** to published. Find its 0.0116&#x202f;px in the code: the x of `end` is no longer 275.</source>
@@ -280,8 +280,8 @@ Ein, zwei Variablen genügen für ganz andere Muster. Die **Beispiele** zeigen e
         <translation>Mach einen Baum mit nur drei Zweigen: Erhöhe **Kleinster Zweig**.</translation>
     </message>
     <message>
-        <source>Set **spread** to 90&#x202f;°. Which way do the branches of every second level point?</source>
-        <translation>Setze **Spreizung** auf 90 °. In welche Richtung zeigen die Zweige jeder zweiten Ebene?</translation>
+        <source>Set **spread** to 90°. Which way do the branches of every second level point?</source>
+        <translation>Setze **Spreizung** auf 90°. In welche Richtung zeigen die Zweige jeder zweiten Ebene?</translation>
     </message>
     <message>
         <source>Set **slope** to 0.7. How many levels are left, and how many branches?</source>
@@ -292,8 +292,8 @@ Ein, zwei Variablen genügen für ganz andere Muster. Die **Beispiele** zeigen e
         <translation>Setze **Streuung** auf 0, und der Baum des vorigen Schritts ist wieder da.</translation>
     </message>
     <message>
-        <source>Set **jitter** to 60&#x202f;°. Is it still a tree?</source>
-        <translation>Setze **Streuung** auf 60 °. Ist das noch ein Baum?</translation>
+        <source>Set **jitter** to 60°. Is it still a tree?</source>
+        <translation>Setze **Streuung** auf 60°. Ist das noch ein Baum?</translation>
     </message>
     <message>
         <source>Choose a tree from the gallery, or make one of your own with another **spread**.</source>
@@ -312,8 +312,8 @@ Ein, zwei Variablen genügen für ganz andere Muster. Die **Beispiele** zeigen e
         <translation>Halte die Taste tief neben dem Stamm gedrückt, dann lass los. Steht der Baum wieder auf?</translation>
     </message>
     <message>
-        <source>Blow until the trunk leans by more than 60&#x202f;°.</source>
-        <translation>Blase, bis der Stamm sich um mehr als 60 ° neigt.</translation>
+        <source>Blow until the trunk leans by more than 60°.</source>
+        <translation>Blase, bis der Stamm sich um mehr als 60° neigt.</translation>
     </message>
     <message>
         <source>Set **ease** to 2 and blow for ten frames. Then set it to 30, and do it again.</source>
@@ -324,8 +324,8 @@ Ein, zwei Variablen genügen für ganz andere Muster. Die **Beispiele** zeigen e
         <translation>Blase aus der Nähe. Geh ein paar Bilder zurück, stelle **Formel** auf veröffentlicht und spiele weiter: Der Geist ist der Wind, wie er gemeint war.</translation>
     </message>
     <message>
-        <source>Bend a branch by more than 60&#x202f;°, let go, and count the frames until all are back within 1&#x202f;°.</source>
-        <translation>Bieg einen Zweig um mehr als 60 °, lass los und zähl die Bilder, bis alle innerhalb von 1 ° zurück sind.</translation>
+        <source>Bend a branch by more than 60°, let go, and count the frames until all are back within 1°.</source>
+        <translation>Bieg einen Zweig um mehr als 60°, lass los und zähl die Bilder, bis alle innerhalb von 1° zurück sind.</translation>
     </message>
     <message>
         <source>Do the same with **ease** at 30. How much longer does it take?</source>
@@ -336,12 +336,12 @@ Ein, zwei Variablen genügen für ganz andere Muster. Die **Beispiele** zeigen e
         <translation>Halte innerhalb eines Bildes an (**Umschalt+→**), wenn der Baum zurückgekehrt ist und der Wind ihn noch nicht gebogen hat.</translation>
     </message>
     <message>
-        <source>Blow at a twig from less than 20&#x202f;px until it is bent by more than 30&#x202f;°.</source>
-        <translation>Blase aus weniger als 20&#x202f;px auf einen Zweig, bis er um mehr als 30 ° gebogen ist.</translation>
+        <source>Blow at a twig from less than 20&#x202f;px until it is bent by more than 30°.</source>
+        <translation>Blase aus weniger als 20&#x202f;px auf einen Zweig, bis er um mehr als 30° gebogen ist.</translation>
     </message>
     <message>
-        <source>Now from a corner, for 60&#x202f;frames: nothing bends by more than 15&#x202f;°.</source>
-        <translation>Jetzt aus einer Ecke, 60&#x202f;Bilder lang: Nichts biegt sich um mehr als 15 °.</translation>
+        <source>Now from a corner, for 60&#x202f;frames: nothing bends by more than 15°.</source>
+        <translation>Jetzt aus einer Ecke, 60&#x202f;Bilder lang: Nichts biegt sich um mehr als 15°.</translation>
     </message>
     <message>
         <source>While you blow, go back a few frames, set **Formula** to published, and play on. Which tree bends more?</source>
@@ -352,8 +352,8 @@ Ein, zwei Variablen genügen für ganz andere Muster. Die **Beispiele** zeigen e
         <translation>Blase, bis ein Zweig zwanzigmal so weit gebogen ist wie der Stamm.</translation>
     </message>
     <message>
-        <source>Set **wind** to 20 and lean the trunk by 10&#x202f;°.</source>
-        <translation>Setze **Wind** auf 20 und neige den Stamm um 10 °.</translation>
+        <source>Set **wind** to 20 and lean the trunk by 10°.</source>
+        <translation>Setze **Wind** auf 20 und neige den Stamm um 10°.</translation>
     </message>
     <message>
         <source>While you blow from close by, go back a few frames, set **Formula** to published, and play on. Which twigs quiver?</source>
@@ -400,14 +400,14 @@ Das Tutorial nimmt die Linie vom Ende des Zweigs zum Zeiger, und sein Code **add
 **Korrigiert** nimmt die Linie vom Anfang des Zweigs, darum genügt ein Bild. Die zwei gestrichelten Linien zeigen, was jede Formel von dem Zweig neben dem Zeiger will.</translation>
     </message>
     <message>
-        <source>Wind blows **away** from you, and nothing bends at once. Each frame a branch turns by the missing angle divided by **ease**, 8: fast at first, then slower. Within 1&#x202f;° it stays.
+        <source>Wind blows **away** from you, and nothing bends at once. Each frame a branch turns by the missing angle divided by **ease**, 8: fast at first, then slower. Within 1° it stays.
 
-From an angle of −170&#x202f;° to one of 170&#x202f;° it is 20&#x202f;° the short way round, not 340&#x202f;°. So a way past **180&#x202f;°, to either side**, is taken the other way round.
+From an angle of −170° to one of 170° it is 20° the short way round, not 340°. So a way past **180°, to either side**, is taken the other way round.
 
 The published code differs in two places. It adds the end point to the pointer where the way between the two is meant, so it blows to a wrong side when the pointer is near. And its second test has 360 for 180, so some branches take the long way. The dashed lines show both winds at the branch next to the pointer. Nothing brings the tree back yet.</source>
-        <translation>Wind weht **von dir weg**, und nichts biegt sich auf einmal. In jedem Bild dreht sich ein Zweig um den fehlenden Winkel, geteilt durch **Langsamkeit**, 8: erst schnell, dann langsamer. Innerhalb von 1 ° bleibt er.
+        <translation>Wind weht **von dir weg**, und nichts biegt sich auf einmal. In jedem Bild dreht sich ein Zweig um den fehlenden Winkel, geteilt durch **Langsamkeit**, 8: erst schnell, dann langsamer. Innerhalb von 1° bleibt er.
 
-Von einem Winkel von −170 ° zu einem von 170 ° sind es auf dem kurzen Weg 20 °, nicht 340 °. Darum wird ein Weg über **180 °, nach jeder Seite**, andersherum genommen.
+Von einem Winkel von −170° zu einem von 170° sind es auf dem kurzen Weg 20°, nicht 340°. Darum wird ein Weg über **180°, nach jeder Seite**, andersherum genommen.
 
 Der veröffentlichte Code unterscheidet sich an zwei Stellen. Er addiert den Endpunkt zum Zeiger, wo der Weg zwischen den beiden gemeint ist, darum bläst er zu einer falschen Seite, wenn der Zeiger nahe ist. Und sein zweiter Test hat 360 statt 180, darum nehmen manche Zweige den langen Weg. Die gestrichelten Linien zeigen beide Winde an dem Zweig neben dem Zeiger. Noch bringt nichts den Baum zurück.</translation>
     </message>
@@ -420,12 +420,12 @@ Der veröffentlichte Code unterscheidet sich an zwei Stellen. Er addiert den End
 
 While you hold the button both act, one after the other: first the whole tree returns, then the wind bends it. Both take an eighth of what they miss, so a branch stays about half-way between the two.
 
-Let go, and an eighth of the way is left out each frame: after 5&#x202f;frames half of the bend is left. Within 1&#x202f;° a branch stays where it is. Nothing swings past its rest, as nothing here has a velocity.</source>
+Let go, and an eighth of the way is left out each frame: after 5&#x202f;frames half of the bend is left. Within 1° a branch stays where it is. Nothing swings past its rest, as nothing here has a velocity.</source>
         <translation>Jeder Zweig behält einen zweiten Winkel: den, mit dem er wuchs, **Ruhe** (rest). In jedem Bild, ob Wind oder nicht, dreht er sich um den fehlenden Winkel, geteilt durch **Langsamkeit**, zurück. Es ist die Formel des Windes mit einem anderen Ziel.
 
 Solange du die Taste hältst, wirken beide, eins nach dem anderen: Erst kehrt der ganze Baum zurück, dann biegt ihn der Wind. Beide nehmen ein Achtel von dem, was ihnen fehlt, darum bleibt ein Zweig etwa auf halbem Weg zwischen beiden.
 
-Lass los, und in jedem Bild fällt ein Achtel des Wegs weg: Nach 5&#x202f;Bildern ist die Hälfte der Biegung übrig. Innerhalb von 1 ° bleibt ein Zweig, wo er ist. Nichts schwingt über seine Ruhelage hinaus, denn nichts hat hier eine Geschwindigkeit.</translation>
+Lass los, und in jedem Bild fällt ein Achtel des Wegs weg: Nach 5&#x202f;Bildern ist die Hälfte der Biegung übrig. Innerhalb von 1° bleibt ein Zweig, wo er ist. Nichts schwingt über seine Ruhelage hinaus, denn nichts hat hier eine Geschwindigkeit.</translation>
     </message>
     <message>
         <source>Distance</source>
@@ -439,7 +439,7 @@ Nearer than 1&#x202f;px that would be more than all of it. **Corrected** stops a
 Its distance is in the branch’s own measure, too: for a branch half as large it counts twice.</source>
         <translation>Nahe bei dir soll der Wind stark sein, und weit weg schwach. Darum weicht die 8 in der Formel des Windes dem **Abstand** zwischen dem Zeiger und dem Ende des Zweigs: Bei 100&#x202f;px dreht sich ein Zweig in jedem Bild um ein Hundertstel des fehlenden Winkels. Sein Rückweg ist noch immer ein Achtel, darum biegen sich ferne Zweige kaum.
 
-Näher als 1&#x202f;px wäre das mehr als alles davon. **Korrigiert** hält beim Winkel des Windes an, und mit dem Zeiger genau auf dem Ende nimmt es eine Richtung, die zum Zweig gehört. Der veröffentlichte Code schießt darüber hinaus und teilt dort durch 0.
+Näher als 1&#x202f;px wäre das mehr als der ganze fehlende Winkel. **Korrigiert** hält beim Winkel des Windes an, und mit dem Zeiger genau auf dem Ende nimmt es eine Richtung, die zum Zweig gehört. Der veröffentlichte Code schießt darüber hinaus und teilt dort durch 0.
 
 Auch ist sein Abstand im eigenen Maß des Zweigs: Bei einem halb so großen Zweig zählt er doppelt.</translation>
     </message>
@@ -460,12 +460,12 @@ Das Tutorial sagt, durch 5 zu teilen, mache den Wind schwächer. Aber seine Vari
 Wo Abstand × Größe² / 5 kleiner als 1 ist, dreht der veröffentlichte Code einen Zweig um mehr als den fehlenden Winkel, über den Wind hinaus und zurück. Daher kommt viel von dem Zittern nahe am Zeiger. **Korrigiert** hält beim Winkel des Windes an.</translation>
     </message>
     <message>
-        <source>Real wind is never steady. Once a frame, chance turns the wind’s angle by up to 20&#x202f;° to either side, **the same for all branches**. Twigs follow at once, so they tremble. The trunk is slow: for it, the changes of many frames cancel.
+        <source>Real wind is never steady. Once a frame, chance turns the wind’s angle by up to 20° to either side, **the same for all branches**. Twigs follow at once, so they tremble. The trunk is slow: for it, the changes of many frames cancel.
 
 Chance is worked out from the seed and the frame’s number. So when you go back in time, the same gusts come again. An experiment file can give a frame’s turbulence itself, as a `gust` in degrees.
 
 This is where the tutorial ends. It moves **angles**: they have no velocity, so this tree never swings past its rest. The last step is ours. Try the **gallery** in this wind first.</source>
-        <translation>Echter Wind ist nie stet. Einmal pro Bild dreht der Zufall den Winkel des Windes um bis zu 20 ° nach jeder Seite, **gleich für alle Zweige**. Feine Zweige folgen sofort, darum zittern sie. Der Stamm ist langsam: Für ihn heben sich die Änderungen vieler Bilder auf.
+        <translation>Echter Wind ist nie stet. Einmal pro Bild dreht der Zufall den Winkel des Windes um bis zu 20° nach jeder Seite, **gleich für alle Zweige**. Feine Zweige folgen sofort, darum zittern sie. Der Stamm ist langsam: Für ihn heben sich die Änderungen vieler Bilder auf.
 
 Der Zufall wird aus dem Startwert und der Nummer des Bildes berechnet. Gehst du also in der Zeit zurück, kommen dieselben Böen wieder. Eine Experimentdatei kann die Turbulenz eines Bildes selbst angeben, als `gust` in Grad.
 
@@ -528,28 +528,28 @@ Mit diesen Werten kann ein Zeitschritt bis zu 3,1&#x202f;Bilder lang sein. Ohne 
         <translation>Warum durch 57,2958 teilen?</translation>
     </message>
     <message>
-        <source>A full turn is 360&#x2009;°. Counted by the arc of a circle of radius 1 it is 2π:
+        <source>A full turn is 360°. Counted by the arc of a circle of radius 1 it is 2π:
 
-`360&#x2009;° = 2π rad = 6.2832&#x2009;rad`
+`360° = 2π rad = 6.2832&#x2009;rad`
 
 So one radian is
 
-`360&#x2009;° / 6.2832 = 57.2958&#x2009;°`
+`360° / 6.2832 = 57.2958°`
 
 cos and sin count in radians. An angle in degrees is divided by that number first:
 
-`−90&#x2009;° / 57.2958 = −1.5708&#x2009;rad`</source>
-        <translation>Eine volle Drehung ist 360&#x2009;°. Gezählt am Bogen eines Kreises mit Radius 1 ist sie 2π:
+`−90° / 57.2958 = −1.5708&#x2009;rad`</source>
+        <translation>Eine volle Drehung ist 360°. Gezählt am Bogen eines Kreises mit Radius 1 ist sie 2π:
 
-`360&#x2009;° = 2π rad = 6.2832&#x2009;rad`
+`360° = 2π rad = 6,2832&#x2009;rad`
 
 Ein Radiant ist also
 
-`360&#x2009;° / 6.2832 = 57.2958&#x2009;°`
+`360° / 6,2832 = 57,2958°`
 
 cos und sin zählen in Radiant. Ein Winkel in Grad wird erst durch diese Zahl geteilt:
 
-`−90&#x2009;° / 57.2958 = −1.5708&#x2009;rad`</translation>
+`−90° / 57,2958 = −1,5708&#x2009;rad`</translation>
     </message>
     <message>
         <source>A rule that uses itself grows a whole tree, and a smallest size ends it.</source>
@@ -609,7 +609,7 @@ cos und sin zählen in Radiant. Ein Winkel in Grad wird erst durch diese Zahl ge
     </message>
     <message>
         <source>Press **Space**. Put the pointer into the picture beside the tree, hold the mouse button down, and keep still.</source>
-        <translation>Drück die **Leertaste**. Setz den Zeiger im Bild neben den Baum, halte die Maustaste gedrückt und halte still.</translation>
+        <translation>Drück die **Leertaste**. Setze den Zeiger neben den Baum, halte die Maustaste gedrückt und halte still.</translation>
     </message>
     <message>
         <source>Choose **published** beside **Formula**. Then hold the mouse button down beside the tree and count.</source>
@@ -644,28 +644,28 @@ cos und sin zählen in Radiant. Ein Winkel in Grad wird erst durch diese Zahl ge
         <translation>In jedem Bild dreht sich ein Zweig um den fehlenden Winkel, geteilt durch diese Zahl. Darum beginnt er schnell und kommt sanft an.</translation>
     </message>
     <message>
-        <source>Why 180&#x2009;° and not 360&#x2009;°?</source>
-        <translation>Warum 180&#x2009;° und nicht 360&#x2009;°?</translation>
+        <source>Why 180° and not 360°?</source>
+        <translation>Warum 180° und nicht 360°?</translation>
     </message>
     <message>
-        <source>Two angles a turn apart are the same direction. From −170&#x2009;° to 170&#x2009;° one can go
+        <source>Two angles a turn apart are the same direction. From −170° to 170° one can go
 
-`170 − (−170) = 340&#x2009;°`
+`170 − (−170) = 340°`
 
 or the other way round:
 
-`340 − 360 = −20&#x2009;°`
+`340 − 360 = −20°`
 
-The short way is never more than half a turn. So if what is missing is more than 180&#x2009;°, take a whole turn off it; if it is less than −180&#x2009;°, add one. Were the test at 360&#x2009;°, every way between 180&#x2009;° and 360&#x2009;° would be taken the long way.</source>
-        <translation>Zwei Winkel, die eine Drehung auseinanderliegen, sind dieselbe Richtung. Von −170&#x2009;° nach 170&#x2009;° kann man
+The short way is never more than half a turn. So if what is missing is more than 180°, take a whole turn off it; if it is less than −180°, add one. Were the test at 360°, every way between 180° and 360° would be taken the long way.</source>
+        <translation>Zwei Winkel, die eine Drehung auseinanderliegen, sind dieselbe Richtung. Von −170° nach 170° kann man
 
-`170 − (−170) = 340&#x2009;°`
+`170 − (−170) = 340°`
 
 gehen, oder andersherum:
 
-`340 − 360 = −20&#x2009;°`
+`340 − 360 = −20°`
 
-Der kurze Weg ist nie mehr als eine halbe Drehung. Fehlen also mehr als 180&#x2009;°, zieh eine ganze Drehung ab; sind es weniger als −180&#x2009;°, zähl eine dazu. Läge der Test bei 360&#x2009;°, würde jeder Weg zwischen 180&#x2009;° und 360&#x2009;° auf dem langen Weg genommen.</translation>
+Der kurze Weg ist nie mehr als eine halbe Drehung. Fehlen also mehr als 180°, zieh eine ganze Drehung ab; sind es weniger als −180°, zähl eine dazu. Läge der Test bei 360°, würde jeder Weg zwischen 180° und 360° auf dem langen Weg genommen.</translation>
     </message>
     <message>
         <source>A branch that remembers the angle at which it grew comes back to it, and without a velocity it never swings past.</source>
@@ -693,7 +693,7 @@ Der kurze Weg ist nie mehr als eine halbe Drehung. Fehlen also mehr als 180&#x20
     </message>
     <message>
         <source>Press **Space**, and hold the mouse button down in an upper corner of the picture for two seconds.</source>
-        <translation>Drück die **Leertaste** und halte in einer oberen Ecke des Bildes zwei Sekunden lang die Maustaste gedrückt.</translation>
+        <translation>Drück die **Leertaste** und halte in einer oberen Ecke der Szene zwei Sekunden lang die Maustaste gedrückt.</translation>
     </message>
     <message>
         <source>Press **Space** and hold the mouse button down for a second. Stop, drag the timeline back by ten frames, choose **published** beside **Formula**, and play on.</source>
@@ -789,7 +789,7 @@ Der kurze Weg ist nie mehr als eine halbe Drehung. Fehlen also mehr als 180&#x20
     </message>
     <message>
         <source>How hard it is to set a thing turning, or to stop it. More mass farther out means more of it.</source>
-        <translation>Wie schwer es ist, etwas in Drehung zu versetzen oder anzuhalten. Mehr Masse weiter außen bedeutet mehr davon.</translation>
+        <translation>Wie schwer es ist, etwas in Drehung zu versetzen oder anzuhalten. Mehr Masse weiter außen bedeutet mehr davon. (In der Physik heißt sie Trägheitsmoment.)</translation>
     </message>
 </context>
 <context>

@@ -27,12 +27,12 @@ Teaching trunk()
           Text::tr("The two numbers of a way of 1 px at an angle: cos is how far to the right, sin how far "
                    "down.")}},
         {{Text::tr("Why divide by 57.2958?"),
-          Text::tr("A full turn is 360 °. Counted by the arc of a circle of radius 1 it is 2π:\n\n"
-                   "`360 ° = 2π rad = 6.2832 rad`\n\n"
+          Text::tr("A full turn is 360°. Counted by the arc of a circle of radius 1 it is 2π:\n\n"
+                   "`360° = 2π rad = 6.2832 rad`\n\n"
                    "So one radian is\n\n"
-                   "`360 ° / 6.2832 = 57.2958 °`\n\n"
+                   "`360° / 6.2832 = 57.2958°`\n\n"
                    "cos and sin count in radians. An angle in degrees is divided by that number first:\n\n"
-                   "`−90 ° / 57.2958 = −1.5708 rad`")}}};
+                   "`−90° / 57.2958 = −1.5708 rad`")}}};
 }
 
 Teaching branches()
@@ -105,14 +105,14 @@ Teaching wind()
         {{Text::tr("Ease"), Text::tr("ease"),
           Text::tr("Each frame a branch turns by the missing angle divided by this number. So it starts "
                    "fast and arrives gently.")}},
-        {{Text::tr("Why 180 ° and not 360 °?"),
-          Text::tr("Two angles a turn apart are the same direction. From −170 ° to 170 ° one can go\n\n"
-                   "`170 − (−170) = 340 °`\n\n"
+        {{Text::tr("Why 180° and not 360°?"),
+          Text::tr("Two angles a turn apart are the same direction. From −170° to 170° one can go\n\n"
+                   "`170 − (−170) = 340°`\n\n"
                    "or the other way round:\n\n"
-                   "`340 − 360 = −20 °`\n\n"
-                   "The short way is never more than half a turn. So if what is missing is more than 180 °, "
-                   "take a whole turn off it; if it is less than −180 °, add one. Were the test at 360 °, "
-                   "every way between 180 ° and 360 ° would be taken the long way.")}}};
+                   "`340 − 360 = −20°`\n\n"
+                   "The short way is never more than half a turn. So if what is missing is more than 180°, "
+                   "take a whole turn off it; if it is less than −180°, add one. Were the test at 360°, "
+                   "every way between 180° and 360° would be taken the long way.")}}};
 }
 
 Teaching rest()

@@ -148,7 +148,7 @@ std::vector<Try> branchesTries()
     return {
         {Text::tr("Make a tree with just three branches: raise **smallest branch**."),
          [](const Timeline &run) { return run.now().points() == 3; }},
-        {Text::tr("Set **spread** to 90 °. Which way do the branches of every second level point?"),
+        {Text::tr("Set **spread** to 90°. Which way do the branches of every second level point?"),
          [](const Timeline &run) { return isSetTo(run, "spread", 90.0); }},
         {Text::tr("Set **slope** to 0.7. How many levels are left, and how many branches?"),
          [](const Timeline &run) { return isSetTo(run, "slope", 0.7); }},
@@ -160,7 +160,7 @@ std::vector<Try> randomnessTries()
     return {
         {Text::tr("Set **jitter** to 0, and the tree of the step before is back."),
          [](const Timeline &run) { return isSetTo(run, "jitter", 0.0); }},
-        {Text::tr("Set **jitter** to 60 °. Is it still a tree?"),
+        {Text::tr("Set **jitter** to 60°. Is it still a tree?"),
          [](const Timeline &run) { return isSetTo(run, "jitter", 60.0); }},
         {Text::tr("Choose a tree from the gallery, or make one of your own with another **spread**."),
          [](const Timeline &run) { return !isSetTo(run, "spread", 30.0); }},
@@ -183,7 +183,7 @@ std::vector<Try> towardsPointerTries()
 std::vector<Try> windTries()
 {
     return {
-        {Text::tr("Blow until the trunk leans by more than 60 °."),
+        {Text::tr("Blow until the trunk leans by more than 60°."),
          [](const Timeline &run) { return blows(run) && std::abs(lean(run)) > 60.0; }},
         {Text::tr("Set **ease** to 2 and blow for ten frames. Then set it to 30, and do it again."),
          [](const Timeline &run) {
@@ -198,8 +198,8 @@ std::vector<Try> windTries()
 std::vector<Try> restTries()
 {
     return {
-        {Text::tr("Bend a branch by more than 60 °, let go, and count the frames until all are back within "
-                  "1 °."),
+        {Text::tr("Bend a branch by more than 60°, let go, and count the frames until all are back within "
+                  "1°."),
          [](const Timeline &run) { return cameBack(run, 60.0); }},
         {Text::tr("Do the same with **ease** at 30. How much longer does it take?"),
          [](const Timeline &run) { return run.values()["ease"] >= 30.0 && cameBack(run, 60.0); }},
@@ -215,9 +215,9 @@ std::vector<Try> restTries()
 std::vector<Try> distanceTries()
 {
     return {
-        {Text::tr("Blow at a twig from less than 20 px until it is bent by more than 30 °."),
+        {Text::tr("Blow at a twig from less than 20 px until it is bent by more than 30°."),
          [](const Timeline &run) { return bendNextToThePointer(run, 20.0) > 30.0; }},
-        {Text::tr("Now from a corner, for 60 frames: nothing bends by more than 15 °."),
+        {Text::tr("Now from a corner, for 60 frames: nothing bends by more than 15°."),
          [](const Timeline &run) { return blows(run) && framesSinceButton(run) >= 60 && bend(run) < 15.0; }},
         compareFormulas(
             Text::tr("While you blow, go back a few frames, set **Formula** to published, and play on. "
@@ -230,7 +230,7 @@ std::vector<Try> thicknessTries()
     return {
         {Text::tr("Blow until some twig is bent twenty times as far as the trunk."),
          [](const Timeline &run) { return bend(run) > 20.0 && bend(run) >= 20.0 * std::abs(lean(run)); }},
-        {Text::tr("Set **wind** to 20 and lean the trunk by 10 °."),
+        {Text::tr("Set **wind** to 20 and lean the trunk by 10°."),
          [](const Timeline &run) {
              return isSetTo(run, "wind", 20.0) && blows(run) && std::abs(lean(run)) >= 10.0;
          }},

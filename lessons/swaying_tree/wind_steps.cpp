@@ -58,9 +58,9 @@ Step windStep()
     Step step = bentStep("wind", Text::tr("Wind"), {formula(), ease()});
     step.narration = Text::tr(
         "Wind blows **away** from you, and nothing bends at once. Each frame a branch turns by the missing "
-        "angle divided by **ease**, 8: fast at first, then slower. Within 1 ° it stays.\n\n"
-        "From an angle of −170 ° to one of 170 ° it is 20 ° the short way round, not "
-        "340 °. So a way past **180 °, to either side**, is taken the other way round.\n\n"
+        "angle divided by **ease**, 8: fast at first, then slower. Within 1° it stays.\n\n"
+        "From an angle of −170° to one of 170° it is 20° the short way round, not "
+        "340°. So a way past **180°, to either side**, is taken the other way round.\n\n"
         "The published code differs in two places. It adds the end point to the pointer where the way "
         "between the two is meant, so it blows to a wrong side when the pointer is near. And its second "
         "test has 360 for 180, so some branches take the long way. The dashed lines show both winds at "
@@ -81,7 +81,7 @@ Step restStep()
         "the wind bends it. Both take an eighth of what they miss, so a branch stays about half-way "
         "between the two.\n\n"
         "Let go, and an eighth of the way is left out each frame: after 5 frames half of the bend is "
-        "left. Within 1 ° a branch stays where it is. Nothing swings past its rest, as "
+        "left. Within 1° a branch stays where it is. Nothing swings past its rest, as "
         "nothing here has a velocity.");
     step.tries = restTries();
     step.scene = rest::setUp;
@@ -129,7 +129,7 @@ Step turbulenceStep()
                          {formula(), windStrength(), turbulenceAngle(), ease()});
     step.does.push_back(Does::gust);
     step.narration = Text::tr(
-        "Real wind is never steady. Once a frame, chance turns the wind’s angle by up to 20 ° to "
+        "Real wind is never steady. Once a frame, chance turns the wind’s angle by up to 20° to "
         "either side, **the same for all branches**. Twigs follow at once, so they tremble. The trunk is "
         "slow: for it, the changes of many frames cancel.\n\n"
         "Chance is worked out from the seed and the frame’s number. So when you go back in time, "

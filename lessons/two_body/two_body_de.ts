@@ -9,7 +9,7 @@
     </message>
     <message>
         <source>Set **k** to 0.3 and hands off: the pair flies out of the picture by itself.</source>
-        <translation>Setze **k** auf 0,3, und Hände weg: Das Paar fliegt von selbst aus dem Bild.</translation>
+        <translation>Setze **k** auf 0,3, und Hände weg: Das Paar fliegt von selbst aus der Szene.</translation>
     </message>
     <message>
         <source>Keep k at 0.3, set **damping** to 0.85, and wait until the pair is still.</source>
@@ -73,7 +73,7 @@ Aber es zeigt die Feder, die schon vorher da war. Ein Bein, das länger als **Ra
     </message>
     <message>
         <source>Who moves first matters: if one sees the other where it already is, momentum comes from nowhere.</source>
-        <translation>Wer sich zuerst bewegt, ist nicht egal: Sieht einer den anderen, wo er schon ist, kommt Impuls aus dem Nichts.</translation>
+        <translation>Es ist nicht egal, wer sich zuerst bewegt: Sieht einer den anderen dort, wo er schon ist, kommt Impuls aus dem Nichts.</translation>
     </message>
     <message>
         <source>Stop, and press **Shift+→** until the strip under the timeline has ticked the move of the foot, and not yet the one of the body.</source>
@@ -89,7 +89,7 @@ Aber es zeigt die Feder, die schon vorher da war. Ein Bein, das länger als **Ra
     </message>
     <message>
         <source>Type 0.3 beside **k** and 0.9 beside **Damping**. Above the picture, choose **Semi-implicit Euler** as method. Press **Space** and wait four seconds.</source>
-        <translation>Gib 0,3 neben **k** und 0,9 neben **Dämpfung** ein. Wähle über dem Bild **Semi-implizites Euler** als Verfahren. Drück die **Leertaste** und warte vier Sekunden.</translation>
+        <translation>Gib 0,3 neben **k** und 0,9 neben **Dämpfung** ein. Wähle über der Szene **Semi-implizites Euler** als Verfahren. Drück die **Leertaste** und warte vier Sekunden.</translation>
     </message>
     <message>
         <source>Momentum</source>
@@ -113,7 +113,7 @@ Aber es zeigt die Feder, die schon vorher da war. Ein Bein, das länger als **Ra
     </message>
     <message>
         <source>The recipe that computes the next frame from this one: what is asked for when, and what moves when. You choose it above the picture.</source>
-        <translation>Das Rezept, das aus diesem Bild das nächste berechnet: wonach wann gefragt wird und was sich wann bewegt. Du wählst es über dem Bild.</translation>
+        <translation>Das Rezept, das aus diesem Bild das nächste berechnet: wonach wann gefragt wird und was sich wann bewegt. Du wählst es über der Szene.</translation>
     </message>
     <message>
         <source>Semi-implicit Euler</source>
@@ -137,7 +137,7 @@ So whatever the foot gains, the body loses, and the sum stays:
 `v_foot + v_body = the same`
 
 That holds only if both pulls are taken **at the same moment**. If the foot moves first, the body feels another distance than the foot felt. Then the two pulls do not cancel, and what is left over pushes the pair along.</source>
-        <translation>Halte ein Gummiband zwischen zwei Händen: Jede Hand spürt es, und genauso stark. Was zieht, wird zurückgezogen. Der Zug am Körper (body) ist minus der Zug am Fuß (foot):
+        <translation>Halte ein Gummiband zwischen zwei Händen: Jede Hand spürt es, und genauso stark. Was zieht, wird auch selbst gezogen. Der Zug am Körper (body) ist minus der Zug am Fuß (foot):
 
 `pull on body = − pull on foot`
 
@@ -176,7 +176,7 @@ Das gilt nur, wenn beide Züge **im selben Moment** genommen werden. Bewegt sich
     </message>
     <message>
         <source>A foot and a body pull each other: whose turn it is makes a difference.</source>
-        <translation>Ein Fuß und ein Körper ziehen einander: Wer gerade dran ist, macht einen Unterschied.</translation>
+        <translation>Ein Fuß und ein Körper ziehen einander: Es macht einen Unterschied, wer gerade dran ist.</translation>
     </message>
 </context>
 </TS>

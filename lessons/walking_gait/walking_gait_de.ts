@@ -17,7 +17,7 @@
     </message>
     <message>
         <source>Four feet in two pairs: it bobs like one with two feet.</source>
-        <translation>Vier Füße in zwei Paaren: Er wippt wie einer mit zwei Füßen.</translation>
+        <translation>Vier Füße in zwei Paaren: Sie wippt wie eine Figur mit zwei Füßen.</translation>
     </message>
     <message>
         <source>Limp</source>
@@ -49,7 +49,7 @@ At a spread of 0 all step together. The body falls and rises, and it gets nowher
 
 Zwei Füße tragen den Körper um 55&#x202f;px auf und ab. Bei fünf sind es 4&#x202f;px, bei zwölf 1&#x202f;px: Irgendein Fuß ist immer auf dem Weg nach unten. Sie gehen auch schneller, 1,4&#x202f;px pro Bild statt 1,2.
 
-Bei einer Verteilung von 0 treten alle zugleich auf. Der Körper fällt und steigt, und kommt nicht vom Fleck.</translation>
+Bei einer Verteilung von 0 treten alle zugleich auf. Der Körper fällt und steigt und kommt nicht vom Fleck.</translation>
     </message>
     <message>
         <source>Steering</source>
@@ -99,9 +99,9 @@ Two bodies closer than **distance** push each other apart, by **push** times wha
 Each push is felt by **both**, the opposite way, in the same moment. So all pushes add up to 0, and two creatures that meet share their momentum out anew; the push makes none and loses none. (The ground does: it stops feet.) With **felt by** on one, the second feels nothing. Then each push makes momentum from nothing.</source>
         <translation>Mehrere Figuren, jede mit eigener Uhr. Sie starten aufeinander zu, nicht im Takt.
 
-Zwei Körper, die sich näher als **Abstand** sind, schieben einander weg, um **Druck** mal das, was fehlt: eine Feder, die nie zieht. Beine treffen auf nichts.
+Zwei Körper, die sich näher als **Abstand** sind, schieben einander weg, um **Abstoßung** mal das, was fehlt: eine Feder, die nie zieht. Beine treffen auf nichts.
 
-Jeden Druck spüren **beide**, in entgegengesetzter Richtung, im selben Moment. Darum ergeben alle Drücke zusammen 0, und zwei Figuren, die sich treffen, teilen ihren Impuls neu auf; der Druck macht keinen und verliert keinen. (Der Boden schon: Er hält Füße an.) Steht **Gespürt von** auf einem, spürt der zweite nichts. Dann macht jeder Druck Impuls aus dem Nichts.</translation>
+Jedes Abstoßen spüren **beide**, in entgegengesetzter Richtung, im selben Moment. Darum ergibt alles Abstoßen zusammen 0, und zwei Figuren, die sich treffen, teilen ihren Impuls neu auf; das Abstoßen macht keinen und verliert keinen. (Der Boden schon: Er hält Füße an.) Steht **Gespürt von** auf *einem*, spürt der zweite nichts. Dann macht jedes Abstoßen Impuls aus dem Nichts.</translation>
     </message>
     <message>
         <source>Set **speed** to −0.05 and let the creature walk off to the left.</source>
@@ -117,7 +117,7 @@ Jeden Druck spüren **beide**, in entgegengesetzter Richtung, im selben Moment. 
     </message>
     <message>
         <source>Lift the body at least 100&#x202f;px and let go. It lands on its feet and walks on.</source>
-        <translation>Heb den Körper mindestens 100&#x202f;px an und lass los. Sie landet auf den Füßen und geht weiter.</translation>
+        <translation>Heb den Körper mindestens 100&#x202f;px an und lass los. Die Figur landet auf den Füßen und geht weiter.</translation>
     </message>
     <message>
         <source>Set **feet** to 12 and watch for 200&#x202f;frames. How much does the body go up and down?</source>
@@ -141,7 +141,7 @@ Jeden Druck spüren **beide**, in entgegengesetzter Richtung, im selben Moment. 
     </message>
     <message>
         <source>Make it stand: bring the clock to within 0.005&#x202f;rad/frame of 0.</source>
-        <translation>Lass sie stehen: Bring die Uhr auf 0,005 rad/Bild an 0 heran.</translation>
+        <translation>Bring sie zum Stehen: Die Uhr muss bis auf 0,005 rad/Bild an 0 heran.</translation>
     </message>
     <message>
         <source>Set **at wall** to *walk on* and let it walk against a wall for 200&#x202f;frames.</source>
@@ -153,15 +153,15 @@ Jeden Druck spüren **beide**, in entgegengesetzter Richtung, im selben Moment. 
     </message>
     <message>
         <source>Throw the creature into a wall.</source>
-        <translation>Wirf die Figur in eine Wand.</translation>
+        <translation>Wirf die Figur gegen eine Wand.</translation>
     </message>
     <message>
         <source>Take one creature by its body and drag it into another. Both feel the push; the one in your hand cannot move.</source>
-        <translation>Nimm eine Figur am Körper und zieh sie in eine andere. Beide spüren den Druck; die in deiner Hand kann sich nicht bewegen.</translation>
+        <translation>Nimm eine Figur am Körper und zieh sie in eine andere hinein. Beide spüren das Abstoßen; die in deiner Hand kann sich nicht bewegen.</translation>
     </message>
     <message>
         <source>Set **felt by** to one, and look at the sum of the pushes while two bodies touch.</source>
-        <translation>Stelle **Gespürt von** auf einem und sieh dir die Summe der Drücke an, während zwei Körper sich berühren.</translation>
+        <translation>Stelle **Gespürt von** auf *einem* und sieh dir die Summe allen Abstoßens an, während zwei Körper sich berühren.</translation>
     </message>
     <message>
         <source>Set **creatures** to 5 and watch the crowd for 300&#x202f;frames.</source>
@@ -221,7 +221,7 @@ Jeden Druck spüren **beide**, in entgegengesetzter Richtung, im selben Moment. 
     </message>
     <message>
         <source>Pushes</source>
-        <translation>Drücke</translation>
+        <translation>Abstoßen</translation>
     </message>
     <message>
         <source>px/frame²</source>
@@ -229,7 +229,7 @@ Jeden Druck spüren **beide**, in entgegengesetzter Richtung, im selben Moment. 
     </message>
     <message>
         <source>All pushes between bodies added up; how long that arrow is.</source>
-        <translation>Alle Drücke zwischen Körpern addiert; wie lang dieser Pfeil ist.</translation>
+        <translation>Alles Abstoßen zwischen Körpern addiert; wie lang dieser Pfeil ist.</translation>
     </message>
     <message>
         <source>Leg</source>
@@ -273,7 +273,7 @@ Jeden Druck spüren **beide**, in entgegengesetzter Richtung, im selben Moment. 
     </message>
     <message>
         <source>Whether the ground stops a foot sideways, too. Without it is ice.</source>
-        <translation>Ob der Boden einen Fuß auch seitwärts anhält. Ohne sie ist Eis.</translation>
+        <translation>Ob der Boden einen Fuß auch seitwärts anhält. Ohne sie ist er wie Eis.</translation>
     </message>
     <message>
         <source>Feet</source>
@@ -333,7 +333,7 @@ Jeden Druck spüren **beide**, in entgegengesetzter Richtung, im selben Moment. 
     </message>
     <message>
         <source>Push</source>
-        <translation>Druck</translation>
+        <translation>Abstoßung</translation>
     </message>
     <message>
         <source>1/frame²</source>
@@ -357,7 +357,7 @@ Jeden Druck spüren **beide**, in entgegengesetzter Richtung, im selben Moment. 
     </message>
     <message>
         <source>Whether both bodies feel a push, or only the one that comes first.</source>
-        <translation>Ob beide Körper einen Druck spüren oder nur der, der zuerst kommt.</translation>
+        <translation>Ob beide Körper das Abstoßen spüren oder nur der, der zuerst kommt.</translation>
     </message>
     <message>
         <source>foot %1</source>
@@ -379,7 +379,7 @@ Angles are in radians. Foot 0 has the angle 0; foot 1 has π, half a turn on. Th
 (The tutorial behind this lesson says right, and in one passage that the leg is 75&#x202f;px. Its code has left and 50, and its code is what runs here.)
 
 The body is a handle again: only your hand moves it.</source>
-        <translation>Bisher war ein Fuß überall auf einem Ring um den Körper zufrieden: eine Stoffpuppe. Jetzt hat jeder Fuß einen **Knochen**: einen eigenen Winkel. Er gehört **Bein** Pixel vom Körper in diesem Winkel, und eine einfache Feder zieht ihn dorthin. Ein Kreuz zeigt den Ort.
+        <translation>Bisher war ein Fuß überall auf einem Ring um den Körper zufrieden: eine Stoffpuppe. Jetzt hat jeder Fuß einen **Knochen**: einen eigenen Winkel. Sein Platz ist **Bein** Pixel vom Körper entfernt, in diesem Winkel, und eine einfache Feder zieht ihn dorthin. Ein Kreuz zeigt den Ort.
 
 Winkel sind in Radiant. Fuß 0 hat den Winkel 0; Fuß 1 hat π, eine halbe Drehung weiter. Der Code zieht den Knochen vom Körper **ab**, darum gehört Fuß 0 nach **links**.
 
@@ -423,7 +423,7 @@ Jeder Ort ist jetzt 50&#x202f;px seitlich und 50&#x202f;px unten: 70,7&#x202f;px
         <source>Two straight twigs are no legs. A **curve** needs one more point: the cross above each foot, **curve** pixels up. The leg leaves the foot towards that point and comes to the body from there. Halfway it is a quarter of the way to the foot, a quarter to the body, and half to the cross.
 
 The point is only drawn. The springs do not know of it, so the run is the same for every curve: the ghost proves it.</source>
-        <translation>Zwei gerade Stecken sind keine Beine. Eine **Kurve** braucht noch einen Punkt: das Kreuz über jedem Fuß, **Bogen** Pixel darüber. Das Bein verlässt den Fuß auf diesen Punkt zu und kommt von dort zum Körper. Auf halbem Weg ist es ein Viertel des Wegs zum Fuß, ein Viertel zum Körper und die Hälfte zum Kreuz.
+        <translation>Zwei gerade Stöcke sind keine Beine. Eine **Kurve** braucht noch einen Punkt: das Kreuz über jedem Fuß, **Bogen** Pixel darüber. Das Bein verlässt den Fuß auf diesen Punkt zu und kommt von dort zum Körper. Auf halbem Weg ist es ein Viertel des Wegs zum Fuß, ein Viertel zum Körper und die Hälfte zum Kreuz.
 
 Der Punkt ist nur gezeichnet. Die Federn wissen nichts von ihm, darum ist der Lauf für jede Kurve derselbe: Der Geist beweist es.</translation>
     </message>
@@ -449,11 +449,11 @@ Ein Fuß hängt an einer Feder: Er folgt nicht genau. Bei diesem Tempo kreist er
 So what the feet gain, the body loses. All velocities added up are the **momentum**, and no leg can change it. Only damping takes from it, and your hand.
 
 Let it run: the legs pull the body left and right just as hard at every moment. It stays where it is. Legs alone get nowhere: there must be something to stand on.</source>
-        <translation>Was zieht, wird zurückgezogen, genauso stark, in die andere Richtung. Das braucht keine neue Formel: Der Zug jedes Beins geht auf seinen Fuß, und das **Entgegengesetzte** geht auf den Körper, im selben Moment.
+        <translation>Was zieht, wird auch selbst gezogen, genauso stark, in die andere Richtung. Das braucht keine neue Formel: Der Zug jedes Beins geht auf seinen Fuß, und das **Entgegengesetzte** geht auf den Körper, im selben Moment.
 
 Was die Füße gewinnen, verliert also der Körper. Alle Geschwindigkeiten addiert sind der **Impuls**, und kein Bein kann ihn ändern. Nur die Dämpfung nimmt davon, und deine Hand.
 
-Lass es laufen: Die Beine ziehen den Körper in jedem Moment genauso stark nach links wie nach rechts. Er bleibt, wo er ist. Beine allein kommen nirgends hin: Es muss etwas geben, worauf man steht.</translation>
+Lass es laufen: Die Beine ziehen den Körper in jedem Moment genauso stark nach links wie nach rechts. Er bleibt, wo er ist. Beine allein kommen nirgendwohin: Es muss etwas geben, worauf man steht.</translation>
     </message>
     <message>
         <source>Ground</source>
@@ -565,7 +565,7 @@ Von hier an ist k 0,1.</translation>
     </message>
     <message>
         <source>Press **Space**, take the large disc, and carry it slowly to one side of the picture.</source>
-        <translation>Drück die **Leertaste**, nimm die große Scheibe und trag sie langsam zu einer Seite des Bildes.</translation>
+        <translation>Drück die **Leertaste**, nimm die große Scheibe und trag sie langsam zu einer Seite der Szene.</translation>
     </message>
     <message>
         <source>A bone gives each foot an angle of its own: one place, and not a ring of places.</source>
@@ -601,7 +601,7 @@ Von hier an ist k 0,1.</translation>
     </message>
     <message>
         <source>Press **Space**, take a small disc, pull it to the edge of the picture, and let go.</source>
-        <translation>Drück die **Leertaste**, nimm eine kleine Scheibe, zieh sie an den Rand des Bildes und lass los.</translation>
+        <translation>Drück die **Leertaste**, nimm eine kleine Scheibe, zieh sie an den Rand der Szene und lass los.</translation>
     </message>
     <message>
         <source>One number that is added to y moves all places below the body.</source>
@@ -705,7 +705,7 @@ Die Uhr macht nur a größer, Bild für Bild. Dann schwingt x hin und her, und y
     </message>
     <message>
         <source>Each leg pulls foot and body just as hard, so legs alone get nowhere.</source>
-        <translation>Jedes Bein zieht Fuß und Körper gleich stark, darum kommen Beine allein nirgends hin.</translation>
+        <translation>Jedes Bein zieht Fuß und Körper gleich stark, darum kommen Beine allein nirgendwohin.</translation>
     </message>
     <message>
         <source>Type 1 into the field beside **Damping**. Press **Space**, take the large disc, swing it, and let go on the way. Then wait four seconds.</source>
@@ -733,7 +733,7 @@ Die Uhr macht nur a größer, Bild für Bild. Dann schwingt x hin und her, und y
     </message>
     <message>
         <source>Press **Space**, take the large disc, lift it to the middle of the picture, let go, and wait two seconds.</source>
-        <translation>Drück die **Leertaste**, nimm die große Scheibe, heb sie bis zur Mitte des Bildes, lass los und warte zwei Sekunden.</translation>
+        <translation>Drück die **Leertaste**, nimm die große Scheibe, heb sie bis zur Mitte der Szene, lass los und warte zwei Sekunden.</translation>
     </message>
     <message>
         <source>traction</source>
@@ -773,11 +773,11 @@ Die Uhr macht nur a größer, Bild für Bild. Dann schwingt x hin und her, und y
     </message>
     <message>
         <source>Click the picture, press **Space**, and hold **←** for two seconds. Let go when it walks to the left, and watch.</source>
-        <translation>Klick ins Bild, drück die **Leertaste** und halte zwei Sekunden lang **←**. Lass los, wenn sie nach links geht, und sieh zu.</translation>
+        <translation>Klick in die Szene, drück die **Leertaste** und halte zwei Sekunden lang **←**. Lass los, wenn sie nach links geht, und sieh zu.</translation>
     </message>
     <message>
         <source>Press **Space**. Put the pointer into the picture, far to the left or right of the creature, and hold the mouse button down.</source>
-        <translation>Drück die **Leertaste**. Setz den Zeiger im Bild weit links oder rechts von der Figur und halte die Maustaste gedrückt.</translation>
+        <translation>Drück die **Leertaste**. Setze den Zeiger weit links oder rechts von der Figur in die Szene und halte die Maustaste gedrückt.</translation>
     </message>
     <message>
         <source>Press **Space** and hold **←** until its legs hardly move. Or press the mouse button far off, and with the button down go straight above or below the body.</source>
@@ -801,7 +801,7 @@ Die Uhr macht nur a größer, Bild für Bild. Dann schwingt x hin und her, und y
     </message>
     <message>
         <source>A push that both feel makes no momentum; a push that one feels makes it from nothing.</source>
-        <translation>Ein Druck, den beide spüren, macht keinen Impuls; ein Druck, den nur einer spürt, macht ihn aus dem Nichts.</translation>
+        <translation>Ein Abstoßen, das beide spüren, macht keinen Impuls; eines, das nur einer spürt, macht ihn aus dem Nichts.</translation>
     </message>
     <message>
         <source>Press **Space**, take the large disc of one creature, and carry it onto the other one.</source>

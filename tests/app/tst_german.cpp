@@ -1,14 +1,19 @@
 // The window in German: nothing is cut.
 
 #include "app/ui/panels/help_page.h"
+#include "app/ui/sandbox/build_panel.h"
 #include "app/ui/window/status_figures.h"
+#include "app/ui/window/tour.h"
 #include "drawn_text.h"
 #include "german_bench.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
+#include <QComboBox>
 #include <QLabel>
+#include <QPushButton>
 #include <QSettings>
+#include <QStyleOptionComboBox>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -48,6 +53,16 @@ int lacking(const QWidget &widget)
         return label->wordWrap() ? label->heightForWidth(label->width()) - 2 - label->height()
                                  : label->minimumSizeHint().width() - label->width();
     }
+    if (const auto *combo = qobject_cast<const QComboBox *>(&widget)) {
+        QStyleOptionComboBox option;
+        option.initFrom(combo);
+        const QRect field =
+            combo->style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, combo);
+        return combo->fontMetrics().horizontalAdvance(combo->currentText()) - field.width();
+    }
+    const auto *push = qobject_cast<const QPushButton *>(&widget);
+    if (push && !push->text().isEmpty()) // its padding counts, too
+        return push->minimumSizeHint().width() - push->width();
     if (const auto *button = qobject_cast<const QAbstractButton *>(&widget)) {
         if (button->hasHeightForWidth()) // its text wraps
             return button->heightForWidth(button->width()) - button->height();
@@ -111,6 +126,8 @@ private slots:
     void theReasonsOfStabilityAreNotCut();
     void theGalleriesOfPresetsAreNotCut();
     void thePageOfKeysIsNotSquashed();
+    void theCardsOfTheTourAreNotCut();
+    void theSandboxIsNotCut();
     void aWindowThatGoesTakesItsOpenGalleryAlong();
     void cleanupTestCase() { m_shown.reset(); }
 
@@ -248,6 +265,40 @@ void GermanTest::thePageOfKeysIsNotSquashed()
         QTest::keyClick(page, Qt::Key_Escape);
         QVERIFY(!page->isVisible());
     }
+}
+
+void GermanTest::theCardsOfTheTourAreNotCut()
+{
+    m_shown.reset();
+    German german;
+    german.window.startTour();
+    Tour *tour = german.window.findChild<Tour *>();
+    QStringList cut;
+    for (std::size_t stop = 0; stop < tour->count(); ++stop) {
+        settle();
+        QCOMPARE(tour->stop(), stop);
+        for (const QString &where : cutIn(*tour))
+            cut << QString("card %1: %2").arg(stop + 1).arg(where);
+        QTest::keyClick(tour, Qt::Key_Return);
+    }
+    QVERIFY(!tour->isRunning());
+    QVERIFY2(cut.isEmpty(), qPrintable('\n' + cut.join('\n')));
+}
+
+void GermanTest::theSandboxIsNotCut()
+{
+    m_shown.reset();
+    German german;
+    QStringList cut;
+    german.window.setMode(MainWindow::Mode::build);
+    for (const auto mode : {MainWindow::Mode::build, MainWindow::Mode::measure}) {
+        german.window.setMode(mode);
+        settle();
+        QVERIFY(german.session.isWorkshop());
+        for (const QString &where : cutIn(*german.window.findChild<BuildPanel *>()))
+            cut << (mode == MainWindow::Mode::build ? "build " : "measure ") + where;
+    }
+    QVERIFY2(cut.isEmpty(), qPrintable('\n' + cut.join('\n')));
 }
 
 void GermanTest::aWindowThatGoesTakesItsOpenGalleryAlong()

@@ -1,5 +1,6 @@
 // What is said in German: everything, by the words of the system or of the learner.
 
+#include "app/model/built_properties.h"
 #include "app/model/numbers.h"
 #include "app/model/sentences.h"
 #include "app/ui/window/notice.h"
@@ -74,6 +75,7 @@ private slots:
     void numbersHaveACommaOnTheScreen();
     void everyStepSpeaksGerman();
     void whatTheCoreNamesIsNamedInGerman();
+    void whatIsBuiltIsCalledAsInThePicture();
     void noLetterOpensTwoEntriesOfAMenu_data();
     void noLetterOpensTwoEntriesOfAMenu();
     void theChoiceOfALanguageIsRemembered();
@@ -169,6 +171,23 @@ void GermanWordsTest::whatTheCoreNamesIsNamedInGerman()
         }
     }
     QVERIFY2(missing.isEmpty(), qPrintable(missing.values().join(" | ")));
+}
+
+void GermanWordsTest::whatIsBuiltIsCalledAsInThePicture()
+{
+    const German german;
+    sim::Blueprint plan;
+    for (const char *name : {"body", "foot1"})
+        plan.points.emplace_back().name = name;
+    plan.gaits = {{}};
+    plan.feet = {{1, 0}};
+    Chosen chosen;
+    chosen.points = {1};
+    QStringList sections;
+    for (const BuiltProperty &one : propertiesOf(plan, chosen))
+        sections << one.section;
+    sections.removeDuplicates();
+    QCOMPARE(sections, QStringList({"Punkt Fuß 1", "Fuß von Körper", "Ganggruppe 0"}));
 }
 
 void GermanWordsTest::noLetterOpensTwoEntriesOfAMenu_data()

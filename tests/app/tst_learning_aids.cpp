@@ -95,6 +95,7 @@ private slots:
     void aWordIsLinkedWhereItStandsFirst();
     void aWordOpensACard_data();
     void aWordOpensACard();
+    void theCardIsAsHighAsWhatIsOnIt();
     void theCardLeadsToTheStepThatTeachesTheWord();
     void theCardLeadsToAllWords();
     void theGlossaryFindsWordsAsTheyAreTyped();
@@ -205,6 +206,20 @@ void LearningAidsTest::aWordOpensACard()
     QCOMPARE(bench.world.session.step().id, QString("first")); // the lesson is not left
     QTest::keyClick(&bench.card(), Qt::Key_Escape);
     QVERIFY(!bench.card().isVisible());
+}
+
+void LearningAidsTest::theCardIsAsHighAsWhatIsOnIt()
+{
+    Bench bench;
+    for (const char *word : {"Spring", "Damping"}) {
+        bench.card().popUp(word, {100, 100});
+        QCoreApplication::processEvents();
+        const auto *name = bench.card().findChild<QLabel *>("heading");
+        const auto *text = bench.card().findChild<NarrationText *>();
+        QCOMPARE(name->height(), name->sizeHint().height());
+        QCOMPARE(text->height(), text->heightForWidth(text->width()));
+        bench.card().close();
+    }
 }
 
 void LearningAidsTest::theCardLeadsToTheStepThatTeachesTheWord()

@@ -4,9 +4,11 @@
 #include "app/ui/panels/parameter_slider.h"
 #include "panels_bench.h"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QSignalSpy>
 #include <QTest>
+#include <QWheelEvent>
 
 #include <cmath>
 
@@ -43,6 +45,7 @@ private slots:
     void aCountMovesByWholeNumbers();
     void aSliderWithDecadesGoesByTheFirstPlace();
     void aBoxWithDecadesGoesByTheFirstPlace();
+    void theWheelChangesOnlyWhatWasChosenBefore();
 };
 
 void ParameterFieldsTest::aClickOnTheGrooveSetsTheValue()
@@ -282,6 +285,33 @@ void ParameterFieldsTest::aBoxWithDecadesGoesByTheFirstPlace()
     box.setFocus();
     box.show(123456.0);
     QCOMPARE(box.text(), QString("123456"));
+}
+
+void ParameterFieldsTest::theWheelChangesOnlyWhatWasChosenBefore()
+{
+    World world;
+    ParameterPanel panel(world.session, world.theme);
+    show(panel, {400, 192});
+    QApplication::setActiveWindow(&panel);
+    const auto turn = [](QWidget &at) {
+        const QPointF place = QPointF(at.rect().center());
+        QWheelEvent event(place, at.mapToGlobal(place), {}, {0, 120}, Qt::NoButton, Qt::NoModifier,
+                          Qt::NoScrollPhase, false);
+        QSpontaneKeyEvent::setSpontaneous(&event); // from a mouse, which may move the focus
+        qApp->notify(&at, &event);
+    };
+    QWidget *row = rowOf(panel, "k");
+    const double before = world.session.parameter("k");
+    for (QWidget *field : {static_cast<QWidget *>(row->findChild<NumberBox *>()),
+                           static_cast<QWidget *>(row->findChild<ParameterSlider *>())}) {
+        field->clearFocus();
+        turn(*field);
+        QVERIFY(!field->hasFocus());
+        QCOMPARE(world.session.parameter("k"), before);
+    }
+    row->findChild<NumberBox *>()->setFocus();
+    turn(*row->findChild<NumberBox *>());
+    QVERIFY(world.session.parameter("k") > before);
 }
 
 QTEST_MAIN(ParameterFieldsTest)

@@ -141,6 +141,23 @@ private slots:
         QCOMPARE(bench.plan().points.size(), 2 * (points + 2));
     }
 
+    void enterBeginsAtThePointThatTheKeysHaveChosen()
+    {
+        Bench bench;
+        bench.build();
+        const std::size_t points = bench.plan().points.size();
+        bench.key(Qt::Key_F);
+        bench.key(Qt::Key_BracketRight);
+        bench.key(Qt::Key_Return); // no arrow was pressed, so no cross was there yet
+        QCOMPARE(bench.plan().points.size(), points);
+        QCOMPARE(bench.bench().first(), std::optional<int>(1));
+        for (int i = 0; i < 6; ++i)
+            bench.key(Qt::Key_Down);
+        bench.key(Qt::Key_Return);
+        QCOMPARE(bench.plan().feet.size(), std::size_t(1));
+        QCOMPARE(bench.plan().feet[0].body, 1);
+    }
+
     void theToolInHandSaysWhatToClick()
     {
         Bench bench;
@@ -149,7 +166,8 @@ private slots:
         bench.key(Qt::Key_F);
         const QLabel *hint = nullptr;
         for (const QLabel *one : bench.panel().findChildren<QLabel *>()) {
-            if (one->isVisible() && one->text() == "Click a body, then each of its feet.")
+            if (one->isVisible() &&
+                one->text() == "Click a body, then each of its feet, or where one shall be.")
                 hint = one;
         }
         QVERIFY(hint); // though what is chosen has properties

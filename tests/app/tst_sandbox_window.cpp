@@ -1,6 +1,10 @@
 // Building in the window: the way there, fields, effects, examples.
 
+#include "app/ui/code/stop_list.h"
+#include "app/ui/time/transport_bar.h"
 #include "sandbox_bench.h"
+
+#include <QLineEdit>
 
 using namespace app;
 using namespace sandbox_bench;
@@ -25,6 +29,66 @@ private slots:
         QCOMPARE(bench.session().step().id, QString("mutual"));
         QVERIFY(bench.window.mode() == MainWindow::Mode::learn);
         QVERIFY(!bench.panel().isVisible());
+    }
+
+    void theExampleOfAConditionNamesABodyThatIsThere()
+    {
+        Bench bench;
+        bench.session().openStep("single_spring", "fixed_centre");
+        QTest::keyClick(&bench.window, Qt::Key_B, Qt::ControlModifier);
+        const auto *field = bench.window.findChild<StopList *>()->field();
+        QVERIFY2(field->placeholderText().contains("(foot.y"), qPrintable(field->placeholderText()));
+        QTest::mouseClick(bench.button("New"), Qt::LeftButton);
+        QVERIFY2(field->placeholderText().contains("(p0.y"), qPrintable(field->placeholderText()));
+    }
+
+    void afterANumberIsTypedAndPlayingBegunSpaceStops()
+    {
+        Bench bench;
+        bench.build();
+        bench.click(bench.plan().points[1].x);
+        auto *box = bench.row("mass")->findChild<NumberBox *>();
+        QTRY_VERIFY(box->isVisible());
+        QTest::mouseClick(box, Qt::LeftButton);
+        box->selectAll();
+        QTest::keyClicks(box, "2");
+        QTest::mouseClick(bench.window.findChild<TransportBar *>()->findChild<QAbstractButton *>("play"),
+                          Qt::LeftButton);
+        QTRY_VERIFY(bench.session().isPlaying());
+        QTRY_VERIFY(!box->isVisible());
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
+        QVERIFY(!QApplication::activePopupWidget());
+        QVERIFY(!bench.session().isPlaying());
+    }
+
+    void theToolInHandIsReadInEveryScheme_data()
+    {
+        QTest::addColumn<Scheme>("scheme");
+        QTest::newRow("light") << Scheme::light;
+        QTest::newRow("dark") << Scheme::dark;
+        QTest::newRow("high contrast") << Scheme::highContrast;
+    }
+    void theToolInHandIsReadInEveryScheme()
+    {
+        QFETCH(const Scheme, scheme);
+        Bench bench;
+        bench.build();
+        bench.world.theme.setScheme(scheme);
+        QCoreApplication::processEvents();
+        for (QToolButton *tool : bench.panel().findChildren<QToolButton *>("tool")) {
+            tool->click();
+            QVERIFY(tool->isChecked());
+            const QImage image = tool->grab().toImage();
+            const int ground = qGray(image.pixel(image.width() / 2, 4));
+            for (const bool upper : {true, false}) { // icon and name
+                int ink = 0;
+                for (int y = upper ? 6 : 28; y < (upper ? 26 : 44); ++y) {
+                    for (int x = 8; x < image.width() - 8; ++x)
+                        ink += std::abs(qGray(image.pixel(x, y)) - ground) > 80 ? 1 : 0;
+                }
+                QVERIFY2(ink > 15, qPrintable(QString("%1: %2").arg(tool->text()).arg(ink)));
+            }
+        }
     }
 
     void startingAfreshWithALinkChosenAndEnergyOnShow()

@@ -30,6 +30,9 @@ private slots:
     void namesKeepApart();
     void aNameCoversNoArrow_data();
     void aNameCoversNoArrow();
+    void aNameIsNotCutAtTheEdge_data();
+    void aNameIsNotCutAtTheEdge();
+    void aPullThatIsNotSeenHasNoName();
     void whatABoxCoversOfALine_data();
     void whatABoxCoversOfALine();
     void namesAndNumbersAreReadable_data();
@@ -132,6 +135,39 @@ void SceneLabelsTest::aNameCoversNoArrow()
     QCOMPARE(strokes.size(), 1U);
     QVERIFY(strokes[0].length() > 100.0);
     QCOMPARE(lengthWithin(strokes[0], labels[0].box), 0.0);
+}
+
+void SceneLabelsTest::aNameIsNotCutAtTheEdge_data()
+{
+    QTest::addColumn<QPointF>("anchor");
+    QTest::newRow("left") << QPointF(20.0, 200.0);
+    QTest::newRow("right") << QPointF(590.0, 200.0);
+    QTest::newRow("a corner") << QPointF(5.0, 465.0);
+    QTest::newRow("with a body where there is room") << QPointF(300.0, 200.0);
+}
+
+void SceneLabelsTest::aNameIsNotCutAtTheEdge()
+{
+    QFETCH(QPointF, anchor);
+    const QRectF area(0.0, 0.0, 600.0, 470.0);
+    LabelPlaces places({QRectF(anchor + QPointF(2.0, -150.0), QSizeF(400.0, 300.0))});
+    const QRectF box = places.beside(anchor, {120.0, 16.0}, area);
+    QVERIFY2(area.contains(box), qPrintable(QString("x %1, y %2").arg(box.x()).arg(box.y())));
+}
+
+void SceneLabelsTest::aPullThatIsNotSeenHasNoName()
+{
+    SceneBench bench("lone");
+    Shown shown;
+    shown.picture = bench.session.picture();
+    shown.text = bench.theme.ui(12);
+    const Camera camera(bench.view.viewportTransform());
+    const QRectF view(bench.view.viewport()->rect());
+    for (const auto &[pull, labels] : {std::pair{3.0, 1U}, {0.0, 0U}}) {
+        shown.picture.guides = {
+            {lessons::Guide::Shape::arrow, shown.state().at(0), {pull, 0.0}, 0.0, "a pull"}};
+        QCOMPARE(guideLabels(shown, camera, bench.theme, view).size(), labels);
+    }
 }
 
 void SceneLabelsTest::whatABoxCoversOfALine_data()

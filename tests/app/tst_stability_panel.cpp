@@ -6,8 +6,10 @@
 #include "app/ui/measure/accuracy_panel.h"
 
 #include <QAccessible>
+#include <QLabel>
 #include <QPushButton>
 #include <QStatusBar>
+#include <QTextDocument>
 
 using namespace app;
 
@@ -22,6 +24,7 @@ private slots:
     void theGaugeIsHollowWithoutALimit();
     void clickAndKeysOpenTheReasonsInPlaceOfTheCode();
     void theReasonsCloseByTheirCross();
+    void noLineOfTheReasonsEndsBetweenANumberAndItsUnit();
     void inMeasureTheyTakeThePlaceOfAccuracy();
     void oneClickOnARemedyMends_data();
     void oneClickOnARemedyMends();
@@ -220,6 +223,25 @@ void StabilityPanelTest::aScreenReaderHearsGaugeAndMap()
     QAccessibleInterface *map = QAccessible::queryAccessibleInterface(&bench.panel.plot());
     QVERIFY(map);
     QVERIFY(map->text(QAccessible::Value).startsWith("You are at k 0.2"));
+}
+
+void StabilityPanelTest::noLineOfTheReasonsEndsBetweenANumberAndItsUnit()
+{
+    StabilityPanelBench bench;
+    bench.session.setParameter("k", 0.3);
+    QTest::mouseClick(&bench.gauge, Qt::LeftButton);
+    bench.settle();
+    int reasons = 0;
+    for (const QLabel *label : bench.panel.findChildren<QLabel *>()) {
+        if (label->textFormat() != Qt::RichText)
+            continue;
+        ++reasons;
+        QTextDocument document; // as the label sets it
+        document.setHtml(label->text());
+        QVERIFY(document.toRawText().contains(QRegularExpression("\\d\\x{A0}frames")));
+        QVERIFY(!document.toRawText().contains(QRegularExpression("\\d[ \\x{2009}](frames|%)")));
+    }
+    QCOMPARE(reasons, 1);
 }
 
 void StabilityPanelTest::everyControlHasATip()

@@ -204,6 +204,10 @@ void StabilityWatchTest::wordsSayWhatBoundsTheStep_data()
         {"Small disturbances grow by 3.9 % a frame", "Steps up to 0.73 frames hold"});
     row("far", "semi_implicit_euler", 0.2, 0.9, "29\u2009% of the limit",
         {"Steps up to 3.5 frames hold", "swings to the other side at each step"});
+    row("just past", "semi_implicit_euler", 2.003, 1.0, "100.1\u2009% of the limit",
+        {"Small disturbances grow by", "Steps up to 0.999 frames hold"});
+    row("just below", "semi_implicit_euler", 1.995, 1.0, "99.9\u2009% of the limit",
+        {"Steps up to 1.001 frames hold here"});
     row("at every step", "explicit_euler", 0.2, 1.0, "no step holds",
         {"No step holds", "at any shorter step they still grow"});
     row("far past", "published", 50.0, 0.9, "237 × the limit", {"times a frame"});

@@ -74,6 +74,24 @@ QStringList withoutRepeats(QStringList list)
     return list;
 }
 
+/// Whether a text in backticks is worked out in plain numbers and units, without a name of the code.
+bool isPlainNumbers(QString code)
+{
+    return !code.remove(QRegularExpression("\\b(rad|px)\\b")).contains(QRegularExpression("[A-Za-z_]"));
+}
+
+/// What is in backticks in a German text, as it is in English: plain numbers have a decimal comma there.
+QStringList codeOf(const QString &form)
+{
+    QStringList codes = found(form, "`[^`]*`");
+    for (QString &code : codes) {
+        if (isPlainNumbers(code))
+            code.replace(QRegularExpression("(?<=\\d),(?=\\d)"), ".");
+    }
+    codes.sort();
+    return codes;
+}
+
 }
 
 class TranslationsTest : public QObject
@@ -112,7 +130,7 @@ private slots:
     void codeIsNotTranslated()
     {
         eachForm([](const Entry &entry, const QString &form) {
-            return found(entry.source, "`[^`]*`") == found(form, "`[^`]*`");
+            return found(entry.source, "`[^`]*`") == codeOf(form);
         });
     }
 
@@ -133,7 +151,10 @@ private slots:
                                             "Condition"};
         eachForm([](const Entry &entry, const QString &form) {
             QString prose = form;
-            prose.remove(QRegularExpression("`[^`]*`")); // code and what is computed stays as it is
+            for (const QString &code : found(form, "`[^`]*`")) {
+                if (!isPlainNumbers(code)) // formulas of the code keep the point, as the code does
+                    prose.remove(code);
+            }
             return ofFiles.contains(entry.context) ||
                    found(prose, "(?<![\\d.])\\d+\\.\\d+(?![\\d.])") ==
                        found(prose, "(?<![\\d.])\\d{1,3}\\.\\d{3}(?![\\d.])");

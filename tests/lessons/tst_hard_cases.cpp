@@ -1,67 +1,18 @@
+// The lesson of hard cases: what breaks, and where its texts say so.
+
+#include "hard_cases_bench.h"
+
 #include "sim/direction.h"
-#include "sim/error.h"
-#include "sim/methods/methods.h"
 #include "tests/lessons/attempts.h"
 
 #include <QTest>
 
 #include <cmath>
-#include <complex>
 #include <numbers>
 
-using namespace support;
+using namespace hard_cases_bench;
 
 namespace {
-
-constexpr double centre = 270.0; ///< px: where the lone spring ends, along x
-
-/// The largest of something over the frames of a run from `from` on; infinite where the run ends before.
-template <class Of>
-double largest(const sim::Script &script, std::int64_t from, std::int64_t frames, Of &&of)
-{
-    sim::Track track(script, 0);
-    double most = 0.0;
-    for (std::int64_t frame = from; frame <= frames; frame += track.rowFrames()) {
-        track.seek({frame, 0});
-        if (track.stop())
-            return std::numeric_limits<double>::infinity();
-        most = std::max(most, of(track.now()));
-    }
-    return most;
-}
-
-double reach(const sim::State &state)
-{
-    return (state.position.rowwise() - Eigen::Array2d(270.0, 200.0).transpose())
-        .matrix()
-        .rowwise()
-        .norm()
-        .maxCoeff();
-}
-
-double fastest(const sim::State &state)
-{
-    return state.velocity.matrix().rowwise().norm().maxCoeff();
-}
-
-sim::Vec2 middleOf(const sim::State &state)
-{
-    return {state.position.col(0).mean(), state.position.col(1).mean()};
-}
-
-double apart(const sim::State &state, int a, int b)
-{
-    return sim::length(state.at(a) - state.at(b));
-}
-
-/// px: how far the worst leg is from 50 px; the body comes last.
-double worstLeg(const sim::State &state)
-{
-    double worst = 0.0;
-    for (int i = 0; i + 1 < state.points(); ++i)
-        worst = std::max(worst, std::abs(apart(state, i, state.points() - 1) - 50.0));
-    return worst;
-}
 
 /// The printed rule for a foot and a body on one spring, written down a second time: the foot moves, then the body.
 struct PrintedPair
@@ -85,21 +36,9 @@ struct PrintedPair
 
 }
 
-class HardCasesLesson : public QObject
+class HardCasesLesson : public QObject, private HardCases
 {
     Q_OBJECT
-
-    const LoadedLesson m_lesson = loadLesson(QStringLiteral("hard_cases"));
-
-    const lessons::Step &step(const char *id) const { return m_lesson.step(QString::fromUtf8(id)); }
-    bool saysOf(const char *id, const QString &words) const
-    {
-        return step(id).narration.simplified().contains(words);
-    }
-    sim::Script run(const char *id, const char *method, double h = 1.0, const Changes &changes = {}) const
-    {
-        return scriptOf(step(id), method, h, changes);
-    }
 
 private slots:
     void withoutDampingTheLimitIsWhereTheClosedFormHasIt();
@@ -116,22 +55,12 @@ private slots:
     void aLineOfFeetSwingsLikeTheSpringThatTheTextNames();
     void inOnePlaceThePrintedRuleMakesOneFootOfFive();
     void inOnePlaceEachPairHasADirectionOfItsOwn();
-    void stiffLegsAreGoneInOneStep();
-    void stiffLegsNeedTheStepsThatTheTextSays();
-    void backwardEulerIsCalmAtAnyStiffness();
-    void backwardEulerLosesWhatItsRuleSays();
-    void contradictorySpringsHaveTheLimitThatTheTextSays();
-    void contradictorySticksStayAndTheLastIsRight();
-    void rungeKuttaLosesWhatItsRuleSays();
-    void verletLosesNothing();
     void everyCompanionHolds_data();
     void everyCompanionHolds();
     void everyTryIsDoneByWhatItDescribes_data() { addAttemptRows(m_lesson, attempts()); }
     void everyTryIsDoneByWhatItDescribes() { checkAttempt(m_lesson); }
 };
 
-/// From one step to the next, x(n+1) + x(n-1) = (2 - k) x(n). Up to k = 4 that is a swing between
-/// +-20 / sqrt(1 - k / 4); at 4 it grows by 40 px a step; beyond, by a factor.
 void HardCasesLesson::withoutDampingTheLimitIsWhereTheClosedFormHasIt()
 {
     QVERIFY(saysOf("limit", u"exactly **k h² = 4**"_qs) && saysOf("limit", u"k is 4.01"_qs));
@@ -164,8 +93,6 @@ void HardCasesLesson::dampingMovesTheLimitAsTheTextSays_data()
         QTest::addRow("damp %g", damp) << damp;
 }
 
-/// The trace of a step is 1 + damp - damp k, its determinant damp: both roots are within the unit circle as long as
-/// |trace| < 1 + damp.
 void HardCasesLesson::dampingMovesTheLimitAsTheTextSays()
 {
     QVERIFY(saysOf("limit", u"k = 2 (1 + damp) / damp"_qs));
@@ -253,7 +180,6 @@ void HardCasesLesson::asManyFeetHoldAsTheTextSays()
     QVERIFY(with(100, "backward_euler") < 100.0);
 }
 
-/// Where all legs have their length, the body and what its feet do together swing like one spring.
 void HardCasesLesson::aLineOfFeetSwingsLikeTheSpringThatTheTextNames()
 {
     QVERIFY(saysOf("many_feet", u"k (1 + feet / 2)"_qs) && saysOf("many_feet", u"about 41 feet"_qs));
@@ -314,107 +240,6 @@ void HardCasesLesson::inOnePlaceEachPairHasADirectionOfItsOwn()
             QVERIFY(apart(end, i, j) > 10.0);
     }
     QVERIFY(worstLeg(end) < 1e-6);
-}
-
-void HardCasesLesson::stiffLegsAreGoneInOneStep()
-{
-    QVERIFY(saysOf("stiff", u"the feet 20 000 px away"_qs));
-    const double far = reach(stateAfter(step("stiff").script(), 1));
-    QVERIFY(std::abs(far - 20'000.0) < 500.0);
-    sim::Track track(step("stiff").script(), 0);
-    track.seek({1000, 0});
-    QVERIFY(track.stop());
-    QVERIFY(track.now().position.isFinite().all());
-    QVERIFY(!track.stop()->body.empty());
-}
-
-void HardCasesLesson::stiffLegsNeedTheStepsThatTheTextSays()
-{
-    QVERIFY(saysOf("stiff", u"1/32 of a frame is too long still, 1/64 holds"_qs));
-    const sim::State coarse = stateAfter(run("stiff", "semi_implicit_euler", 1.0 / 32), 300);
-    QVERIFY(!(worstLeg(coarse) < 100.0));
-    const sim::State fine = stateAfter(run("stiff", "semi_implicit_euler", 1.0 / 64), 300);
-    QVERIFY(worstLeg(fine) < 0.01 && fastest(fine) < 0.01);
-}
-
-void HardCasesLesson::backwardEulerIsCalmAtAnyStiffness()
-{
-    for (double k : {1e3, 1e6, 1e9}) {
-        const sim::Script script = run("stiff", "backward_euler", 1.0, {{"k", k}});
-        QVERIFY2(largest(script, 10, 600, worstLeg) < 0.01, qPrintable(QString::number(k)));
-    }
-}
-
-/// Each step divides x^2 + v^2 / k by 1 + k h^2.
-void HardCasesLesson::backwardEulerLosesWhatItsRuleSays()
-{
-    const sim::State end = stateAfter(run("limit", "backward_euler", 1.0, {{"k", 0.2}}), 50);
-    const double swing = std::hypot(end.at(0).x - centre, end.speed(0).x / std::sqrt(0.2));
-    QVERIFY(std::abs(swing / (20.0 * std::pow(1.2, -25.0)) - 1.0) < 1e-6);
-}
-
-void HardCasesLesson::contradictorySpringsHaveTheLimitThatTheTextSays()
-{
-    QVERIFY(saysOf("contradiction", u"like one of 3 k, and the limit is 4.22"_qs));
-    QVERIFY(std::abs(2.0 * 1.9 / 0.9 - 4.22) < 0.005 && 3.0 * 1.5 > 4.22);
-    const auto at = [&](double k) { return run("contradiction", "semi_implicit_euler", 1.0, {{"k", k}}); };
-    QVERIFY(reach(stateAfter(at(1.5), 200)) > 1e6);
-    // At k = 1 they share the error: the stretch of the short ones is the squeeze of the long one, 160 / 3 px.
-    const sim::State end = stateAfter(at(1.0), 1500);
-    QVERIFY(std::abs(apart(end, 0, 1) - (20.0 + 160.0 / 3.0)) < 0.01);
-    QVERIFY(std::abs(apart(end, 1, 2) - (20.0 + 160.0 / 3.0)) < 0.01);
-    QVERIFY(std::abs(apart(end, 0, 2) - (200.0 - 160.0 / 3.0)) < 0.01);
-}
-
-void HardCasesLesson::contradictorySticksStayAndTheLastIsRight()
-{
-    for (const char *method : {"published", "semi_implicit_euler", "velocity_verlet"}) {
-        const sim::Script script = run("contradiction", method, 1.0, {{"made_of", 1.0}});
-        QVERIFY(largest(script, 0, 3000, reach) < 200.0);
-        const sim::State end = stateAfter(script, 3000);
-        QVERIFY(fastest(end) < 1e-6);
-        QVERIFY(std::abs(apart(end, 0, 2) - 200.0) < 1e-9);
-        QVERIFY(apart(end, 0, 1) > 40.0 && apart(end, 1, 2) > 40.0);
-    }
-    const sim::Script fits =
-        run("contradiction", "semi_implicit_euler", 1.0, {{"made_of", 1.0}, {"longest", 30.0}});
-    const sim::State end = stateAfter(fits, 300);
-    QVERIFY(std::abs(apart(end, 0, 1) - 20.0) < 1e-6 && std::abs(apart(end, 0, 2) - 30.0) < 1e-6);
-}
-
-/// Of x + i v / w each step makes R(i w) times as much, R(z) = 1 + z + z^2 / 2 + z^3 / 6 + z^4 / 24.
-void HardCasesLesson::rungeKuttaLosesWhatItsRuleSays()
-{
-    QVERIFY(saysOf("long_run", u"takes 0.08 % of the swing"_qs) &&
-            saysOf("long_run", u"After **851 frames** half is left"_qs));
-    const std::complex<double> z(0.0, std::sqrt(0.5));
-    const double factor = std::abs(1.0 + z + z * z / 2.0 + z * z * z / 6.0 + z * z * z * z / 24.0);
-    QVERIFY(std::abs(100.0 * (1.0 - factor) - 0.08) < 0.005);
-    for (int frames : {10, 851, 5000}) {
-        const sim::State end = stateAfter(step("long_run").script(), frames);
-        const double swing = std::hypot(end.at(0).x - centre, end.speed(0).x / std::sqrt(0.5));
-        QVERIFY(std::abs(swing / (120.0 * std::pow(factor, frames)) - 1.0) < 1e-9);
-        if (frames == 851)
-            QVERIFY(std::abs(swing - 60.0) < 0.05);
-    }
-}
-
-/// Where it starts at rest, x(n) = 120 cos(n a) with cos a = 1 - k / 2.
-void HardCasesLesson::verletLosesNothing()
-{
-    const sim::Script script = run("long_run", "velocity_verlet");
-    const double angle = std::acos(0.75);
-    QVERIFY(saysOf("long_run", u"never more than 1.3 px off, Velocity Verlet up to 14 px"_qs));
-    double runge = 0.0, verlet = 0.0;
-    for (int frame = 1; frame <= 10; ++frame) {
-        const double exact = centre + 120.0 * std::cos(std::sqrt(0.5) * frame);
-        runge = std::max(runge, std::abs(stateAfter(step("long_run").script(), frame).at(0).x - exact));
-        verlet = std::max(verlet, std::abs(stateAfter(script, frame).at(0).x - exact));
-    }
-    QVERIFY(std::abs(runge - 1.3) < 0.05 && std::abs(verlet - 14.0) < 0.5);
-    for (int frames : {1, 1000, 20'000})
-        QVERIFY(std::abs(stateAfter(script, frames).at(0).x - centre - 120.0 * std::cos(frames * angle)) <
-                1e-6);
 }
 
 void HardCasesLesson::everyCompanionHolds_data()

@@ -67,6 +67,7 @@ StopList::StopList(Session &session, const Theme &theme, QWidget *parent)
     connect(m_field, &QLineEdit::textEdited, this, [this] { say({}); });
     connect(&session.breakpoints(), &Breakpoints::changed, this, &StopList::rebuild, Qt::QueuedConnection);
     connect(&session, &Session::stepOpened, this, &StopList::rebuild);
+    connect(&session, &Session::runChanged, this, &StopList::suggest); // what is built may have other bodies
     connect(&theme, &Theme::changed, this, &StopList::dress);
     dress();
 }
@@ -173,11 +174,16 @@ QWidget *StopList::rowFor(const Breakpoint &breakpoint)
     return row;
 }
 
-void StopList::rebuild()
+void StopList::suggest()
 {
     const sim::Scene &scene = m_session.timeline().track().shown().scene;
     m_field->setPlaceholderText(
         tr("Stop when… (%1.y > 300)").arg(QString::fromStdString(scene.names.front())));
+}
+
+void StopList::rebuild()
+{
+    suggest();
     const std::vector<Breakpoint> &all = m_session.breakpoints().all();
     const auto sameRow = [](const Breakpoint &a, const Breakpoint &b) {
         return a.id == b.id && a.condition == b.condition;

@@ -33,6 +33,8 @@ signals:
 
 private:
     void rebuild();
+    /// An example of a condition, of a body that is there.
+    void suggest();
     QWidget *rowFor(const Breakpoint &breakpoint);
     QLineEdit *conditionOf(const Breakpoint &breakpoint, QWidget *row);
     void addFromField();

@@ -111,7 +111,7 @@ void EnergyDelegate::paint(QPainter *painter, const QStyleOptionViewItem &option
     const double share = model->longest() > 0.0 ? amountOf(line) / model->longest() : 0.0;
     QRectF bar(text.left(), row.bottom() - barHeight - 3, text.width(), barHeight);
     painter->setPen(Qt::NoPen);
-    painter->setBrush(t.line);
+    painter->setBrush(t.track);
     painter->drawRoundedRect(bar, 1.5, 1.5);
     bar.setWidth(bar.width() * share);
     painter->setBrush(ink);

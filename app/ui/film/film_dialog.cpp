@@ -49,6 +49,10 @@ FilmDialog::FilmDialog(const Session &session, const SceneView &view, const Them
     m_progress->setTextVisible(false);
     m_progress->setFixedHeight(6);
     m_progress->setAccessibleName(tr("How much of the film is made"));
+    QSizePolicy keepsRoom = m_progress->sizePolicy();
+    keepsRoom.setRetainSizeWhenHidden(true);
+    m_progress->setSizePolicy(keepsRoom);
+    m_progress->hide(); // until there is something to tell
     m_said = new QLabel(this);
     m_said->setObjectName("caption");
     m_said->setTextFormat(Qt::PlainText);
@@ -219,6 +223,7 @@ void FilmDialog::goOn()
                     : tr("%1 is made.").arg(name));
         m_progress->setMaximum(all);
         m_progress->setValue(all);
+        m_progress->show();
     } catch (const Refusal &refusal) {
         end(refusal.sentence());
     }
@@ -250,6 +255,7 @@ void FilmDialog::showState()
                                 : tr("Make the film; the window can be used meanwhile"));
     m_stop->setText(isMaking() ? tr("S&top") : tr("Close"));
     m_stop->setToolTip(isMaking() ? tr("Give the film up (Esc)") : tr("Close this page (Esc)"));
+    m_progress->setVisible(isMaking());
     m_progress->setMaximum(m_film ? static_cast<int>(m_film->total()) : 1);
     m_progress->setValue(m_film ? static_cast<int>(m_film->done()) : 0);
 }

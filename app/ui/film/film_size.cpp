@@ -40,6 +40,7 @@ FilmSize::FilmSize(const QWidget &scene, QWidget *parent)
     m_shape->addItem(tr("16 : 9"), QSize(16, 9));
     m_shape->addItem(tr("square"), QSize(1, 1));
     m_shape->addItem(tr("as the scene is"));
+    m_shape->setMinimumHeight(m_width->sizeHint().height());
     m_shape->setAccessibleName(tr("Shape"));
     m_shape->setToolTip(tr("How wide the pictures are beside their height; the height follows the width"));
     auto *row = new QHBoxLayout(this);

@@ -5,6 +5,7 @@
 #include <QAction>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QRegularExpression>
 #include <QScreen>
 #include <QScrollArea>
 #include <QVBoxLayout>
@@ -18,7 +19,7 @@ namespace {
 constexpr int columnWidth = 360;
 constexpr int margin = 24;
 constexpr int rowHeight = 28;
-constexpr int rowGap = 2; ///< above and below a text
+constexpr int rowGap = 3; ///< above and below a text
 constexpr int longestPage = 720;
 constexpr int headHeight = 90;
 
@@ -110,7 +111,8 @@ void HelpPage::addRow(const QString &group, const QString &text, QWidget *caps)
 {
     Group &to = groupCalled(group);
     ++to.rows;
-    auto *what = label(text, "action", to.box);
+    static const QRegularExpression beforeUnit(QStringLiteral("(?<=\\d) (?=px)"));
+    auto *what = label(QString(text).replace(beforeUnit, QChar(QChar::Nbsp)), "action", to.box);
     what->setWordWrap(true);
     what->setMinimumHeight(rowHeight - 2 * rowGap);
     what->setAccessibleName(tr("%1: %2").arg(text, caps->accessibleName()));

@@ -33,6 +33,7 @@ NumberBox::NumberBox(const lessons::Parameter &parameter, const Theme &theme, QW
       m_decimals(parameter.isWhole() ? 0 : parameter.decimals), m_scale(parameter.scale)
 {
     setButtonSymbols(QAbstractSpinBox::NoButtons);
+    setFocusPolicy(Qt::StrongFocus); // not by the wheel, which would choose it and change it at once
     setAlignment(Qt::AlignRight);
     setKeyboardTracking(false);
     setLocale(QLocale::c());

@@ -146,7 +146,8 @@ int ParameterRow::wantedUnitWidth() const
 void ParameterRow::setColumns(int label, int unit)
 {
     m_label->setFixedWidth(m_choice ? label : label - overhang);
-    m_unit->setFixedWidth(unit);
+    // A choice has no unit, and long names: it may have that room.
+    m_unit->setFixedWidth(m_choice && m_parameter.unit.isEmpty() ? 0 : unit);
 }
 
 QString ParameterRow::rangeText() const

@@ -33,6 +33,7 @@ WordCard::WordCard(const Glossary &glossary, const Theme &theme, QWidget *parent
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(margin, 12, margin, 12);
     column->setSpacing(4);
+    column->setSizeConstraint(QLayout::SetNoConstraint); // as high as its text at this width, not at a narrower one
     column->addWidget(m_name);
     column->addWidget(m_text);
     setFocusProxy(m_text);

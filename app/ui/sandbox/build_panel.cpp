@@ -6,6 +6,7 @@
 #include "app/ui/sandbox/effect_switches.h"
 #include "app/ui/sandbox/example_gallery.h"
 #include "app/ui/sandbox/property_row.h"
+#include "app/ui/theme/icons.h"
 
 #include <QAction>
 #include <QGridLayout>
@@ -43,7 +44,8 @@ QToolButton *toolButton(QAction *action, const Theme &theme, QWidget *parent)
     button->setFocusPolicy(Qt::TabFocus);
     button->setAccessibleName(action->iconText());
     const auto dress = [action, &theme] {
-        action->setIcon(theme.icon(action->property("iconName").toString()));
+        const Tokens &t = theme.tokens();
+        action->setIcon(iconOf(action->property("iconName").toString(), t.ink2, t.onSunk));
     };
     dress();
     QObject::connect(&theme, &Theme::changed, button, dress);
@@ -144,8 +146,8 @@ QWidget *BuildPanel::feet()
 {
     auto *box = new QWidget(this);
     auto *row = new QHBoxLayout(box);
-    row->setContentsMargins(12, 8, 12, 10);
-    row->setSpacing(8);
+    row->setContentsMargins(8, 8, 8, 10); // beside Measure there is no more
+    row->setSpacing(6);
     const auto add = [&](const QString &text, const QString &tip, auto slot) {
         auto *button = new QPushButton(text, box);
         button->setToolTip(tip);
@@ -195,7 +197,7 @@ QString BuildPanel::toolHint() const
 {
     if (m_bench.first())
         return m_bench.tool() == BuildTool::foot
-                   ? tr("Click each of its feet. Esc: another body.")
+                   ? tr("Click each of its feet, or where one shall be. Esc: another body.")
                    : tr("Click where it ends; the next goes on from there. Esc: begin elsewhere.");
     switch (m_bench.tool()) {
     case BuildTool::point:
@@ -207,7 +209,7 @@ QString BuildPanel::toolHint() const
     case BuildTool::stick:
         return tr("Click two points: a stick goes from one to the other.");
     case BuildTool::foot:
-        return tr("Click a body, then each of its feet.");
+        return tr("Click a body, then each of its feet, or where one shall be.");
     case BuildTool::select:
         break;
     }

@@ -275,6 +275,10 @@ sim::Vec2 SceneBuilder::cursor() const
         return *m_marks.cursor;
     if (m_bench.first())
         return m_bench.plan().points[std::size_t(*m_bench.first())].x;
+    // The one with the ring: Enter ties it, or nails it down. Another point belongs elsewhere.
+    const int ringed = m_view.shown().selected;
+    if (ringed >= 0 && m_bench.tool() != BuildTool::point)
+        return m_view.shown().state().at(ringed);
     return rounded(placeOf(QPointF(m_view.viewport()->rect().center())));
 }
 

@@ -16,6 +16,7 @@ using lessons::Guide;
 constexpr double smallestArc = 22.0;
 constexpr double outsideBody = 12.0;
 constexpr double pullGap = 8.0;
+constexpr double shortestPull = 3.0;   ///< px; what is shorter is not seen, so it has no name
 constexpr double largestRing = 4000.0; ///< what is larger looks like a line in any view
 constexpr int piecesOfRing = 48;
 
@@ -32,6 +33,12 @@ double bodyAt(const Shown &shown, const Camera &camera, sim::Vec2 place)
 QPointF pullVector(const Guide &guide, const Shown &shown)
 {
     return unitArrow / shown.pullUnit * QPointF(guide.b.x, guide.b.y);
+}
+
+bool isTooShort(const Guide &guide, const Shown &shown)
+{
+    const QPointF vector = pullVector(guide, shown);
+    return guide.shape == Guide::Shape::arrow && std::hypot(vector.x(), vector.y()) < shortestPull;
 }
 
 QPointF pullStart(const Guide &guide, const Shown &shown, const Camera &camera)
@@ -159,10 +166,10 @@ std::vector<GuideLabel> guideLabels(const Shown &shown, const Camera &camera, co
     LabelPlaces places(std::move(taken), explainingStrokes(shown, camera, theme));
     for (const Guide &guide : shown.picture.guides) {
         const QPointF anchor = anchorOf(guide, shown, camera);
-        if (guide.label.isEmpty() || !area.contains(anchor))
+        if (guide.label.isEmpty() || !area.contains(anchor) || isTooShort(guide, shown))
             continue;
         const QSizeF size(metrics.horizontalAdvance(guide.label), metrics.height());
-        labels.push_back({guide.label, places.beside(anchor, size)});
+        labels.push_back({guide.label, places.beside(anchor, size, area)});
     }
     return labels;
 }

@@ -10,6 +10,7 @@ namespace {
 
 constexpr double raster = 8.0;      ///< px between two places that are tried
 constexpr double coverCost = 4.0;   ///< px of distance that a covered square px is worth
+constexpr double cutCost = 8.0;     ///< covered square px that one out of sight is worth
 constexpr double strokeWidth = 8.0; ///< px: a line with its arrow head
 
 }
@@ -50,7 +51,7 @@ double LabelPlaces::covered(const QRectF &box) const
     return area;
 }
 
-QRectF LabelPlaces::beside(QPointF anchor, QSizeF size)
+QRectF LabelPlaces::beside(QPointF anchor, QSizeF size, const QRectF &area)
 {
     const double w = size.width();
     const double h = size.height();
@@ -63,7 +64,8 @@ QRectF LabelPlaces::beside(QPointF anchor, QSizeF size)
                                 QPointF(-w - away, away), QPointF(-w - away, -h - away)};
         for (const QPointF &place : places) {
             const QRectF box(anchor + place, size);
-            const double cost = covered(box);
+            const QRectF seen = box.intersected(area);
+            const double cost = covered(box) + cutCost * (w * h - seen.width() * seen.height());
             if (least >= 0.0 && cost >= least)
                 continue;
             least = cost;

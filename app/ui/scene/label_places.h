@@ -16,8 +16,8 @@ public:
     {
     }
 
-    /// A box of `size` near `anchor`; taken from then on.
-    QRectF beside(QPointF anchor, QSizeF size);
+    /// A box of `size` near `anchor`, all of it in `area` where there is room; taken from then on.
+    QRectF beside(QPointF anchor, QSizeF size, const QRectF &area);
     /// The box of `size` within `area` that covers the least and is near `wanted` (its top left corner).
     QRectF within(QRectF area, QPointF wanted, QSizeF size);
     /// A line that is drawn from then on.

@@ -1,5 +1,7 @@
 #include "app/ui/stability/stability_gauge.h"
 
+#include "app/model/numbers.h"
+
 #include <QKeyEvent>
 #include <QPainter>
 #include <QTextDocumentFragment>
@@ -98,8 +100,9 @@ QSize StabilityGauge::sizeHint() const
 {
     const QFontMetrics metrics(m_theme.ui(12));
     // Room for what changes while it plays, so that nothing beside it moves.
-    const int words = std::max(metrics.horizontalAdvance(m_words),
-                               metrics.horizontalAdvance(tr("%1\u2009% of the limit").arg(100)));
+    const int words =
+        std::max(metrics.horizontalAdvance(m_words),
+                 metrics.horizontalAdvance(tr("%1\u2009% of the limit").arg(fixedNumber(99.9, 1))));
     return {2 * margin + metrics.horizontalAdvance(tr("Stability")) + gap + barWidth + gap + words,
             gaugeHeight};
 }
@@ -116,7 +119,7 @@ void StabilityGauge::paintBar(QPainter &painter, const QRectF &bar) const
         return;
     }
     painter.setPen(Qt::NoPen);
-    painter.setBrush(tokens.line2);
+    painter.setBrush(tokens.computed);
     painter.drawRoundedRect(bar, round, round);
     QRectF done = bar;
     done.setWidth(std::max(bar.height(), bar.width() * std::min(1.0, filled())));

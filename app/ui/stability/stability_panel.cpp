@@ -29,6 +29,12 @@ QLabel *textLabel(const char *name, const QString &text, QWidget *parent)
     return label;
 }
 
+/// Rich text breaks lines at thin spaces: a number and its unit stay together.
+QString unbroken(QString text)
+{
+    return text.replace(QChar(0x2009), QChar(QChar::Nbsp));
+}
+
 }
 
 StabilityPanel::StabilityPanel(StabilityWatch &watch, const Theme &theme, QWidget *parent)
@@ -174,9 +180,10 @@ void StabilityPanel::refresh()
     QString said = stabilityVerdict(*reading);
     if (const QString sticks = stickVerdict(*reading); !sticks.isEmpty())
         said += QStringLiteral("<br>") + sticks;
+    said = unbroken(said);
     if (said != m_verdict->text())
         m_verdict->setText(said);
-    m_leftOut->setText(leftOutWords(*reading));
+    m_leftOut->setText(unbroken(leftOutWords(*reading)));
     m_leftOut->setVisible(!m_leftOut->text().isEmpty());
     refreshMap();
 }

@@ -12,11 +12,11 @@ namespace {
 class SvgInk : public QIconEngine
 {
 public:
-    explicit SvgInk(QByteArray svg) : m_svg(std::move(svg)) {}
+    SvgInk(QByteArray off, QByteArray on) : m_off(std::move(off)), m_on(std::move(on)) {}
 
-    void paint(QPainter *painter, const QRect &rect, QIcon::Mode mode, QIcon::State) override
+    void paint(QPainter *painter, const QRect &rect, QIcon::Mode mode, QIcon::State state) override
     {
-        QSvgRenderer renderer(m_svg);
+        QSvgRenderer renderer(state == QIcon::On ? m_on : m_off);
         const qreal was = painter->opacity();
         if (mode == QIcon::Disabled)
             painter->setOpacity(was * 0.4);
@@ -33,10 +33,10 @@ public:
         return result;
     }
 
-    QIconEngine *clone() const override { return new SvgInk(m_svg); }
+    QIconEngine *clone() const override { return new SvgInk(m_off, m_on); }
 
 private:
-    QByteArray m_svg;
+    QByteArray m_off, m_on;
 };
 
 }
@@ -53,11 +53,18 @@ QByteArray textOf(const QString &path)
 
 QIcon iconOf(const QString &name, const QColor &color)
 {
-    QByteArray svg = textOf(":/app/icons/" + name + ".svg");
+    return iconOf(name, color, color);
+}
+
+QIcon iconOf(const QString &name, const QColor &off, const QColor &on)
+{
+    const QByteArray svg = textOf(":/app/icons/" + name + ".svg");
     if (svg.isEmpty())
         return {};
-    svg.replace("currentColor", color.name().toUtf8());
-    return QIcon(new SvgInk(svg));
+    const auto in = [&svg](const QColor &color) {
+        return QByteArray(svg).replace("currentColor", color.name().toUtf8());
+    };
+    return QIcon(new SvgInk(in(off), in(on)));
 }
 
 QIcon signOf(const QColor &ground, const QColor &line)
@@ -65,7 +72,7 @@ QIcon signOf(const QColor &ground, const QColor &line)
     QByteArray svg = textOf(":/app/springstep.svg");
     svg.replace("#22262B", ground.name().toUtf8());
     svg.replace("#FFFFFF", line.name().toUtf8());
-    return QIcon(new SvgInk(svg));
+    return QIcon(new SvgInk(svg, svg));
 }
 
 }

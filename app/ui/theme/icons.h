@@ -10,6 +10,9 @@ namespace app {
 /// An icon that does not exist is empty.
 QIcon iconOf(const QString &name, const QColor &color);
 
+/// The same for a button that is `off` or `on`: in high contrast what is on stands on white.
+QIcon iconOf(const QString &name, const QColor &off, const QColor &on);
+
 /// The program's sign on `ground`, drawn in `line`.
 QIcon signOf(const QColor &ground, const QColor &line);
 

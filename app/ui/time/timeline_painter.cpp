@@ -118,6 +118,8 @@ void paintOldRun(QPainter &painter, const TimelineAxis &axis, const OldRun &old,
     const OldRunPlace place = placeOf(axis, old, theme);
     paintDots(painter, place.from, place.to, t);
     paintRing(painter, place.from, t.ink, t);
+    // The line that hangs from the head gives way to the name.
+    painter.fillRect(QRectF(place.name - 1, Places::oldRun - 6, place.nameWidth + 2, 13), t.panel);
     painter.setFont(theme.ui(11.5));
     painter.setPen(t.ink3);
     painter.drawText(QPointF(place.name, Places::oldRun + 4), old.name);
@@ -157,11 +159,11 @@ void paintTimeline(QPainter &painter, const TimelineAxis &axis, const RunView &v
     paintTrack(painter, axis, view, theme);
     for (const Fork &fork : view.forks)
         paintFork(painter, axis, fork, theme.tokens());
-    if (view.old)
-        paintOldRun(painter, axis, *view.old, theme);
     const double x = axis.xOf(view.at);
     if (below == Below::fan)
         paintFan(painter, axis, x, view.playing, theme.tokens());
+    if (view.old)
+        paintOldRun(painter, axis, *view.old, theme);
     paintHead(painter, x, theme.tokens());
 }
 

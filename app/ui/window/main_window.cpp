@@ -53,12 +53,21 @@ MainWindow::MainWindow(Session &session, Theme &theme, StudyFunction study, Cost
     makeFiles();
     restore();
     qApp->installEventFilter(this);
+    connect(qApp, &QApplication::focusChanged, this, &MainWindow::catchFocus);
     m_scene->setFocus();
 }
 
 MainWindow::~MainWindow()
 {
     qApp->removeEventFilter(this);
+    qApp->disconnect(this);
+}
+
+void MainWindow::catchFocus(const QWidget *before, const QWidget *now)
+{
+    const bool isHere = before && now && before->window() == this && now->window() == this;
+    if (isHere && !before->isVisible())
+        m_scene->setFocus();
 }
 
 QWidget *MainWindow::centre()

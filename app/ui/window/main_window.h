@@ -185,6 +185,9 @@ private:
     void makeLearning();
     void showGlossary(const QString &typed);
     std::vector<TourStop> tourStops();
+    /// Gives the keys to the scene where the widget that had them has gone out of sight: the next in the row, to which
+    /// they went, would be pressed by whoever means to play.
+    void catchFocus(const QWidget *before, const QWidget *now);
     void rememberStep();
     /// Says what comes with the next start, and offers that.
     void offerNewStart(const QString &sentence);

@@ -18,7 +18,7 @@ namespace app {
 
 namespace {
 
-constexpr int cardWidth = 360;  ///< px, its tip included
+constexpr int cardWidth = 360;  ///< px, its tip included, where its buttons need no more
 constexpr int tipLength = 10;   ///< px round the card, in which the tip lies
 constexpr int tipHalf = 9;      ///< px
 constexpr int padding = 16;     ///< px inside the card
@@ -172,7 +172,8 @@ bool Tour::eventFilter(QObject *watched, QEvent *event)
 Tour::Place Tour::placeBeside(const QRect &part) const
 {
     const QRect room = parentWidget()->rect().adjusted(edge, edge, -edge, -edge);
-    const QSize size(cardWidth, layout()->totalHeightForWidth(cardWidth));
+    const int width = std::max(cardWidth, layout()->totalMinimumSize().width());
+    const QSize size(width, layout()->totalHeightForWidth(width));
     const int y = std::clamp(part.center().y() - size.height() / 2, room.top(),
                              std::max(room.top(), room.bottom() - size.height()));
     const int x = std::clamp(part.center().x() - size.width() / 2, room.left(),

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "support.h"
+
+#include "sim/effects/radial_spring.h"
+
+/// Scenes of the suites of energy and momentum.
+namespace energy_bench {
+
+using namespace sim;
+
+/// A point of mass `mass` at (100, 50), at rest.
+inline Scene lone(double mass)
+{
+    Scene scene;
+    scene.start = State::ofPoints(1);
+    scene.start.place(0, {100.0, 50.0});
+    scene.start.inverseMass[0] = 1.0 / mass;
+    scene.names = {"foot"};
+    scene.groups = {{"foot", {0, 1}}};
+    return scene;
+}
+
+/// Two points that move one after the other in `published`, 60 px apart, on a spring of 50 px and stiffness k.
+inline Scene pairOf(double k)
+{
+    Scene scene = support::pointsOf(1);
+    scene.start.place(0, {240.0, 200.0});
+    scene.start.place(1, {300.0, 210.0});
+    scene.start.push(0, {1.0, -2.0});
+    scene.effects = {std::make_shared<RadialSpring>(std::vector<Link>{{0, 1}, {1, 0}}, k, 50.0)};
+    return scene;
+}
+
+inline double lengthOf(Vec2 a)
+{
+    return length(a);
+}
+
+}

@@ -1,0 +1,157 @@
+// What hands, wind and pulls without a potential do: their work, and the momentum that they give.
+
+#include "energy_bench.h"
+#include "energy_scenes.h"
+#include "support.h"
+
+#include "sim/effects/body_spring.h"
+#include "sim/effects/breeze.h"
+#include "sim/effects/damping.h"
+#include "sim/effects/leg_spring.h"
+#include "sim/effects/push.h"
+#include "sim/energy/ledger.h"
+#include "sim/methods/methods.h"
+
+#include <QTest>
+
+using namespace sim;
+using namespace energy_bench;
+using std::make_shared;
+
+class TestEnergyWorks : public QObject
+{
+    Q_OBJECT
+
+private:
+    static bool takesAllAtOnce(const Method &method) { return method.id() != "published"; }
+
+private slots:
+    /// The hand goes on by u a frame, at once; in between, the other end swings about it: a turn of its phase.
+    void theHandsWorkOnASpringIsThatOfItsSteps_data() { addMethods(takesAllAtOnce); }
+    void theHandsWorkOnASpringIsThatOfItsSteps()
+    {
+        QFETCH(QString, method);
+        constexpr double k = 0.05, u = 2.0;
+        constexpr int frames = 20;
+        Scene scene = support::pointsOf(1);
+        scene.effects = {make_shared<BodySpring>(std::vector<Link>{{0, 1}, {1, 0}}, k)};
+        const MethodPtr rule = findMethod(method.toStdString());
+        const bool adapts = rule->stepping() == Stepping::adaptive;
+        Script script = scriptOf(scene, rule->id(), adapts ? 1e-6 : 1.0 / 64);
+        script.input.push_back({1, Grab{"body"}});
+        for (int i = 1; i <= frames; ++i)
+            script.input.push_back({i, Move{{270.0 + u * i, 200.0}}});
+        const Balance balance = balanceOf(script, frames);
+        const double omega = std::sqrt(k);
+        double stretch = 0.0, speed = 0.0, work = 0.5 * u * u; // the body itself moves, too
+        for (int i = 0; i < frames; ++i) {
+            work += 0.5 * k * ((stretch - u) * (stretch - u) - stretch * stretch);
+            stretch -= u;
+            const double s = std::sin(omega), c = std::cos(omega), was = stretch;
+            stretch = c * was + s / omega * speed;
+            speed = -s * omega * was + c * speed;
+        }
+        const double tolerance = rule->order() == 1 ? 0.05 : 2e-4;
+        QVERIFY2(std::abs(balance.energy[Account::hand] - work) < tolerance * work,
+                 qPrintable(QString("%1, %2").arg(balance.energy[Account::hand]).arg(work)));
+        // What the other end has got, and the body, the hand has pushed with: nothing else is there.
+        const double pushed = speed + u;
+        QVERIFY(std::abs(balance.momentum[Account::hand].x - pushed) < 10 * tolerance * pushed);
+        QVERIFY(lengthOf(balance.momentum[Account::drift]) < 10 * tolerance * pushed);
+    }
+
+    void aPairKeepsItsMomentum_data() { addMethods(takesAllAtOnce); }
+    void aPairKeepsItsMomentum()
+    {
+        QFETCH(QString, method);
+        const Balance balance = balanceOf(scriptOf(pairOf(0.3), method.toStdString(), 1.0), 30);
+        for (const AccountName &name : accountNames())
+            QVERIFY2(lengthOf(balance.momentum[name.account]) < 1e-10, name.id.c_str());
+    }
+
+    /// A foot on a leg whose body is held, in its own turn: what it gets, the hand has pushed with.
+    void whatPullsOnAHeldBodyIsTheHandsPush_data()
+    {
+        addMethods([](const Method &m) { return m.id() == "published" || m.id() == "velocity_verlet"; });
+    }
+    void whatPullsOnAHeldBodyIsTheHandsPush()
+    {
+        QFETCH(QString, method);
+        Scene scene = support::pointsOf(1);
+        scene.start.place(0, {200.0, 260.0});
+        const LegRule rule{0.1, 40.0, 0.0, Aim::bone, Reaction::equal};
+        scene.effects = {make_shared<LegSpring>(std::vector<sim::Leg>{{0, 1, 0.0, 0}}, rule)};
+        Script script = scriptOf(scene, method.toStdString(), 0.5);
+        script.input = {{1, Grab{"body"}}};
+        const Balance balance = balanceOf(script, 5);
+        QVERIFY(lengthOf(balance.after.momentum) > 1.0);
+        QVERIFY(lengthOf(balance.momentum[Account::hand] - balance.after.momentum) < 1e-9);
+        QVERIFY(lengthOf(balance.momentum[Account::drift]) < 1e-9);
+    }
+
+    void publishedMakesMomentumFromNothing()
+    {
+        const Script script = scriptOf(pairOf(0.3), "published", 1.0);
+        const Balance balance = balanceOf(script, 30);
+        Track track(script, 0);
+        track.seek({30, 0});
+        const Vec2 made = track.now().speed(0) + track.now().speed(1) - Vec2{1.0, -2.0};
+        QVERIFY(lengthOf(made) > 1.0);
+        QVERIFY(lengthOf(balance.momentum[Account::drift] - made) < 1e-10);
+    }
+
+    /// No potential: what is kinetic comes from works and losses alone, and a kick splits over them to rounding.
+    void worksOfForcesWithoutPotentialAddUpToTheMotion_data()
+    {
+        addMethods([](const Method &m) {
+            return QByteArray(m.region().file.c_str()).contains("euler.cpp") ||
+                   QByteArray(m.region().file.c_str()).contains("verlet.cpp") || m.id() == "published";
+        });
+    }
+    void worksOfForcesWithoutPotentialAddUpToTheMotion()
+    {
+        QFETCH(QString, method);
+        if (method == "backward_euler")
+            return; // a whole step by itself
+        Scene scene = support::pointsOf(3);
+        support::scatter(scene.start, 5, 200.0);
+        scene.start.inverseMass << 1.0, 0.5, 2.0, 1.0;
+        const std::vector<Link> chase = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
+        scene.effects = {make_shared<BodySpring>(chase, 0.1),
+                         make_shared<Push>(std::vector<int>{0, 1, 2, 3}, 0.2, 80.0, Reaction::none),
+                         make_shared<Damping>(0.9)};
+        const Balance balance = balanceOf(scriptOf(scene, method.toStdString(), 0.5), 20);
+        QVERIFY(balance.energy[Account::pulls] > 1.0);
+        QVERIFY(balance.energy[Account::damping] < -1.0);
+        QCOMPARE(balance.after.springs, 0.0);
+        QVERIFY2(std::abs(balance.energy[Account::drift]) < 1e-10 * balance.energy[Account::pulls],
+                 qPrintable(QString::number(balance.energy[Account::drift])));
+        QVERIFY(lengthOf(balance.momentum[Account::drift]) < 1e-9);
+    }
+
+    /// From rest by F t / m, without damping: the work is what moves, and no spring has anything.
+    void whatWindDoesIsItsWork_data() { addMethods(every); }
+    void whatWindDoesIsItsWork()
+    {
+        QFETCH(QString, method);
+        constexpr double wind = 0.2, width = 25.0, mass = 3.0, h = 0.25;
+        constexpr int frames = 12;
+        Scene scene = lone(mass);
+        scene.start.gait.setZero(1);
+        scene.effects = {make_shared<Breeze>(Air{wind, 0.0}, Eigen::ArrayXd::Constant(1, width), 0)};
+        const Balance balance = balanceOf(scriptOf(scene, method.toStdString(), h), frames);
+        const double push = wind * width / 10.0, speed = push * frames / mass;
+        // Backward Euler books along its way, and moves by a velocity that is a h / 2 too much: see above.
+        const double a = push / mass;
+        const double over = method == "backward_euler" ? 0.5 * mass * a * a * h * h * (frames / h) : 0.0;
+        QVERIFY(std::abs(balance.after.moving - 0.5 * mass * speed * speed) < 1e-9);
+        QCOMPARE(balance.after.springs, 0.0);
+        QVERIFY(std::abs(balance.energy[Account::wind] - balance.after.moving - over) < 1e-9);
+        QVERIFY(std::abs(balance.energy[Account::drift] + over) < 1e-9);
+        QVERIFY(std::abs(balance.momentum[Account::wind].x - push * frames) < 1e-9);
+        QVERIFY(lengthOf(balance.momentum[Account::drift]) < 1e-9);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestEnergyWorks)
+#include "tst_energy_works.moc"

@@ -1,0 +1,190 @@
+// What wakes a run that sleeps, and what keeps it awake.
+
+#include "sleep_bench.h"
+
+#include <QTest>
+
+using namespace sleep_bench;
+
+class TestSleepWakes : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void everyKindOfInputWakes_data()
+    {
+        QTest::addColumn<int>("index");
+        for (std::size_t i = 0; i < wakers().size(); ++i)
+            QTest::addRow("%s", wakers()[i].name) << int(i);
+    }
+    void everyKindOfInputWakes()
+    {
+        QFETCH(int, index);
+        const Waker waker = wakers()[std::size_t(index)];
+        Track alone(scriptOf(waker.build), budget);
+        const std::int64_t from = sleepsFrom(alone);
+        QVERIFY(from > 0);
+        Script script = scriptOf(waker.build);
+        for (std::int64_t frame : {from + 200, from + 201, from + 900})
+            script.input.push_back({frame, waker.what});
+        script.input.push_back({from + 901, Release{}});
+        Track track(script, budget);
+        track.seek({from + 100, 0});
+        QVERIFY(track.sleep());
+        QVERIFY(!track.isOver()); // something is still to come
+        track.seek({from + 210, 0});
+        QCOMPARE(!runOnAlike(track.now(), alone.now()), waker.changes);
+        const std::string what = sleepDiffers(script, from + 1500);
+        QVERIFY2(what.empty(), what.c_str());
+        // A far way back and forth, over both of what wakes it.
+        Track straight(script, 0, Sleeping::never);
+        straight.seek({from + 1200, 0});
+        track.seek({from + 100'000, 0});
+        track.seek({3, 1});
+        track.seek({from + 1200, 0});
+        QVERIFY(sameBits(track.now(), straight.now()));
+    }
+
+    void aHandInTheMiddleOfASleepIsTheSameRun()
+    {
+        Timeline timeline(scriptOf(homing));
+        timeline.seek({5000, 0});
+        QVERIFY(timeline.isOver());
+        timeline.seek({100'000, 0});
+        timeline.seek({3000, 0});
+        QVERIFY(!timeline.isOver()); // what was computed goes on to 100,000
+        timeline.hand(Grab{"foot0"});
+        timeline.hand(Move{{20.0, 20.0}});
+        QVERIFY(!timeline.isOver());
+        timeline.seek({3005, 0});
+        timeline.hand(Release{});
+        timeline.seek({3200, 0});
+        Track straight(timeline.script(), 0, Sleeping::never);
+        straight.seek({3200, 0});
+        QVERIFY(sameBits(timeline.now(), straight.now()));
+        QVERIFY(timeline.ghost());
+        Track before(scriptOf(homing), 0, Sleeping::never);
+        before.seek({3200, 0});
+        QVERIFY(sameBits(timeline.ghost()->now(), before.now()));
+    }
+
+    void whatSeesTimeKeepsAwake()
+    {
+        auto count = make_shared<std::int64_t>(0);
+        const auto with = [&](Sees sees) {
+            Script script = scriptOf(homing);
+            const EffectPtr counting = make_shared<Counting>(count, sees);
+            script.build = [counting](const Values &values) {
+                Scene scene = homing(values);
+                scene.effects.push_back(counting);
+                return scene;
+            };
+            return Track(script, budget);
+        };
+        Track asleep = with(Sees::scene), awake = with(Sees::time);
+        const std::int64_t from = sleepsFrom(asleep);
+        QVERIFY(from > 0);
+        QCOMPARE(sleepsFrom(awake, from + 500), std::int64_t(-1));
+        const EffectPtr why = keepsAwake(awake.shown().pipeline, awake.now());
+        QVERIFY(why);
+        QCOMPARE(why->id(), std::string("counting"));
+        QVERIFY(!keepsAwake(asleep.shown().pipeline, asleep.now()));
+    }
+
+    void itIsToldWhatKeepsAwake()
+    {
+        const auto why = [](const Script &script) {
+            const Track track(script, 0);
+            return awakeBy(track.shown().pipeline, track.now());
+        };
+        QCOMPARE(why(scriptOf(homing)).why, Awake::Why::nothing);
+        QCOMPARE(why(scriptOf(homing, "dormand_prince")).why, Awake::Why::ownSteps);
+        QCOMPARE(why(scriptOf(windy)).why, Awake::Why::nothing); // no wind yet
+        Script blown = scriptOf(windy);
+        blown.input = {{1, Pointer{{50.0, 300.0}, true}}};
+        Track track(blown, 0);
+        track.seek({5, 0});
+        const Awake awake = awakeBy(track.shown().pipeline, track.now());
+        QCOMPARE(awake.why, Awake::Why::time);
+        QCOMPARE(awake.effect->id(), std::string("wind"));
+    }
+
+    void randomWindKeepsAwakeOnlyWhileItBlows()
+    {
+        Script script = scriptOf(windy);
+        script.input = {{300, Pointer{{50.0, 300.0}, true}}, {400, Pointer{{50.0, 300.0}, false}}};
+        Track track(script, budget);
+        track.seek({200, 0});
+        QVERIFY(track.sleep());
+        for (int frame = 301; frame < 400; ++frame) {
+            track.seek({frame, 0});
+            QVERIFY(!track.sleep());
+        }
+        QCOMPARE(keepsAwake(track.shown().pipeline, track.now())->id(), std::string("wind"));
+        track.seek({600, 0});
+        QVERIFY(track.sleep());
+        const std::string what = sleepDiffers(script, 700);
+        QVERIFY2(what.empty(), what.c_str());
+    }
+
+    void inputInTheFirstRoundOfASleepIsNoPartOfIt_data()
+    {
+        QTest::addColumn<QString>("parameter");
+        QTest::newRow("another stiffness") << "k";
+        QTest::newRow("another scene, with more points") << "more";
+    }
+    void inputInTheFirstRoundOfASleepIsNoPartOfIt()
+    {
+        // As above: a round of 6 frames. What comes in within the first one, and is taken back, changes nothing.
+        QFETCH(QString, parameter);
+        support::Sample sample;
+        sample.values.set("k", 1.0);
+        sample.values.set("more", 0.0);
+        sample.build = [](const Values &values) {
+            Scene scene = support::pointsOf(1 + values.whole("more"));
+            scene.start.place(0, {16.0, 0.0});
+            scene.effects = {make_shared<PointSpring>(0, Vec2{0.0, 0.0}, values["k"])};
+            return scene;
+        };
+        const Script still = support::script(sample, "semi_implicit_euler");
+        Track alone(still, budget);
+        const std::int64_t from = sleepsFrom(alone, 200);
+        QVERIFY(from > 0);
+
+        Script script = still;
+        script.input = {{from + 3, Set{parameter.toStdString(), 2.0}}};
+        const std::string what = sleepDiffers(script, from + 100);
+        QVERIFY2(what.empty(), what.c_str());
+        Track track(script, budget);
+        track.seek({from + 20, 0});
+        track.seek({from, 0});
+        track.replaceInput({}, from + 3);
+        Track straight(still, 0, Sleeping::never);
+        for (std::int64_t frame = from; frame < from + 20; ++frame) {
+            track.seek({frame, 0});
+            straight.seek({frame, 0});
+            QVERIFY2(sameBits(track.now(), straight.now()), qPrintable(QString::number(frame)));
+        }
+    }
+
+private:
+    struct Waker
+    {
+        const char *name;
+        Scene (*build)(const Values &);
+        decltype(Event::what) what;
+        bool changes; ///< whether it changes where the scene goes
+    };
+    static std::vector<Waker> wakers()
+    {
+        return {{"grab", homing, Grab{"foot0"}, true},
+                {"set", homing, Set{"k", 0.15}, true},
+                {"key", waiting, Key{&Keys::right, true}, true},
+                {"target", waiting, Target{{300.0, 50.0}}, true},
+                {"pointer", waiting, Pointer{{12.0, 34.0}, false}, true},
+                {"gust", windy, Gust{15.0}, false}};
+    }
+};
+
+QTEST_APPLESS_MAIN(TestSleepWakes)
+#include "tst_sleep_wakes.moc"
