@@ -1,8 +1,5 @@
 #include "app/model/stability_look.h"
 
-#include "app/model/stability_watch.h"
-#include "sim/error.h"
-
 #include <algorithm>
 #include <utility>
 
@@ -11,21 +8,6 @@ namespace app {
 namespace {
 
 constexpr int shareOfTime = 4; ///< a reading is followed by a pause this many times as long
-
-StabilityReading readingAt(const sim::Script &script, std::shared_ptr<const sim::Segment> segment,
-                           const sim::State &state)
-{
-    StabilityReading reading;
-    try {
-        reading.stability = sim::stabilityOf(segment->scene, state, *script.method, script.step.h);
-    } catch (const sim::Error &) {
-        reading.stability.bound = sim::Bound::unknown; // no such scene: the session says why
-    }
-    reading.segment = std::move(segment);
-    reading.method = script.method;
-    reading.step = script.step;
-    return reading;
-}
 
 }
 
@@ -81,7 +63,7 @@ void StabilityLook::read()
                   at = shown.at()] {
         QElapsedTimer clock;
         clock.start();
-        auto reading = std::make_shared<const StabilityReading>(readingAt(script, segment, state));
+        auto reading = std::make_shared<const StabilityReading>(readStability(script, segment, state));
         const int took = static_cast<int>(clock.elapsed());
         QMetaObject::invokeMethod(
             this, [this, at, reading, took] { take(at, reading, took); }, Qt::QueuedConnection);

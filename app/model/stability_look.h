@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/model/session.h"
+#include "app/model/stability_reading.h"
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -8,8 +9,6 @@
 #include <QTimer>
 
 namespace app {
-
-struct StabilityReading;
 
 /// How far the step in use is from its limit at the moment that somebody looks at, read on a thread of its own: a hand
 /// that moves on never waits for it, and where readings take long there are fewer of them. Where nobody looks, nothing is

@@ -101,15 +101,10 @@ void StabilityWatch::forget()
 StabilityReading StabilityWatch::readingOf(const Subject &about, const std::optional<Offers> &offers,
                                            const std::shared_ptr<Job> &job)
 {
-    StabilityReading reading;
-    reading.segment = about.segment;
-    reading.method = about.script.method;
-    reading.step = about.script.step;
+    StabilityReading reading = readStability(about.script, about.segment, about.state);
+    if (!offers || job->stop)
+        return reading;
     try {
-        reading.stability =
-            sim::stabilityOf(about.segment->scene, about.state, *about.script.method, about.script.step.h);
-        if (!offers || job->stop)
-            return reading;
         reading.remedies = sim::remediesFor(about.script, about.segment->values, about.state,
                                             reading.stability, offers->damping ? &*offers->damping : nullptr);
         reading.sticks =

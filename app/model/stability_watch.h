@@ -3,9 +3,8 @@
 #include "app/model/map_plane.h"
 #include "app/model/session.h"
 #include "app/model/stability_look.h"
+#include "app/model/stability_reading.h"
 #include "sim/stability/growth_map.h"
-#include "sim/stability/remedies.h"
-#include "sim/stability/stick_fit.h"
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -15,18 +14,6 @@
 #include <atomic>
 
 namespace app {
-
-/// How far the step in use is from its limit, at one moment of a run.
-struct StabilityReading
-{
-    sim::Stability stability;
-    std::shared_ptr<const sim::Segment> segment; ///< whose names and effects those are
-    sim::MethodPtr method;
-    sim::StepSize step;
-    // Looked for only while somebody reads them:
-    std::vector<sim::Remedy> remedies;
-    std::optional<sim::StickAdvice> sticks; ///< empty also where trials would take too long
-};
 
 /// What a learner has tried: a place on either map.
 struct TriedSpot

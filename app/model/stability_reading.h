@@ -1,0 +1,29 @@
+#pragma once
+
+#include "sim/stability/remedies.h"
+#include "sim/stability/stick_fit.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace app {
+
+/// How far the step in use is from its limit, at one moment of a run.
+struct StabilityReading
+{
+    sim::Stability stability;
+    std::shared_ptr<const sim::Segment> segment; ///< whose names and effects those are
+    sim::MethodPtr method;
+    sim::StepSize step;
+    // Looked for only while somebody reads them:
+    std::vector<sim::Remedy> remedies;
+    std::optional<sim::StickAdvice> sticks; ///< empty also where trials would take too long
+};
+
+/// Reads it, without what somebody reads besides. May be called from any thread. Where the scene cannot be, the bound is
+/// unknown: the session says why.
+StabilityReading readStability(const sim::Script &script, std::shared_ptr<const sim::Segment> segment,
+                               const sim::State &state);
+
+}
