@@ -15,6 +15,7 @@
 #include "app/ui/window/notice.h"
 #include "app/ui/window/room.h"
 #include "app/ui/window/status_figures.h"
+#include "app/ui/window/status_sentence.h"
 #include "app/ui/window/stop_notice.h"
 
 #include <QApplication>
@@ -108,10 +109,7 @@ QWidget *MainWindow::centre()
 
 void MainWindow::makeStatus()
 {
-    m_status = new QLabel(this);
-    m_status->setTextFormat(Qt::RichText);
-    m_status->setContentsMargins(8, 0, 8, 0);
-    m_status->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_status = new StatusSentence(this);
     statusBar()->addWidget(m_status, 1);
     m_figures = new StatusFigures(m_session, *m_study, this);
     statusBar()->addPermanentWidget(m_figures);
