@@ -41,8 +41,7 @@ constexpr Purpose purposes[] = {
     {"ramp", SIM_TEXT("Keeps everything on one side of a straight line, which leans as you like.")},
     {"return_to_rest", SIM_TEXT("Turns each branch a part of the way back to where it grew.")},
     {"room",
-     SIM_TEXT("Keeps everything between two walls and above a floor: they slow what slides along them, "
-              "and nothing bounces.")},
+     SIM_TEXT("Keeps everything between two walls and above a floor, with friction and without a bounce.")},
     {"soft_sticks", SIM_TEXT("Keep a point near its distance, but let it lag behind for a while.")},
     {"split_damping", SIM_TEXT("Slows the tail, and more so across the body than along it, as water does.")},
     {"springs",

@@ -7559,8 +7559,8 @@ für weniger so genau.</translation>
         <translation>Hält alles auf einer Seite einer Geraden, die so schräg liegt, wie du willst.</translation>
     </message>
     <message>
-        <source>Keeps everything between two walls and above a floor: they slow what slides along them, and nothing bounces.</source>
-        <translation>Hält alles zwischen zwei Wänden und über einem Boden: Sie bremsen, was an ihnen entlanggleitet, und nichts prallt ab.</translation>
+        <source>Keeps everything between two walls and above a floor, with friction and without a bounce.</source>
+        <translation>Hält alles zwischen zwei Wänden und über einem Boden, mit Reibung und ohne Abprall.</translation>
     </message>
 </context>
 <context>

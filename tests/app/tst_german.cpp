@@ -3,6 +3,7 @@
 #include "app/ui/panels/help_page.h"
 #include "app/ui/sandbox/build_panel.h"
 #include "app/ui/window/status_figures.h"
+#include "app/ui/window/status_sentence.h"
 #include "app/ui/window/tour.h"
 #include "drawn_text.h"
 #include "german_bench.h"
@@ -128,6 +129,7 @@ private slots:
     void thePageOfKeysIsNotSquashed();
     void theCardsOfTheTourAreNotCut();
     void theSandboxIsNotCut();
+    void aSentenceTooLongForTheStatusBarEndsInDots();
     void aWindowThatGoesTakesItsOpenGalleryAlong();
     void cleanupTestCase() { m_shown.reset(); }
 
@@ -299,6 +301,21 @@ void GermanTest::theSandboxIsNotCut()
             cut << (mode == MainWindow::Mode::build ? "build " : "measure ") + where;
     }
     QVERIFY2(cut.isEmpty(), qPrintable('\n' + cut.join('\n')));
+}
+
+void GermanTest::aSentenceTooLongForTheStatusBarEndsInDots()
+{
+    m_shown.reset();
+    StatusSentence sentence;
+    sentence.setText("<b>Leertaste</b> spielt ab, zieh an etwas.");
+    sentence.setAttribute(Qt::WA_DontShowOnScreen);
+    sentence.show();
+    sentence.resize(sentence.sizeHint());
+    QVERIFY(!drawnBy(sentence).join(' ').contains(QChar(0x2026)));
+    sentence.resize(sentence.width() / 2, sentence.height());
+    const QStringList drawn = drawnBy(sentence);
+    QCOMPARE(drawn.size(), 1);
+    QVERIFY2(drawn[0].startsWith("Leertaste") && drawn[0].endsWith(QChar(0x2026)), qPrintable(drawn[0]));
 }
 
 void GermanTest::aWindowThatGoesTakesItsOpenGalleryAlong()

@@ -4,6 +4,7 @@
 #include "app/ui/panels/parameter_slider.h"
 #include "panels_bench.h"
 
+#include <QAbstractItemView>
 #include <QApplication>
 #include <QComboBox>
 #include <QSignalSpy>
@@ -42,6 +43,7 @@ private slots:
     void anExactNumberIsNeverRounded();
     void aValueBeyondTheSliderHoldsTheHandleAtItsEnd();
     void aChoiceIsChosenByName();
+    void aListOfChoicesHasRoomForFingersAndNames();
     void aCountMovesByWholeNumbers();
     void aSliderWithDecadesGoesByTheFirstPlace();
     void aBoxWithDecadesGoesByTheFirstPlace();
@@ -196,6 +198,21 @@ void ParameterFieldsTest::aChoiceIsChosenByName()
     QCOMPARE(world.session.parameter("formula"), 1.0);
     world.session.resetParameters();
     QCOMPARE(choice->currentText(), QString("corrected"));
+}
+
+void ParameterFieldsTest::aListOfChoicesHasRoomForFingersAndNames()
+{
+    World world;
+    world.session.openStep("two", "many");
+    ParameterPanel panel(world.session, world.theme);
+    show(panel, {400, 400});
+    auto *choice = rowOf(panel, "formula")->findChild<QComboBox *>();
+    choice->showPopup();
+    QVERIFY(choice->view()->isVisible());
+    QVERIFY(choice->view()->sizeHintForRow(0) >= 24); // px, the least that is hit well
+    choice->hidePopup();
+    for (int i = 0; i < choice->count(); ++i)
+        QVERIFY(choice->view()->width() >= choice->fontMetrics().horizontalAdvance(choice->itemText(i)));
 }
 
 void ParameterFieldsTest::aCountMovesByWholeNumbers()

@@ -5,10 +5,12 @@
 #include "app/ui/panels/number_box.h"
 #include "app/ui/panels/parameter_slider.h"
 
+#include <QAbstractItemView>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
+#include <QStyledItemDelegate>
 #include <QToolButton>
 
 #include <algorithm>
@@ -23,6 +25,7 @@ constexpr int besideBrief = 8;
 constexpr int unitGap = 8;
 constexpr int resetSize = 24;
 constexpr int fieldHeight = 26;
+constexpr int besideNames = 36;                       ///< of the open list: its edges and its scroll bar
 constexpr int overhang = ParameterSlider::handle / 2; ///< of the handle past the groove's ends
 
 }
@@ -84,6 +87,10 @@ void ParameterRow::makeChoice()
     m_choice->addItems(m_parameter.choiceTitles.isEmpty() ? m_parameter.choices : m_parameter.choiceTitles);
     for (int i = 0; i < m_parameter.choiceHelps.size(); ++i)
         m_choice->setItemData(i, m_parameter.choiceHelps[i], Qt::ToolTipRole);
+    m_choice->setItemDelegate(
+        new QStyledItemDelegate(m_choice)); // which knows of the rows' height in the style sheet
+    m_choice->setMaxVisibleItems(14);
+    m_choice->view()->setMinimumWidth(m_choice->view()->sizeHintForColumn(0) + besideNames);
     m_choice->setMinimumContentsLength(8); // long titles are cut rather than widen the panel
     m_choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_choice->setAccessibleName(m_parameter.name);

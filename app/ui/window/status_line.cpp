@@ -5,8 +5,7 @@
 #include "app/model/stability_watch.h"
 #include "app/ui/stability/stability_gauge.h"
 #include "app/ui/window/status_figures.h"
-
-#include <QLabel>
+#include "app/ui/window/status_sentence.h"
 
 namespace app {
 
@@ -20,11 +19,8 @@ constexpr int between = 24;            ///< px that the bar itself takes
 StatusLine::StatusLine(const Session &session, const AccuracyStudy &study, const StabilityWatch &stability,
                        StabilityGauge *gauge, QWidget *parent)
     : QStatusBar(parent), m_session(session), m_gauge(gauge),
-      m_figures(new StatusFigures(session, study, this)), m_text(new QLabel(this))
+      m_figures(new StatusFigures(session, study, this)), m_text(new StatusSentence(this))
 {
-    m_text->setTextFormat(Qt::RichText);
-    m_text->setContentsMargins(8, 0, 8, 0);
-    m_text->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     addWidget(m_text, 1);
     addPermanentWidget(m_figures);
     addPermanentWidget(m_gauge);

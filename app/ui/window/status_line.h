@@ -5,14 +5,13 @@
 #include <QStatusBar>
 #include <QTimer>
 
-class QLabel;
-
 namespace app {
 
 class AccuracyStudy;
 class StabilityGauge;
 class StabilityWatch;
 class StatusFigures;
+class StatusSentence;
 
 /// The line at the bottom of the window: how the run stands and what can be done, or what was just said; then figures,
 /// then the gauge.
@@ -41,7 +40,7 @@ private:
     const Session &m_session;
     StabilityGauge *m_gauge;
     StatusFigures *m_figures;
-    QLabel *m_text;
+    StatusSentence *m_text;
     QString m_said;       ///< a sentence that is still to be read; empty: how the run stands
     sim::Cursor m_saidAt; ///< where the run stood then
     QTimer m_saidLong;    ///< until it was there long enough to be read while the run plays
