@@ -265,7 +265,8 @@ QString remedyOutcome(const sim::Remedy &remedy)
     if (remedy.stickError)
         return Text::tr("then sticks are up to %1\u2009px wrong").arg(roughNumber(*remedy.stickError));
     if (remedy.kind != sim::Remedy::Kind::boundlessMethod)
-        return Text::tr("then at %1").arg(percent(remedy.share));
+        return remedy.share > 0.0 ? Text::tr("then at %1").arg(percent(remedy.share))
+                                  : Text::tr("then damping holds every step");
     return remedy.step.adaptive() ? Text::tr("keeps its own steps") : Text::tr("has no such limit");
 }
 

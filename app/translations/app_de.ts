@@ -3098,6 +3098,10 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <source>then sticks are up to %1&#x2009;px wrong</source>
         <translation>dann sind Stäbe bis zu %1&#x2009;px falsch</translation>
     </message>
+    <message>
+        <source>then damping holds every step</source>
+        <translation>dann hält die Dämpfung jeden Zeitschritt</translation>
+    </message>
 </context>
 <context>
     <name>StepWords</name>

@@ -66,6 +66,7 @@ private slots:
     void adoptingARemedyMends();
     void wordsSayWhatBoundsTheStep_data();
     void wordsSayWhatBoundsTheStep();
+    void aRemedySaysWhatComesOfIt();
     void aStepThatHoldsWhereShorterOnesGrowIsSaid();
     void jumpsAreNamed();
     void theMapHoldsWhereReadingsHold_data();
@@ -219,6 +220,17 @@ void StabilityWatchTest::wordsSayWhatBoundsTheStep_data()
                                 << "fixed_centre"
                                 << "semi_implicit_euler" << 0.2 << 0.9 << "19\u2009% of the limit"
                                 << QStringList{"The spring of foot decides it"};
+}
+
+void StabilityWatchTest::aRemedySaysWhatComesOfIt()
+{
+    const sim::MethodPtr euler = sim::findMethod("semi_implicit_euler");
+    const auto outcome = [&](sim::Remedy::Kind kind, double share) {
+        return remedyOutcome(sim::Remedy::of(kind, euler, sim::StepSize::of(1.0), share));
+    };
+    QCOMPARE(outcome(sim::Remedy::Kind::moreDamping, 0.88), QString("then at 88\u2009% of the limit"));
+    QCOMPARE(outcome(sim::Remedy::Kind::moreDamping, 0.0), QString("then damping holds every step"));
+    QCOMPARE(outcome(sim::Remedy::Kind::boundlessMethod, 0.0), QString("has no such limit"));
 }
 
 void StabilityWatchTest::wordsSayWhatBoundsTheStep()
