@@ -5758,34 +5758,6 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>Einpassen</translation>
     </message>
     <message>
-        <source>Other:</source>
-        <translation>Andere:</translation>
-    </message>
-    <message>
-        <source>px</source>
-        <translation>px</translation>
-    </message>
-    <message>
-        <source>frames</source>
-        <translation>Bilder</translation>
-    </message>
-    <message>
-        <source>From 1e-13 to 100 px; Enter takes it</source>
-        <translation>Von 1e-13 bis 100 px; Eingabe übernimmt</translation>
-    </message>
-    <message>
-        <source>1 divided by a whole number, or a whole number, in frames; Enter takes it</source>
-        <translation>1 geteilt durch eine ganze Zahl oder eine ganze Zahl, in Bildern; Eingabe übernimmt</translation>
-    </message>
-    <message>
-        <source>Other tolerance, in px</source>
-        <translation>Andere Toleranz, in px</translation>
-    </message>
-    <message>
-        <source>Other step, in frames</source>
-        <translation>Anderer Zeitschritt, in Bildern</translation>
-    </message>
-    <message>
         <source>The error that each of the method&apos;s own steps may make</source>
         <translation>Der Fehler, den jeder eigene Zeitschritt des Verfahrens machen darf</translation>
     </message>
@@ -6218,6 +6190,37 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>&lt;b&gt;Space&lt;/b&gt; plays, &lt;b&gt;→&lt;/b&gt; next frame, &lt;b&gt;Shift+→&lt;/b&gt; into the frame. Drag anything.</source>
         <translation>&lt;b&gt;Leertaste&lt;/b&gt; spielt ab, &lt;b&gt;→&lt;/b&gt; nächstes Bild, &lt;b&gt;Umschalt+→&lt;/b&gt; ins Bild. Zieh an etwas.</translation>
+    </message>
+</context>
+<context>
+    <name>app::StepMenu</name>
+    <message>
+        <source>Other:</source>
+        <translation>Andere:</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source>frames</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>From 1e-13 to 100 px; Enter takes it</source>
+        <translation>Von 1e-13 bis 100 px; Eingabe übernimmt</translation>
+    </message>
+    <message>
+        <source>1 divided by a whole number, or a whole number, in frames; Enter takes it</source>
+        <translation>1 geteilt durch eine ganze Zahl oder eine ganze Zahl, in Bildern; Eingabe übernimmt</translation>
+    </message>
+    <message>
+        <source>Other tolerance, in px</source>
+        <translation>Andere Toleranz, in px</translation>
+    </message>
+    <message>
+        <source>Other step, in frames</source>
+        <translation>Anderer Zeitschritt, in Bildern</translation>
     </message>
 </context>
 <context>

@@ -5,14 +5,11 @@
 
 #include <QWidget>
 
-class QLabel;
-class QLineEdit;
-class QMenu;
-
 namespace app {
 
 class FlatButton;
 class SceneView;
+class StepMenu;
 
 /// The bar above the scene: method, step, what is shown, zoom. 36 px high.
 class SceneBar : public QWidget
@@ -47,12 +44,6 @@ protected:
 private:
     FlatButton *button(const QString &tip);
     void fillMethods();
-    void fillSteps();
-    /// Offers what the method in use takes: steps, or tolerances.
-    void offerSteps();
-    void addOtherStep();
-    void takeOtherStep();
-    bool isAdaptive() const;
     void fillShow();
     void showValues();
     void showZoom(double percent);
@@ -70,10 +61,7 @@ private:
     FlatButton *m_fit;
     int m_toolsWidth = 0; ///< px, of all buttons that were added
     QWidget *m_middle = nullptr;
-    QMenu *m_steps = nullptr;
-    QLineEdit *m_other = nullptr;
-    QLabel *m_unit = nullptr; ///< of what is typed there
-    QLabel *m_why = nullptr;  ///< why a typed step was refused
+    StepMenu *m_steps = nullptr;
 };
 
 }

@@ -1,0 +1,132 @@
+#include "app/ui/scene/step_menu.h"
+
+#include "app/model/sentences.h"
+#include "app/model/step_words.h"
+#include "sim/error.h"
+
+#include <QActionGroup>
+#include <QGridLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QWidgetAction>
+
+#include <array>
+#include <cmath>
+
+namespace app {
+
+namespace {
+
+const std::array offeredSteps{1.0 / 64, 1.0 / 32, 1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0, 2.0};
+const std::array offeredTolerances{1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8};
+
+constexpr const char *tolerance = "tolerance"; ///< property of entries: whether they are tolerances
+
+/// Keeps Return to itself: in a menu it would trigger an entry besides the field that it was typed in.
+class FieldRow : public QWidget
+{
+protected:
+    void keyPressEvent(QKeyEvent *event) override
+    {
+        const bool isReturn = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+        event->setAccepted(isReturn);
+    }
+};
+
+}
+
+StepMenu::StepMenu(Session &session, QWidget *parent) : QMenu(parent), m_session(session)
+{
+    auto *group = new QActionGroup(this);
+    group->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
+    const auto offer = [&](const QString &text, double value, bool isTolerance) {
+        QAction *action = addAction(text);
+        action->setCheckable(true);
+        action->setData(value);
+        action->setProperty(tolerance, isTolerance);
+        group->addAction(action);
+    };
+    for (const double h : offeredSteps)
+        offer(stepTitle(h), h, false);
+    for (const double px : offeredTolerances)
+        offer(toleranceTitle(px), px, true);
+    connect(group, &QActionGroup::triggered, this, [this](QAction *action) {
+        const double value = action->data().toDouble();
+        isAdaptive() ? m_session.setTolerance(value) : m_session.setStepSize(value);
+        emit chosen();
+    });
+    addSeparator();
+    addOther();
+    connect(this, &QMenu::aboutToShow, m_why, &QWidget::hide);
+}
+
+void StepMenu::addOther()
+{
+    auto *content = new FieldRow;
+    auto *label = new QLabel(tr("Other:"), content);
+    m_other = new QLineEdit(content);
+    m_other->setFixedWidth(72);
+    m_unit = new QLabel(content);
+    label->setBuddy(m_other);
+    content->setFocusPolicy(Qt::StrongFocus); // the menu gives it the focus when its keys come there
+    content->setFocusProxy(m_other);
+    m_why = new QLabel(content);
+    m_why->setObjectName("caption");
+    m_why->setWordWrap(true);
+    m_why->setFixedWidth(180);
+    m_why->hide();
+    auto *grid = new QGridLayout(content);
+    grid->setContentsMargins(10, 4, 10, 4);
+    grid->addWidget(label, 0, 0);
+    grid->addWidget(m_other, 0, 1);
+    grid->addWidget(m_unit, 0, 2);
+    grid->addWidget(m_why, 1, 0, 1, 3);
+    auto *action = new QWidgetAction(this);
+    action->setDefaultWidget(content);
+    addAction(action);
+    connect(m_other, &QLineEdit::returnPressed, this, &StepMenu::takeOther);
+}
+
+bool StepMenu::isAdaptive() const
+{
+    return m_session.timeline().script().step.adaptive();
+}
+
+void StepMenu::follow()
+{
+    const sim::StepSize &step = m_session.timeline().script().step;
+    const bool adaptive = step.adaptive();
+    const double value = adaptive ? step.tolerance : step.h;
+    for (QAction *action : actions()) {
+        if (!action->isCheckable())
+            continue;
+        const bool fits = action->property(tolerance).toBool() == adaptive;
+        action->setVisible(fits);
+        action->setChecked(fits && std::abs(action->data().toDouble() / value - 1.0) < 1e-9);
+    }
+    m_unit->setText(adaptive ? tr("px") : tr("frames"));
+    m_other->setPlaceholderText(adaptive ? QStringLiteral("5e-3") : QStringLiteral("1/6"));
+    m_other->setToolTip(
+        adaptive ? tr("From 1e-13 to 100 px; Enter takes it")
+                 : tr("1 divided by a whole number, or a whole number, in frames; Enter takes it"));
+    m_other->setAccessibleName(adaptive ? tr("Other tolerance, in px") : tr("Other step, in frames"));
+}
+
+void StepMenu::takeOther()
+{
+    const double typed = stepFromText(m_other->text());
+    const bool adaptive = isAdaptive();
+    try {
+        adaptive ? sim::StepSize::within(typed) : sim::StepSize::of(typed);
+    } catch (const sim::Error &error) {
+        m_why->setText(sentenceFor(error));
+        m_why->show();
+        adjustSize();
+        return;
+    }
+    close();
+    adaptive ? m_session.setTolerance(typed) : m_session.setStepSize(typed);
+}
+
+}
