@@ -33,7 +33,8 @@ WordCard::WordCard(const Glossary &glossary, const Theme &theme, QWidget *parent
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(margin, 12, margin, 12);
     column->setSpacing(4);
-    column->setSizeConstraint(QLayout::SetNoConstraint); // as high as its text at this width, not at a narrower one
+    // As high as its text at this width, not at a narrower one.
+    column->setSizeConstraint(QLayout::SetNoConstraint);
     column->addWidget(m_name);
     column->addWidget(m_text);
     setFocusProxy(m_text);
