@@ -14,7 +14,7 @@ constexpr double captionMargin = 20.0;
 constexpr double captionTop = 12.0;
 constexpr double belowCaption = 9.0;
 constexpr double besideWall = 12.0;
-constexpr double captionShift = 120.0; ///< the farthest that a wall moves the caption
+constexpr double captionShift = 120.0; ///< the farthest that a wall moves a caption of several lines
 constexpr double bottomRoom = 36.0;
 constexpr double edge = 8.0;
 constexpr double nameHeight = 20.0;
@@ -35,8 +35,12 @@ QRectF captionBox(const Shown &shown, const Camera &camera, QRectF view)
     double x = captionMargin;
     if (const std::optional<sim::Room> &room = shown.look().room) {
         const double wall = camera.at({room->left, room->floor}).x();
-        if (wall > captionMargin - besideWall && wall < captionShift)
-            x = std::round(wall + besideWall); // no line runs through the words
+        const double wide = QFontMetricsF(shown.text).horizontalAdvance(shown.caption);
+        const double beside = std::round(wall + besideWall);
+        const bool crosses =
+            wall < captionMargin + wide && beside + wide + captionMargin <= view.width(); // and fits there
+        if (wall > captionMargin - besideWall && (wall < captionShift || crosses))
+            x = beside; // no line runs through the words
     }
     return {x, captionTop, view.width() - x - captionMargin, captionHeight(shown, view)};
 }
