@@ -59,8 +59,9 @@ void StabilityLook::read()
 {
     m_reads = true;
     const sim::Timeline &shown = m_session.shown();
-    m_pool.start([this, script = shown.script(), segment = shown.track().next(), state = shown.now(),
-                  at = shown.at()] {
+    std::shared_ptr<const sim::Segment> segment;
+    const sim::State state = shown.track().preview(segment); // both of the row to come
+    m_pool.start([this, script = shown.script(), segment, state, at = shown.at()] {
         QElapsedTimer clock;
         clock.start();
         auto reading = std::make_shared<const StabilityReading>(readStability(script, segment, state));

@@ -65,9 +65,9 @@ StabilityWatch::~StabilityWatch()
 StabilityWatch::Subject StabilityWatch::subject() const
 {
     const sim::Track &track = m_session.timeline().track();
-    std::shared_ptr<const sim::Segment> segment = track.next();
-    sim::State state =
-        m_session.timeline().hasPending() ? track.preview(segment) : m_session.timeline().now();
+    std::shared_ptr<const sim::Segment>
+        segment; // of the row to come: its input may change how many points there are
+    sim::State state = track.preview(segment);
     return {m_session.timeline().script(), std::move(segment), std::move(state),
             m_session.timeline().at().frame};
 }

@@ -59,6 +59,7 @@ class StabilityWatchTest : public QObject
 private slots:
     void initTestCase();
     void theReadingFollowsTheSession();
+    void whatWasComputedLaterChangesNoReading();
     void aBurstOfChangesGivesFewReadingsAndTheLastIsRight();
     void nothingIsReadWhileNothingChanges();
     void remediesAreLookedForOnlyWhereSomebodyReads();
@@ -101,6 +102,27 @@ void StabilityWatchTest::theReadingFollowsTheSession()
     bench.session.setStepSize(1.0);
     bench.session.setMethod("semi_implicit_euler");
     QCOMPARE(nearnessOf(bench.settled().stability), Nearness::far);
+}
+
+/// The row to come has more points than the moment itself.
+void StabilityWatchTest::whatWasComputedLaterChangesNoReading()
+{
+    Bench pending("walking_gait", "company"), computed("walking_gait", "company");
+    const auto go = [](Bench &bench, std::int64_t frame) {
+        bench.session.goTo({frame, 0});
+        QTRY_VERIFY(!bench.session.goingTo());
+    };
+    for (Bench *one : {&pending, &computed}) {
+        go(*one, 20);
+        one->session.setParameter("creatures", 5);
+    }
+    go(computed, 30);
+    go(computed, 20);
+    const StabilityReading &a = pending.settled(), &b = computed.settled();
+    QVERIFY(b.segment->scene.start.points() > computed.session.timeline().now().points());
+    QCOMPARE(b.segment->scene.start.points(), a.segment->scene.start.points());
+    QCOMPARE(b.stability.stiffness, a.stability.stiffness);
+    QCOMPARE(b.stability.limit, a.stability.limit);
 }
 
 void StabilityWatchTest::aBurstOfChangesGivesFewReadingsAndTheLastIsRight()
