@@ -1,4 +1,5 @@
-// Whatever is pressed, dragged and typed in the window, it goes on, and its run is the one that its file tells.
+// Whatever is pressed, dragged and typed in the window, it goes on, and its run is the one that its file tells. By hand with
+// other seeds, and more deeds in each place: SPRINGSTEP_SEED=3260 SPRINGSTEP_HAND_DEEDS=600.
 
 #include "quick_bench.h"
 #include "random_hand.h"
