@@ -225,16 +225,32 @@ void TestTime::whilePlayingThePhaseStripIsNotPainted()
 void TestTime::onlyThePhaseThatJustRanIsAmber()
 {
     TimeBench bench;
-    bench.goTo(41);
     const PhaseStrip &phases = bench.strip->phases();
-    for (int done = 0; done < phases.count(); ++done) {
+    const auto amber = [&] { // -1: none
+        int found = -1;
         const QImage image = bench.strip->grab().toImage();
         for (int i = 0; i < phases.count(); ++i) {
             const QPoint underName(qRound(phases.areaOf(i).center().x()), 85);
-            QCOMPARE(image.pixelColor(underName) == bench.theme.tokens().now, i == done - 1);
+            if (image.pixelColor(underName) == bench.theme.tokens().now)
+                found = found < 0 ? i : phases.count(); // more than one is wrong, too
         }
+        return found;
+    };
+    QCOMPARE(amber(), -1); // before the first frame nothing has run
+    bench.goTo(41);
+    const int last = phases.count() - 1;
+    QCOMPARE(amber(), last); // the frame just done ended with it
+    for (int done = 0; done <= last; ++done) {
         bench.session.phaseForward();
+        QCOMPARE(amber(), done);
     }
+    QCOMPARE(bench.at(), (sim::Cursor{42, 0})); // what files and commands call this moment
+    bench.session.phaseForward();
+    QCOMPARE(amber(), 0);
+    bench.session.phaseBack();
+    QCOMPARE(amber(), last);
+    bench.session.play();
+    QCOMPARE(amber(), -1);
 }
 
 void TestTime::namesThatDoNotFitBecomeMarks()

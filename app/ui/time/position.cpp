@@ -31,6 +31,18 @@ Position positionOf(const sim::Timeline &timeline)
     return position;
 }
 
+Position endOf(const sim::Timeline &timeline)
+{
+    const sim::Pipeline &pipeline = timeline.track().shown().pipeline;
+    Position position;
+    position.frame = timeline.at().frame;
+    position.steps = pipeline.step.perRow;
+    position.step = position.steps - 1;
+    position.phases = pipeline.phasesPerStep();
+    position.done = position.phases;
+    return position;
+}
+
 QString stepOf(const Position &position)
 {
     if (position.steps == 1)

@@ -23,6 +23,9 @@ struct Position
 };
 
 Position positionOf(const sim::Timeline &timeline);
+/// Returns the last step of the frame just done, with all of its phases done. The run must stand between two frames, after
+/// frame 0.
+Position endOf(const sim::Timeline &timeline);
 
 /// "2 of 5 phases done", with the step before it if a row has several; empty between two frames.
 QString progressOf(const Position &position);

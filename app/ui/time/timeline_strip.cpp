@@ -94,10 +94,24 @@ void TimelineStrip::refresh()
 
 void TimelineStrip::readPhases()
 {
-    m_position = positionOf(m_session.timeline());
-    m_segment = m_session.timeline().track().next();
-    m_phases.setContent(*m_segment, m_position);
+    const sim::Timeline &timeline = m_session.timeline();
+    m_position = positionOf(timeline);
+    m_showsEnd = showsEnd();
+    m_segment = phasesShown();
+    m_phases.setContent(*m_segment, m_showsEnd ? endOf(timeline) : m_position);
     m_phases.arrange(stripArea(m_axis), m_theme);
+}
+
+bool TimelineStrip::showsEnd() const
+{
+    const sim::Cursor at = m_session.timeline().at();
+    return !m_session.isPlaying() && at.phase == 0 && at.frame > 0;
+}
+
+std::shared_ptr<const sim::Segment> TimelineStrip::phasesShown() const
+{
+    const sim::Track &track = m_session.timeline().track();
+    return showsEnd() ? track.shownPtr() : track.next();
 }
 
 void TimelineStrip::follow()
@@ -108,7 +122,7 @@ void TimelineStrip::follow()
     const bool grown = coverRun();
     Position now = positionOf(m_session.timeline());
     const bool samePhases =
-        m_segment == m_session.timeline().track().next() && !before.isInside() && !now.isInside();
+        m_segment == phasesShown() && m_showsEnd == showsEnd() && !before.isInside() && !now.isInside();
     if (grown || !samePhases) {
         readPhases();
         update();

@@ -66,6 +66,9 @@ private:
     /// Reads where the cursor is, and repaints what that changes.
     void follow();
     void readPhases();
+    /// Whether the strip shows all phases of the frame just done: while the run stands at its end.
+    bool showsEnd() const;
+    std::shared_ptr<const sim::Segment> phasesShown() const;
     bool coverRun();
     /// The fork whose mark is at a place, away from the old run's dots; null if none is.
     const Fork *forkAt(const QPointF &place) const;
@@ -91,9 +94,10 @@ private:
     RunView m_view;
     Position m_position;
     std::shared_ptr<const sim::Segment> m_segment; ///< whose phases are shown
-    int m_hovered = -1;                            ///< the phase that the mouse is on
-    std::optional<std::int64_t> m_pointed;         ///< the frame that it is on
-    int m_marked = -1;                             ///< the phase that is marked elsewhere
+    bool m_showsEnd = false;
+    int m_hovered = -1;                    ///< the phase that the mouse is on
+    std::optional<std::int64_t> m_pointed; ///< the frame that it is on
+    int m_marked = -1;                     ///< the phase that is marked elsewhere
     Form m_form = Form::whole;
     int m_wheel = 0; ///< what is left of a notch
     bool m_scrubbing = false;
