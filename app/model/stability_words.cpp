@@ -144,7 +144,7 @@ QString gaugeWords(const StabilityReading &reading)
     case Bound::tolerance:
         return Text::tr("by its tolerance");
     case Bound::noSprings:
-        return Text::tr("nothing swings");
+        return Text::tr("no springs act");
     case Bound::unknown:
         return Text::tr("not known here");
     case Bound::tooLarge:
@@ -171,7 +171,7 @@ QString stabilityVerdict(const StabilityReading &reading)
         return Text::tr("<b>%1 keeps its own steps short enough.</b> Its tolerance, %2, bounds them.")
             .arg(method, stepTitle(reading.step));
     case Bound::noSprings:
-        return Text::tr("<b>Nothing swings here.</b> What acts has no stiffness, so no step is too long for "
+        return Text::tr("<b>No springs act here.</b> What acts has no stiffness, so no step is too long for "
                         "it.");
     case Bound::unknown:
         return Text::tr("<b>Not known here.</b> The pulls in this state are no finite numbers.");

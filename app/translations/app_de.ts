@@ -2992,8 +2992,8 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>durch seine Toleranz</translation>
     </message>
     <message>
-        <source>nothing swings</source>
-        <translation>nichts schwingt</translation>
+        <source>no springs act</source>
+        <translation>keine Feder wirkt</translation>
     </message>
     <message>
         <source>not known here</source>
@@ -3024,8 +3024,8 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>&lt;b&gt;„%1“ hält seine Zeitschritte selbst kurz genug.&lt;/b&gt; Seine Toleranz, %2, begrenzt sie.</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Nothing swings here.&lt;/b&gt; What acts has no stiffness, so no step is too long for it.</source>
-        <translation>&lt;b&gt;Hier schwingt nichts.&lt;/b&gt; Was wirkt, hat keine Steifigkeit, also ist kein Zeitschritt dafür zu lang.</translation>
+        <source>&lt;b&gt;No springs act here.&lt;/b&gt; What acts has no stiffness, so no step is too long for it.</source>
+        <translation>&lt;b&gt;Hier wirkt keine Feder.&lt;/b&gt; Was wirkt, hat keine Steifigkeit, also ist kein Zeitschritt dafür zu lang.</translation>
     </message>
     <message>
         <source>&lt;b&gt;Not known here.&lt;/b&gt; The pulls in this state are no finite numbers.</source>
@@ -6110,8 +6110,8 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>Für diesen Schritt gibt es keine Karte: Er hat keine Steifigkeit k, die man ändern könnte.</translation>
     </message>
     <message>
-        <source>There is no map here: nothing swings, so any stiffness and any step hold.</source>
-        <translation>Hier gibt es keine Karte: Nichts schwingt, also hält jede Steifigkeit und jeder Zeitschritt.</translation>
+        <source>There is no map here: no springs act, so any stiffness and any step hold.</source>
+        <translation>Hier gibt es keine Karte: Es wirkt keine Feder, also hält jede Steifigkeit und jeder Zeitschritt.</translation>
     </message>
     <message>
         <source>There is no map for this method: no stiffness is too much for its step.</source>

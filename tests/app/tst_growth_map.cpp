@@ -197,10 +197,10 @@ void GrowthMapTest::whereThereIsNoMapItSaysSo_data()
                                   << "list"
                                   << "published"
                                   << "it has no stiffness k";
-    QTest::newRow("nothing swings") << "single_spring"
-                                    << "drag"
-                                    << "published"
-                                    << "nothing swings";
+    QTest::newRow("no springs") << "single_spring"
+                                << "drag"
+                                << "published"
+                                << "no springs act";
     QTest::newRow("no limit") << "two_body"
                               << "mutual"
                               << "backward_euler"

@@ -197,6 +197,10 @@ private slots:
         bench.build();
         bench.session().goTo({12, 0});
         QVERIFY(bench.panel().hint().contains("frame 12"));
+        bench.session().play();
+        QVERIFY(bench.panel().hint().startsWith("The scene plays"));
+        bench.session().pause();
+        QVERIFY2(!bench.panel().hint().startsWith("The scene plays"), qPrintable(bench.panel().hint()));
         const std::size_t points = bench.plan().points.size();
         bench.key(Qt::Key_P);
         bench.click({100, 100});

@@ -74,10 +74,12 @@ BuildPanel::BuildPanel(Session &session, Workbench &bench, const QList<QAction *
     connect(&bench, &Workbench::changed, this, &BuildPanel::refresh);
     connect(&session, &Session::stepOpened, this, &BuildPanel::refresh);
     connect(&session, &Session::runChanged, this, &BuildPanel::refresh);
-    connect(&session, &Session::moved, this, [this] {
-        if (m_bench.isOpen() && !m_bench.canBuild())
-            refreshProperties(); // it says where the run is
-    });
+    for (const auto signal : {&Session::moved, &Session::playingChanged}) {
+        connect(&session, signal, this, [this] {
+            if (m_bench.isOpen() && !m_bench.canBuild())
+                refreshProperties(); // it says where the run is, and whether it plays
+        });
+    }
     refresh();
 }
 

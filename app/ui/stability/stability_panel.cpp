@@ -294,7 +294,7 @@ QString StabilityPanel::whyNoMap() const
     if (!m_watch.session().step().parameter(QStringLiteral("k")))
         return tr("There is no map for this step: it has no stiffness k to change.");
     if (m_watch.nothingSwings())
-        return tr("There is no map here: nothing swings, so any stiffness and any step hold.");
+        return tr("There is no map here: no springs act, so any stiffness and any step hold.");
     return tr("There is no map for this method: no stiffness is too much for its step.");
 }
 
