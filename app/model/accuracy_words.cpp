@@ -140,8 +140,6 @@ QString pixels(double px)
 
 QString duration(double ns)
 {
-    if (ns >= 1e6)
-        return Text::tr("%1\u2009ms").arg(roughNumber(ns / 1e6));
     return Text::tr("%1\u2009µs").arg(roughNumber(ns / 1e3));
 }
 

@@ -11,7 +11,7 @@ namespace app {
 
 /// "3.7\u2009px", "2.1·10⁻¹¹\u2009px".
 QString pixels(double px);
-/// Nanoseconds as "0.15\u2009µs" or "1.3\u2009ms".
+/// Returns nanoseconds in the unit of all times that are measured: "0.15\u2009µs", "1300\u2009µs".
 QString duration(double ns);
 /// "RK4, step 1/4 frame"; "Dormand–Prince 5(4), tolerance 0.05\u2009px".
 QString wayWords(const sim::Way &way);

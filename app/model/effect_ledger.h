@@ -17,7 +17,7 @@ public:
 
     void setWatched(bool watched);
     std::vector<EffectLine> lines() const;
-    /// "46\u2009ns a frame, ±2, measured now"; what is under way where nothing is known yet.
+    /// "0.0460\u2009µs a frame, ±0.0020, measured now"; what is under way where nothing is known yet.
     QString caption() const;
     const CostWatch &costs() const { return m_costs; }
     CostWatch &costs() { return m_costs; }

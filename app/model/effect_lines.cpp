@@ -20,26 +20,17 @@ struct Text
 
 constexpr QChar thin(0x2009);
 
-/// With as many digits as a learner can use: "0.77", "31.4", "1250".
-QString figure(double ns, int decimals)
+/// In µs, the unit of all times here, with as many digits as a learner can use: "0.0314", "7.922", "1250".
+QString figure(double ns)
 {
-    return fixedNumber(ns, ns >= 1000.0 ? 0 : decimals);
+    const double us = ns / 1e3;
+    return fixedNumber(us, us >= 1000.0 ? 0 : us >= 100.0 ? 1 : us >= 1.0 ? 3 : 4);
 }
 
-QString frameFigure(double ns)
-{
-    return figure(ns, 1);
-}
-
-/// "±0.3", "±219".
+/// "±0.0003", "±0.219".
 QString spreadFigure(double ns)
 {
-    return QChar(0x00B1) + fixedNumber(ns, ns >= 100.0 ? 0 : 1);
-}
-
-QString pointFigure(double ns)
-{
-    return figure(ns, ns >= 100.0 ? 1 : 2);
+    return QChar(0x00B1) + figure(ns);
 }
 
 /// What is no whole number, of a method that chooses its steps, has one digit more.
@@ -86,8 +77,8 @@ bool isIdle(const EffectFacts &facts, const std::string &id)
 
 QString savingWords(const QString &title, double ns, const sim::FrameCost &cost)
 {
-    return Text::tr("Without “%1” a frame would cost %2 ns in place of %3.")
-        .arg(title, frameFigure(std::max(0.0, cost.ns - ns)), frameFigure(cost.ns));
+    return Text::tr("Without “%1” a frame would cost %2\u2009µs in place of %3.")
+        .arg(title, figure(std::max(0.0, cost.ns - ns)), figure(cost.ns));
 }
 
 void fillActing(EffectLine &line, const Measured &cost, const EffectFacts &facts)
@@ -97,11 +88,11 @@ void fillActing(EffectLine &line, const Measured &cost, const EffectFacts &facts
         return;
     }
     line.ns = cost.ns;
-    line.frame = frameFigure(cost.ns);
+    line.frame = figure(cost.ns);
     line.spread = spreadFigure(cost.spread);
     line.points = fixedNumber(cost.points, 0);
     if (cost.points > 0)
-        line.point = pointFigure(cost.ns / cost.points);
+        line.point = figure(cost.ns / cost.points);
     if (cost.evaluations > 0.0)
         line.runs = runsOf(cost.evaluations);
     line.saving = savingWords(line.title, cost.ns, *facts.cost);
@@ -113,14 +104,14 @@ QString helpFor(const EffectLine &line, const std::string &purpose)
     if (!purpose.empty())
         help << phrase(purpose);
     if (!line.points.isEmpty()) {
-        help << Text::tr("%1 ns a frame, half of the rounds within %2.").arg(line.frame, line.spread);
+        help << Text::tr("%1\u2009µs a frame, half of the rounds within %2.").arg(line.frame, line.spread);
         help << Text::tr("Points that it works on: %1.").arg(line.points);
         help << (line.runs.isEmpty() ? Text::tr("The method works it out together with the move.")
                                      : Text::tr("A frame computes it %1.").arg(line.runs));
         help << line.saving;
     }
     if (line.role == EffectRole::idle)
-        help << Text::tr("As it is set it can change nothing, so no frame computes it: 0 ns.");
+        help << Text::tr("As it is set it can change nothing, so no frame computes it: 0\u2009µs.");
     if (line.role == EffectRole::off)
         help << Text::tr("Switched off: it costs nothing.");
     if (line.role == EffectRole::offered)
@@ -180,7 +171,7 @@ EffectLine restLine(const sim::FrameCost *cost)
     line.role = EffectRole::rest;
     const bool isKnown = cost && cost->rounds > 0;
     line.ns = isKnown ? cost->restNs : 0.0;
-    line.frame = isKnown ? frameFigure(cost->restNs) : QString(QChar(0x2026));
+    line.frame = isKnown ? figure(cost->restNs) : QString(QChar(0x2026));
     if (isKnown)
         line.spread = spreadFigure(cost->restSpread);
     line.help = line.title + '\n' +
@@ -228,10 +219,10 @@ std::optional<EffectLine> absentLine(const EffectFacts &facts, sim::Kind kind)
 QString EffectLine::spoken() const
 {
     if (role == EffectRole::absent)
-        return Text::tr("%1, %2 ns, %3").arg(title, frame, note);
+        return Text::tr("%1, %2\u2009µs, %3").arg(title, frame, note);
     const QString figures = ns == 0.0 && role == EffectRole::acts
                                 ? Text::tr("%1, not measured yet").arg(title)
-                                : Text::tr("%1, %2 ns a frame").arg(title, frame);
+                                : Text::tr("%1, %2\u2009µs a frame").arg(title, frame);
     if (role == EffectRole::rest)
         return figures;
     const QString state = isOn() ? Text::tr("on") : Text::tr("off");
@@ -267,9 +258,7 @@ std::vector<EffectLine> effectLines(const EffectFacts &facts)
 
 QString frameWords(const sim::FrameCost &cost)
 {
-    const int decimals = cost.ns < 10.0 || cost.spread < 0.5 ? 1 : 0;
-    return Text::tr("%1%2ns a frame, ±%3")
-        .arg(fixedNumber(cost.ns, decimals), thin, fixedNumber(cost.spread, decimals));
+    return Text::tr("%1%2µs a frame, ±%3").arg(figure(cost.ns), thin, figure(cost.spread));
 }
 
 }

@@ -27,9 +27,9 @@ struct EffectLine
     EffectRole role = EffectRole::acts;
     double ns = 0.0; ///< a frame; 0 where nothing was measured
     // As shown; empty where there is nothing to say.
-    QString frame;  ///< ns a frame
-    QString spread; ///< of that: "±0.3"
-    QString point;  ///< ns a frame for each of the points that it works on
+    QString frame;  ///< µs a frame
+    QString spread; ///< of that: "±0.0003"
+    QString point;  ///< µs a frame for each of the points that it works on
     QString points;
     QString runs;   ///< "×1"
     QString note;   ///< in place of those: "not in this scene"
@@ -37,7 +37,7 @@ struct EffectLine
 
     bool isListed() const { return role != EffectRole::rest && role != EffectRole::absent; }
     bool isOn() const { return role == EffectRole::acts || role == EffectRole::idle; }
-    /// "Springs, 31.4 ns a frame, on".
+    /// "Springs, 0.0314\u2009µs a frame, on".
     QString spoken() const;
 };
 
@@ -55,7 +55,7 @@ struct EffectFacts
 /// A line for each id that is listed, then for each that is offered, then the rest of the frame, then one for each kind that has absent effects.
 std::vector<EffectLine> effectLines(const EffectFacts &facts);
 
-/// "46\u2009ns a frame, ±2".
+/// "0.0460\u2009µs a frame, ±0.0020".
 QString frameWords(const sim::FrameCost &cost);
 
 }

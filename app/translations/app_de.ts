@@ -187,10 +187,6 @@
         <translation>%1&#x2009;px</translation>
     </message>
     <message>
-        <source>%1&#x2009;ms</source>
-        <translation>%1&#x2009;ms</translation>
-    </message>
-    <message>
         <source>%1&#x2009;µs</source>
         <translation>%1&#x2009;µs</translation>
     </message>
@@ -1218,12 +1214,12 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
 <context>
     <name>EffectLines</name>
     <message>
-        <source>Without “%1” a frame would cost %2 ns in place of %3.</source>
-        <translation>Ohne „%1“ würde ein Bild %2 ns statt %3 kosten.</translation>
+        <source>Without “%1” a frame would cost %2&#x2009;µs in place of %3.</source>
+        <translation>Ohne „%1“ würde ein Bild %2&#x2009;µs statt %3 kosten.</translation>
     </message>
     <message>
-        <source>%1 ns a frame, half of the rounds within %2.</source>
-        <translation>%1 ns pro Bild, die Hälfte der Durchgänge innerhalb von %2.</translation>
+        <source>%1&#x2009;µs a frame, half of the rounds within %2.</source>
+        <translation>%1&#x2009;µs pro Bild, die Hälfte der Durchgänge innerhalb von %2.</translation>
     </message>
     <message>
         <source>Points that it works on: %1.</source>
@@ -1238,8 +1234,8 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>Ein Bild berechnet ihn %1.</translation>
     </message>
     <message>
-        <source>As it is set it can change nothing, so no frame computes it: 0 ns.</source>
-        <translation>So, wie er eingestellt ist, kann er nichts ändern, also berechnet ihn kein Bild: 0 ns.</translation>
+        <source>As it is set it can change nothing, so no frame computes it: 0&#x2009;µs.</source>
+        <translation>So, wie er eingestellt ist, kann er nichts ändern, also berechnet ihn kein Bild: 0&#x2009;µs.</translation>
     </message>
     <message>
         <source>Switched off: it costs nothing.</source>
@@ -1282,16 +1278,16 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>Nicht in dieser Szene, also kostet es nichts und es gibt nichts zu schalten. In anderen Lektionen gibt es:</translation>
     </message>
     <message>
-        <source>%1, %2 ns, %3</source>
-        <translation>%1, %2 ns, %3</translation>
+        <source>%1, %2&#x2009;µs, %3</source>
+        <translation>%1, %2&#x2009;µs, %3</translation>
     </message>
     <message>
         <source>%1, not measured yet</source>
         <translation>%1, noch nicht gemessen</translation>
     </message>
     <message>
-        <source>%1, %2 ns a frame</source>
-        <translation>%1, %2 ns pro Bild</translation>
+        <source>%1, %2&#x2009;µs a frame</source>
+        <translation>%1, %2&#x2009;µs pro Bild</translation>
     </message>
     <message>
         <source>on</source>
@@ -1310,8 +1306,8 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>%1, %2</translation>
     </message>
     <message>
-        <source>%1%2ns a frame, ±%3</source>
-        <translation>%1%2ns pro Bild, ±%3</translation>
+        <source>%1%2µs a frame, ±%3</source>
+        <translation>%1%2µs pro Bild, ±%3</translation>
     </message>
     <message>
         <source>Not in this scene, so it costs nothing.</source>
@@ -3777,16 +3773,16 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <translation>Was in dieser Szene wirkt, in der Reihenfolge, in der es läuft.</translation>
     </message>
     <message>
-        <source>ns a frame</source>
-        <translation>ns/Bild</translation>
+        <source>µs a frame</source>
+        <translation>µs/Bild</translation>
     </message>
     <message>
-        <source>Nanoseconds, billionths of a second, that each frame of the run spends on it. ± is how far half of the rounds are apart.</source>
-        <translation>Nanosekunden, milliardstel Sekunden, die jedes Bild des Laufs dafür braucht. ± sagt, wie weit die Hälfte der Durchgänge auseinanderliegt.</translation>
+        <source>Microseconds, millionths of a second, that each frame of the run spends on it. ± is how far half of the rounds are apart.</source>
+        <translation>Mikrosekunden, millionstel Sekunden, die jedes Bild des Laufs dafür braucht. ± sagt, wie weit die Hälfte der Durchgänge auseinanderliegt.</translation>
     </message>
     <message>
-        <source>ns a point</source>
-        <translation>ns/Punkt</translation>
+        <source>µs a point</source>
+        <translation>µs/Punkt</translation>
     </message>
     <message>
         <source>The same for each point that it works on.</source>

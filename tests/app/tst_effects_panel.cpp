@@ -18,15 +18,15 @@ private slots:
         Bench bench;
         const EffectLine spring = bench.line("body_spring");
         QCOMPARE(spring.title, "Spring");
-        QCOMPARE(spring.frame, "31.4");
-        QCOMPARE(spring.spread, "±0.3");
-        QCOMPARE(spring.point, "5.23"); // 31.4 / 6
+        QCOMPARE(spring.frame, "0.0314");
+        QCOMPARE(spring.spread, "±0.0003");
+        QCOMPARE(spring.point, "0.0052"); // 31.4 ns / 6
         QCOMPARE(spring.points, "6");
         QCOMPARE(spring.runs, "×1");
-        QCOMPARE(spring.saving, "Without “Spring” a frame would cost 14.6 ns in place of 46.0.");
-        QCOMPARE(bench.line("damping").point, "0.77");
-        QCOMPARE(bench.line("rest").frame, "10.0");
-        QCOMPARE(bench.panel.caption(), "46\u2009ns a frame, ±2, measured now");
+        QCOMPARE(spring.saving, "Without “Spring” a frame would cost 0.0146\u2009µs in place of 0.0460.");
+        QCOMPARE(bench.line("damping").point, "0.0008");
+        QCOMPARE(bench.line("rest").frame, "0.0100");
+        QCOMPARE(bench.panel.caption(), "0.0460\u2009µs a frame, ±0.0020, measured now");
         QCOMPARE(bench.panel.remark(), spring.saving); // of the costliest one
     }
 
@@ -38,21 +38,27 @@ private slots:
         QTest::addColumn<QString>("frame");
         QTest::addColumn<QString>("point");
         QTest::addColumn<QString>("runs");
-        QTest::newRow("small") << 0.04 << 1 << 1.0 << "0.0"
-                               << "0.04"
+        QTest::newRow("small") << 0.04 << 1 << 1.0 << "0.0000"
+                               << "0.0000"
                                << "×1";
-        QTest::newRow("a thousand") << 1249.6 << 2 << 4.0 << "1250"
-                                    << "624.8"
+        QTest::newRow("a thousand") << 1249.6 << 2 << 4.0 << "1.250"
+                                    << "0.6248"
                                     << "×4";
-        QTest::newRow("below a thousand") << 999.0 << 10 << 6.0 << "999.0"
-                                          << "99.90"
+        QTest::newRow("below a thousand") << 999.0 << 10 << 6.0 << "0.9990"
+                                          << "0.0999"
                                           << "×6";
-        QTest::newRow("a method that chooses its steps") << 80.0 << 4 << 13.37 << "80.0"
-                                                         << "20.00"
+        QTest::newRow("a method that chooses its steps") << 80.0 << 4 << 13.37 << "0.0800"
+                                                         << "0.0200"
                                                          << "×13.4";
-        QTest::newRow("worked out with the move") << 80.0 << 4 << 0.0 << "80.0"
-                                                  << "20.00" << QString();
-        QTest::newRow("no point") << 5.0 << 0 << 1.0 << "5.0" << QString() << "×1";
+        QTest::newRow("worked out with the move") << 80.0 << 4 << 0.0 << "0.0800"
+                                                  << "0.0200" << QString();
+        QTest::newRow("more than a millisecond") << 1249600.0 << 2 << 4.0 << "1250"
+                                                 << "624.8"
+                                                 << "×4";
+        QTest::newRow("a hundred") << 123456.0 << 1 << 1.0 << "123.5"
+                                   << "123.5"
+                                   << "×1";
+        QTest::newRow("no point") << 5.0 << 0 << 1.0 << "0.0050" << QString() << "×1";
     }
 
     void figuresAreRoundedToWhatCanBeRead()
@@ -88,9 +94,9 @@ private slots:
         facts.cost = &cost;
         const std::vector<EffectLine> lines = effectLines(facts);
         QCOMPARE(lines.size(), std::size_t(2)); // and the rest
-        QCOMPARE(lines[0].frame, "10.0");
+        QCOMPARE(lines[0].frame, "0.0100");
         QCOMPARE(lines[0].points, "10");
-        QCOMPARE(lines[0].spread, "±0.5"); // 0.3 and 0.4 that know nothing of each other
+        QCOMPARE(lines[0].spread, "±0.0005"); // 0.3 and 0.4 that know nothing of each other
     }
 
     void aSwitchTakesItOutOfPipelineCodeAndPicture_data()
@@ -127,7 +133,7 @@ private slots:
         QCOMPARE(bench.line("body_spring").role, EffectRole::off);
         QCOMPARE(bench.line("body_spring").frame, "0");
         QVERIFY(bench.settle());
-        QCOMPARE(bench.line("damping").frame, "4.6");
+        QCOMPARE(bench.line("damping").frame, "0.0046");
         press();
         QVERIFY(bench.run().script().effectsOff.empty());
         QVERIFY(bench.hasPhase("body_spring") && bench.showsSource(springFile));
@@ -198,7 +204,7 @@ private slots:
         bench.session().setParameter("gravity", 0.5);
         QVERIFY(bench.settle());
         QCOMPARE(bench.line("gravity").role, EffectRole::acts);
-        QCOMPARE(bench.line("gravity").frame, "4.6");
+        QCOMPARE(bench.line("gravity").frame, "0.0046");
     }
 
     void whatOtherLessonsKnowIsGreyed()
@@ -233,11 +239,11 @@ private slots:
         const auto spoken = [&](const QString &id) {
             return bench.index(id).data(Qt::AccessibleTextRole).toString();
         };
-        QCOMPARE(spoken("body_spring"), "Spring, 31.4 ns a frame, on");
-        QCOMPARE(spoken("gravity"), "Gravity, 0 ns a frame, on, changes nothing here");
-        QCOMPARE(spoken("rest"), "Rest of the frame, 10.0 ns a frame");
+        QCOMPARE(spoken("body_spring"), "Spring, 0.0314\u2009µs a frame, on");
+        QCOMPARE(spoken("gravity"), "Gravity, 0\u2009µs a frame, on, changes nothing here");
+        QCOMPARE(spoken("rest"), "Rest of the frame, 0.0100\u2009µs a frame");
         bench.clickSwitch("damping");
-        QCOMPARE(spoken("damping"), "Damping, 0 ns a frame, off");
+        QCOMPARE(spoken("damping"), "Damping, 0\u2009µs a frame, off");
         QVERIFY(!bench.panel.list().accessibleName().isEmpty());
         for (int row = 0; row < bench.panel.list().lines().rowCount(); ++row)
             QVERIFY(!bench.panel.list().lines().index(row).data(Qt::ToolTipRole).toString().isEmpty());

@@ -23,11 +23,11 @@ std::vector<Head> headsFor(double width)
     std::vector<Head> heads = {
         {c.name, c.name + c.nameWidth, Qt::AlignLeft, EffectHeads::tr("Effect"),
          EffectHeads::tr("What acts in this scene, in the order in which it runs.")},
-        {c.frameRight - 74.0, c.frameRight, Qt::AlignRight, EffectHeads::tr("ns a frame"),
+        {c.frameRight - 74.0, c.frameRight, Qt::AlignRight, EffectHeads::tr("µs a frame"),
          EffectHeads::tr(
-             "Nanoseconds, billionths of a second, that each frame of the run spends on it. ± is how "
+             "Microseconds, millionths of a second, that each frame of the run spends on it. ± is how "
              "far half of the rounds are apart.")},
-        {c.pointRight - 64.0, c.pointRight, Qt::AlignRight, EffectHeads::tr("ns a point"),
+        {c.pointRight - 64.0, c.pointRight, Qt::AlignRight, EffectHeads::tr("µs a point"),
          EffectHeads::tr("The same for each point that it works on.")},
         {c.runsRight - 40.0, c.runsRight, Qt::AlignRight, EffectHeads::tr("runs"),
          EffectHeads::tr("How often a frame computes it: some methods look several times.")},

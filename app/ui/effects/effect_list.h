@@ -48,7 +48,7 @@ struct EffectColumns
 
     double name = 0.0, nameWidth = 0.0;
     double bar = 0.0, barWidth = 0.0;
-    double frameRight = 0.0; ///< right end of "ns a frame"; what it is off by stands right of it
+    double frameRight = 0.0; ///< right end of "µs a frame"; what it is off by stands right of it
     double pointRight = 0.0;
     double pointsRight = 0.0;
     double runsRight = 0.0;
