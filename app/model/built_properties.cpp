@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <cmath>
 
 namespace app {
 
@@ -52,6 +53,11 @@ BuiltProperty propertyOf(const Named &named, Parts parts, Numbers numbers, Field
 /// A coordinate: what ties the points that it moves goes along, as it does when they are dragged.
 BuiltProperty placed(BuiltProperty coordinate)
 {
+    constexpr double noise = 1e-9; // px: what a drag leaves of rounding
+    coordinate.get = [get = coordinate.get](const sim::Blueprint &plan, const Chosen &chosen) {
+        const std::optional<double> value = get(plan, chosen);
+        return value && std::abs(*value) < noise ? std::optional(0.0) : value;
+    };
     coordinate.set = [set = coordinate.set](sim::Blueprint &plan, const Chosen &chosen, double value) {
         const sim::Blueprint before = plan;
         set(plan, chosen, value);

@@ -1,5 +1,8 @@
 #include "app/model/plot_list.h"
 
+#include "sim/error.h"
+#include "sim/track.h"
+
 #include <QSettings>
 
 #include <algorithm>
@@ -9,6 +12,26 @@ namespace app {
 namespace {
 
 const char *const key = "plots/list";
+
+constexpr int framesAhead = 90;           ///< of a run, to see how it moves
+constexpr std::int64_t mostWork = 20'000; ///< points times phases that are computed for that
+constexpr double mostAside = 0.05;        ///< of its way in x, for a body that moves in x alone
+
+/// Returns how wide the first body's way is in x and in y, over the first frames of `run`.
+sim::Vec2 wayOfFirst(sim::Track &run)
+{
+    sim::Vec2 low = run.now().at(0), high = low;
+    std::int64_t left = mostWork / run.now().points();
+    const auto goesOn = [&left] { return --left > 0; };
+    for (std::int64_t frame = run.rowFrames(); frame <= framesAhead && left > 0; frame += run.rowFrames()) {
+        if (!run.seek({frame, 0}, goesOn) || run.stop())
+            break;
+        const sim::Vec2 at = run.now().at(0);
+        low = {std::min(low.x, at.x), std::min(low.y, at.y)};
+        high = {std::max(high.x, at.x), std::max(high.y, at.y)};
+    }
+    return high - low;
+}
 
 bool isOfABody(const Quantity &quantity)
 {
@@ -53,11 +76,14 @@ PlotList::PlotList(QObject *parent) : QObject(parent)
     settings.endArray();
 }
 
-void PlotList::open(const sim::Scene &scene)
+void PlotList::open(const sim::Script &script)
 {
-    if (m_isChosen || (m_plots.size() == 1 && m_plots.front() == firstPlot(scene)))
+    if (m_isChosen)
         return;
-    m_plots = {firstPlot(scene)};
+    const PlotSpec first = firstPlot(script);
+    if (m_plots.size() == 1 && m_plots.front() == first)
+        return;
+    m_plots = {first};
     emit changed();
 }
 
@@ -126,9 +152,17 @@ PlotSpec unpinned(PlotSpec plot)
     return plot;
 }
 
-PlotSpec firstPlot(const sim::Scene &scene)
+PlotSpec firstPlot(const sim::Script &script)
 {
-    return {{scene.start.angle.rows() > 0 ? Measured::angle : Measured::placeY}, {}};
+    try {
+        sim::Track run(script, 0);
+        if (run.now().angle.rows() > 0)
+            return {{Measured::angle}, {}};
+        const sim::Vec2 way = wayOfFirst(run);
+        return {{way.y < mostAside * way.x ? Measured::placeX : Measured::placeY}, {}};
+    } catch (const sim::Error &) {
+        return {{Measured::placeY}, {}}; // the session says why it cannot run
+    }
 }
 
 }

@@ -35,8 +35,8 @@ public:
 
     const std::vector<PlotSpec> &plots() const { return m_plots; }
     bool isFull() const { return m_plots.size() >= most; }
-    /// Another step is open, with this scene.
-    void open(const sim::Scene &scene);
+    /// Another step is open, with this run.
+    void open(const sim::Script &script);
     void add(const PlotSpec &plot);
     void remove(std::size_t index);
     void change(std::size_t index, const PlotSpec &plot);
@@ -58,7 +58,8 @@ private:
 PlotSpec pinned(PlotSpec plot, const QString &selected);
 /// `plot` of whatever is selected.
 PlotSpec unpinned(PlotSpec plot);
-/// The plot of a scene that nobody has chosen one for: how far down the selected body is, or where it points.
-PlotSpec firstPlot(const sim::Scene &scene);
+/// Returns the plot of a run that nobody has chosen one for: where the first body points, if things turn there; else the
+/// coordinate in which it moves, y if in both or in none.
+PlotSpec firstPlot(const sim::Script &script);
 
 }

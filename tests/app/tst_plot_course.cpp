@@ -283,25 +283,51 @@ private slots:
         QVERIFY(bench.isRight());
     }
 
+    void theFirstPlotIsOfWhatMoves_data()
+    {
+        QTest::addColumn<double>("x");
+        QTest::addColumn<double>("y");
+        QTest::addColumn<QString>("shown");
+        // A point on a spring to (0, 0), which lets go of it at this place.
+        QTest::newRow("across") << 80.0 << 0.0 << "x";
+        QTest::newRow("down") << 0.0 << 80.0 << "y";
+        QTest::newRow("aslant") << 80.0 << 80.0 << "y";
+        QTest::newRow("at rest") << 0.0 << 0.0 << "y";
+    }
+    void theFirstPlotIsOfWhatMoves()
+    {
+        QFETCH(double, x);
+        QFETCH(double, y);
+        sim::Script script;
+        script.build = [x, y](const sim::Values &) {
+            sim::Scene scene = lessons::loneFoot();
+            scene.start.place(0, {x, y});
+            lessons::add<sim::PointSpring>(scene, 0, sim::Vec2{}, 0.2);
+            return scene;
+        };
+        script.method = sim::findMethod("semi_implicit_euler");
+        QTEST(idOf(firstPlot(script).up.what), "shown");
+    }
+
     void plotsAreKeptUntilTheyAreRemoved()
     {
-        const sim::Scene scene = Bench("pair").session.timeline().track().shown().scene;
+        const sim::Script script = Bench("pair").session.timeline().script();
         {
             PlotList list;
-            list.open(scene);
+            list.open(script);
             QCOMPARE(list.plots().size(), 1);
-            QCOMPARE(list.plots().front(), firstPlot(scene));
+            QCOMPARE(list.plots().front(), firstPlot(script));
         }
         {
             PlotList list; // nobody has chosen: nothing is kept
             QVERIFY(list.plots().empty());
-            list.open(scene);
+            list.open(script);
             list.add({{Measured::velocityY, "foot, \"5\"(x)"}, {Measured::distance, {}, "body"}});
             QCOMPARE(list.plots().size(), 2);
         }
         {
             PlotList list;
-            list.open(scene);
+            list.open(script);
             QCOMPARE(list.plots().size(), 2);
             QCOMPARE(list.plots()[1].up, (Quantity{Measured::velocityY, "foot, \"5\"(x)"}));
             QCOMPARE(list.plots()[1].across, (Quantity{Measured::distance, {}, "body"}));
@@ -309,10 +335,10 @@ private slots:
             list.remove(0);
         }
         PlotList list;
-        list.open(scene);
+        list.open(script);
         QVERIFY(list.plots().empty()); // so the learner wanted it
         for (int i = 0; i < 20; ++i)
-            list.add(firstPlot(scene));
+            list.add(firstPlot(script));
         QCOMPARE(list.plots().size(), PlotList::most);
     }
 

@@ -105,8 +105,8 @@ void PlotCard::refresh(const std::vector<double> &begun, const std::optional<Plo
         return;
     m_sinceValue.start();
     // Of a plot without time, both numbers take too much room here: the axes tell them.
-    m_value->setText(spec().isAgainstTime() && m_plot->emptyText().isEmpty() ? m_plot->valueText()
-                                                                             : QString());
+    const bool isShown = spec().isAgainstTime() && m_plot->emptyText().isEmpty();
+    m_value->setText(isShown ? m_plot->valueText() : QString(), m_plot->exactText());
 }
 
 /// Only where it changes: each time, all of the window is laid out anew.

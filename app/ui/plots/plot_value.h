@@ -22,8 +22,13 @@ public:
     }
 
     QString text() const { return m_text; }
-    void setText(const QString &text)
+    /// `exact`: the same number with what is rounding noise, for the tooltip.
+    void setText(const QString &text, const QString &exact)
     {
+        const QString what = tr("The number at the cursor");
+        const QString tip = exact.isEmpty() || exact == text ? what : what + '\n' + exact;
+        if (tip != toolTip())
+            setToolTip(tip);
         if (text == m_text)
             return;
         m_text = text;

@@ -96,7 +96,7 @@ QWidget *PlotsPanel::saving()
 
 void PlotsPanel::open()
 {
-    m_list.open(m_session.timeline().track().shown().scene);
+    m_list.open(m_session.timeline().script());
 }
 
 std::size_t PlotsPanel::indexOf(const PlotCard &card) const

@@ -21,8 +21,14 @@ constexpr double dash = 4.5;        ///< px
 constexpr double paleFuture = 0.35; ///< how much of its colour a curve has after the cursor
 const QMargins besideTime(54, 22, 14, 24);
 const QMargins besideQuantity(54, 22, 16, 42); ///< with a name below the axis
+constexpr double noise = 1e-12; ///< of the numbers on the axis: less than this is rounding, and shown as 0
 const char *const curveLayer = "curves";
 const char *const ghostLayer = "ghost"; ///< below it: the old run stays as it is where the cursor moves
+
+double withoutNoise(double value, const PlotRange &range)
+{
+    return std::abs(value) < noise * std::max(std::abs(range.low), std::abs(range.high)) ? 0.0 : value;
+}
 
 }
 
@@ -114,10 +120,15 @@ QString QuantityPlot::title() const
 
 QString QuantityPlot::readout(double up, double across) const
 {
-    const QString first = valueWords(up, unit(m_spec.up));
+    const QString first = valueWords(withoutNoise(up, m_upRange), unit(m_spec.up));
     if (m_spec.isAgainstTime())
         return first;
-    return tr("%1 at %2").arg(first, valueWords(across, unit(m_spec.across)));
+    return tr("%1 at %2").arg(first, valueWords(withoutNoise(across, m_acrossRange), unit(m_spec.across)));
+}
+
+QString QuantityPlot::exactText() const
+{
+    return valueText().isEmpty() ? QString() : valueWords(reading().up, unit(m_spec.up));
 }
 
 QString QuantityPlot::valueText() const

@@ -28,6 +28,8 @@ public:
     QString title() const override;
     /// The number at the cursor, also inside a frame, with its unit; of a plot against another quantity both.
     QString valueText() const;
+    /// The same where it is rounding noise, too, which valueText() shows as 0.
+    QString exactText() const;
     QString sentence() const override;
     /// What is said in place of a curve; empty where there is one.
     const QString &emptyText() const { return m_empty; }
