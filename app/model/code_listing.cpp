@@ -30,6 +30,56 @@ void append(std::vector<CodeLine> &lines, SourceBook &book, const sim::Region &r
         lines.push_back({line, QString::fromStdString(region.file)});
 }
 
+/// Whether a whole statement computes, decides or calls something. Signatures, braces and returns of what is named already
+/// do not.
+bool saysSomething(const QString &statement)
+{
+    static const QRegularExpression decides(QStringLiteral("^\\W*(else|if|for|while|switch)\\b|= \\["));
+    static const QRegularExpression plainReturn(QStringLiteral("^return( \\w+| ?\\{[\\w, ]*\\})?;$"));
+    return decides.match(statement).hasMatch() ||
+           (statement.endsWith(';') && !plainReturn.match(statement).hasMatch());
+}
+
+/// Marks the lines from `first` on that a learner need not read.
+void markQuiet(std::vector<CodeLine> &lines, std::size_t first, bool isPlumbing)
+{
+    QString statement;
+    for (std::size_t i = first, begin = first; i < lines.size(); ++i) {
+        const QString code = lines[i].code();
+        statement = (statement + ' ' + code).simplified();
+        if (!code.endsWith(';') && !code.endsWith('{') && !code.endsWith('}') && i + 1 < lines.size())
+            continue;
+        for (; begin <= i; ++begin) {
+            lines[begin].isPlumbing = isPlumbing;
+            lines[begin].isQuiet =
+                isPlumbing || (!lines[begin].code().isEmpty() && !saysSomething(statement));
+        }
+        statement.clear();
+    }
+}
+
+/// Whether `region` is about what the phase's effect does, and not about how the method adds that up.
+bool isOfEffect(const sim::Phase &phase, const sim::Region &region)
+{
+    if (!phase.effect)
+        return true;
+    for (const sim::Directions way : {sim::Directions::published, sim::Directions::apart}) {
+        const std::vector<sim::Region> own = phase.effect->regions(way);
+        if (std::find(own.begin(), own.end(), region) != own.end())
+            return true;
+    }
+    return false;
+}
+
+void appendPhase(std::vector<CodeLine> &lines, SourceBook &book, const sim::Phase &phase)
+{
+    for (const sim::Region &region : phase.regions) {
+        const std::size_t first = lines.size();
+        append(lines, book, region);
+        markQuiet(lines, first, !isOfEffect(phase, region));
+    }
+}
+
 bool groupsDiffer(const sim::Pipeline &pipeline, const std::vector<int> &phases, const sim::Phase &phase)
 {
     return std::none_of(phases.begin(), phases.end(), [&](int other) {
@@ -64,8 +114,7 @@ void appendPhases(CodeListing &listing, SourceBook &book, const sim::Pipeline &p
         section.title = QStringLiteral("%1 %2").arg(++number).arg(capitalised(phrase(phase.title)));
         section.kind = phase.kind;
         section.phases = {i};
-        for (const sim::Region &region : phase.regions)
-            append(section.lines, book, region);
+        appendPhase(section.lines, book, phase);
         listing.sections.push_back(std::move(section));
     }
 }

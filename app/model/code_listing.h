@@ -16,8 +16,10 @@ namespace app {
 struct CodeLine
 {
     SourceLine source;
-    QString file;       ///< from the project's top folder
-    bool isNew = false; ///< the step before does not have it
+    QString file;            ///< from the project's top folder
+    bool isNew = false;      ///< the step before does not have it
+    bool isPlumbing = false; ///< how the method adds up what an effect has computed: the same for all effects
+    bool isQuiet = false;    ///< it computes nothing of its own: plumbing, signatures, braces, plain returns
     friend bool operator==(const CodeLine &, const CodeLine &) = default;
 
     /// Without its comment and the spaces around it; empty for a line that is nothing else.

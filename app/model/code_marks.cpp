@@ -15,22 +15,31 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(CodeMarks)
 };
 
-/// Where a result without a value would be: the last statement.
-std::optional<std::size_t> lastStatement(const CodeSection &section)
+/// Returns the last line of `section` that `accepts`, if there is one.
+template <class Accepts>
+std::optional<std::size_t> lastLine(const CodeSection &section, Accepts &&accepts)
 {
     for (std::size_t i = section.lines.size(); i-- > 0;) {
-        if (section.lines[i].code().endsWith(';'))
+        if (accepts(section.lines[i]))
             return i;
     }
     return std::nullopt;
 }
 
+/// Returns the line that a phase is about: the formula of its last value. Where it has no value for the point, that is its
+/// last formula. How a method adds up forces is the same for all of them, and comes last.
 std::optional<std::size_t> resultOf(const CodeListing &listing, std::size_t section,
                                     const std::vector<CodeChip> &chips)
 {
-    const auto last = std::find_if(chips.rbegin(), chips.rend(),
-                                   [section](const CodeChip &chip) { return chip.section == section; });
-    return last != chips.rend() ? last->line : lastStatement(listing.sections[section]);
+    const CodeSection &its = listing.sections[section];
+    const auto isStatement = [](const CodeLine &line) { return line.code().endsWith(';'); };
+    for (auto chip = chips.rbegin(); chip != chips.rend(); ++chip) {
+        if (chip->section == section && !its.lines[chip->line].isQuiet)
+            return chip->line;
+    }
+    const auto formula =
+        lastLine(its, [&](const CodeLine &line) { return isStatement(line) && !line.isQuiet; });
+    return formula ? formula : lastLine(its, isStatement);
 }
 
 /// Which of a section's phases to speak of: the last one done, else the one that works on `point`, else the next.
@@ -98,11 +107,12 @@ std::vector<SectionMark> marksOf(const CodeListing &listing, const sim::Timeline
                                  const std::vector<CodeChip> &chips, int point)
 {
     std::vector<SectionMark> marks(listing.sections.size());
-    if (timeline.at().phase == 0)
+    if (timeline.at() == sim::Cursor{})
         return marks;
     const sim::Segment &segment = timeline.track().shown();
     const sim::Pipeline &pipeline = segment.pipeline;
-    const int last = (timeline.at().phase - 1) % pipeline.phasesPerStep();
+    const int done = timeline.at().phase > 0 ? timeline.at().phase : pipeline.phasesPerRow();
+    const int last = (done - 1) % pipeline.phasesPerStep();
     for (std::size_t i = 0; i < marks.size(); ++i) {
         const CodeSection &section = listing.sections[i];
         if (section.role != CodeSection::Role::phase)

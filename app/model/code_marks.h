@@ -23,7 +23,8 @@ struct SectionMark
     friend bool operator==(const SectionMark &, const SectionMark &) = default;
 };
 
-/// One mark per section. All are plain between two frames. `chips`: the values of `point`, by chipsOf().
+/// Returns one mark per section. At the end of a frame the frame's last phase is `now`, until the next step begins; all are
+/// plain before the first frame. `chips`: the values of `point`, by chipsOf().
 std::vector<SectionMark> marksOf(const CodeListing &listing, const sim::Timeline &timeline,
                                  const std::vector<CodeChip> &chips, int point);
 

@@ -122,24 +122,34 @@ std::pair<QString, QString> shownChange(const Value &before, const Value &after)
     return {shownValue(before, more), shownValue(after, more)};
 }
 
-CodeChip chipFor(std::size_t section, const Placed &placed, const sim::Phase &phase)
+/// Says the value in full, with its name and unit: also what is noise.
+QString tipFor(const sim::Live &live, const sim::Phase &phase)
 {
-    const QString name = QString::fromStdString(placed.live.name);
-    const QString its = unitOf(placed.live, phase);
+    const QString name = QString::fromStdString(live.name);
+    const QString its = unitOf(live, phase);
     const QString unit = its.isEmpty() ? QString() : QStringLiteral("\u2009") + its;
-    CodeChip chip{section, placed.line, {}, {}, {}};
-    if (placed.live.before && *placed.live.before != placed.live.value) {
-        const auto [before, after] = shownChange(*placed.live.before, placed.live.value);
+    if (live.before && *live.before != live.value) {
+        const auto [before, after] = shownChange(*live.before, live.value);
+        return Text::tr("%1: from %2 to %3%4").arg(name, before, after, unit);
+    }
+    const QString value = shownValue(live.value);
+    return live.before ? Text::tr("%1: %2%3, unchanged").arg(name, value, unit)
+                       : Text::tr("%1: %2%3").arg(name, value, unit);
+}
+
+CodeChip chipFor(std::size_t section, const Placed &placed, const sim::Phase &phase, double noise)
+{
+    CodeChip chip{section, placed.line, {}, {}, tipFor(placed.live, phase)};
+    const Value value = withoutNoise(placed.live.value, noise);
+    const Value was = placed.live.before ? withoutNoise(*placed.live.before, noise) : value;
+    if (was != value) {
+        const auto [before, after] = shownChange(was, value);
         chip.text = before + QStringLiteral(" → ") + after;
-        chip.shorter = {QStringLiteral("→ ") + after,
-                        QStringLiteral("→ ") + shownValue(placed.live.value, -1)};
-        chip.tip = Text::tr("%1: from %2 to %3%4").arg(name, before, after, unit);
+        chip.shorter = {QStringLiteral("→ ") + after, QStringLiteral("→ ") + shownValue(value, -1)};
         return chip;
     }
-    chip.text = shownValue(placed.live.value);
-    chip.shorter = {shownValue(placed.live.value, -1)};
-    chip.tip = placed.live.before ? Text::tr("%1: %2%3, unchanged").arg(name, chip.text, unit)
-                                  : Text::tr("%1: %2%3").arg(name, chip.text, unit);
+    chip.text = shownValue(value);
+    chip.shorter = {shownValue(value, -1)};
     return chip;
 }
 
@@ -195,6 +205,22 @@ QString shownValue(const Value &value, int more)
     return QStringLiteral("(%1, %2)").arg(numberAt(pair.x, size, more), numberAt(pair.y, size, more));
 }
 
+double noiseOf(const sim::Scene &scene)
+{
+    constexpr double ofTheExtent = 1e-12;
+    const double extent = scene.start.points() > 0 ? scene.start.position.abs().maxCoeff() : 0.0;
+    return ofTheExtent * (extent > 0.0 ? extent : 1.0);
+}
+
+Value withoutNoise(const Value &value, double noise)
+{
+    const auto quiet = [noise](double part) { return std::abs(part) < noise ? 0.0 : part; };
+    if (const double *number = std::get_if<double>(&value))
+        return quiet(*number);
+    const sim::Vec2 pair = std::get<sim::Vec2>(value);
+    return sim::Vec2{quiet(pair.x), quiet(pair.y)};
+}
+
 std::optional<std::size_t> lineOf(const CodeSection &section, const sim::Live &live)
 {
     const QString name = QRegularExpression::escape(QString::fromStdString(live.name));
@@ -211,6 +237,7 @@ std::vector<CodeChip> chipsOf(const CodeListing &listing, const std::vector<sim:
 {
     std::vector<CodeChip> chips;
     QHash<qsizetype, QString> names;
+    const double noise = noiseOf(segment.scene);
     for (const sim::Moment &moment : moments) {
         const auto section = std::find_if(listing.sections.begin(), listing.sections.end(),
                                           [&](const CodeSection &one) { return one.has(moment.phase); });
@@ -220,7 +247,7 @@ std::vector<CodeChip> chipsOf(const CodeListing &listing, const std::vector<sim:
         const sim::Phase &phase = segment.pipeline.phases[static_cast<std::size_t>(moment.phase)];
         for (const sim::Live &live : moment.live) {
             for (const Placed &placed : placesOf(*section, live)) {
-                CodeChip chip = chipFor(index, placed, phase);
+                CodeChip chip = chipFor(index, placed, phase, noise);
                 const int pulls = live.name == "pull" ? pullsOn(phase, segment, point) : 0;
                 if (pulls > 1)
                     chip.tip += '\n' + Text::tr("The sum of %1 pulls").arg(pulls);
@@ -229,6 +256,12 @@ std::vector<CodeChip> chipsOf(const CodeListing &listing, const std::vector<sim:
         }
     }
     return chips;
+}
+
+void dropNext(std::vector<CodeChip> &chips, const CodeListing &listing, int next)
+{
+    const auto runsNext = [&](const CodeChip &chip) { return listing.sections[chip.section].has(next); };
+    chips.erase(std::remove_if(chips.begin(), chips.end(), runsNext), chips.end());
 }
 
 std::vector<CodeChip> parameterChips(const CodeListing &listing, const lessons::Step &step,

@@ -24,6 +24,10 @@ struct CodeChip
 std::vector<CodeChip> chipsOf(const CodeListing &listing, const std::vector<sim::Moment> &moments,
                               const sim::Segment &segment, int point);
 
+/// Removes the values of the lines that run as phase `next` of a step: they are what these lines computed before, perhaps
+/// for another body.
+void dropNext(std::vector<CodeChip> &chips, const CodeListing &listing, int next);
+
 /// The parameters' values on the lines of the set-up that read them.
 std::vector<CodeChip> parameterChips(const CodeListing &listing, const lessons::Step &step,
                                      const sim::Values &values);
@@ -35,5 +39,10 @@ std::optional<std::size_t> lineOf(const CodeSection &section, const sim::Live &l
 /// A number as a person reads it: three digits or so, with a minus sign. `more` asks for further decimals, or fewer.
 QString shownNumber(double value, int more = 0);
 QString shownValue(const std::variant<double, sim::Vec2> &value, int more = 0);
+
+/// Returns the size below which a number computed in `scene` is rounding noise: 10^-12 of the scene's extent.
+double noiseOf(const sim::Scene &scene);
+/// Returns `value` with 0 in place of parts that are smaller than `noise`.
+std::variant<double, sim::Vec2> withoutNoise(const std::variant<double, sim::Vec2> &value, double noise);
 
 }

@@ -605,6 +605,13 @@
     </message>
 </context>
 <context>
+    <name>CodeRows</name>
+    <message>
+        <source>%1: how the method adds it</source>
+        <translation>%1: wie das Verfahren es addiert</translation>
+    </message>
+</context>
+<context>
     <name>CodeSteering</name>
     <message>
         <source>%1 can be %2, and not %3.</source>
@@ -3688,6 +3695,12 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <translation>Zeit</translation>
     </message>
     <message>
+    <message>
+        <source>These lines add up what was computed above. They are the same for every force.
+Click to fold or unfold (Enter)</source>
+        <translation>Diese Zeilen addieren, was darüber berechnet wurde. Sie sind für jede Kraft dieselben.
+Klick klappt ein oder aus (Eingabe)</translation>
+    </message>
         <source>Other runs</source>
         <translation>Andere Läufe</translation>
     </message>

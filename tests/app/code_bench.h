@@ -6,6 +6,7 @@
 #include "app/ui/code/code_view.h"
 #include "app/ui/theme/theme.h"
 
+#include <QSettings>
 #include <QStandardPaths>
 #include <QTest>
 
@@ -30,11 +31,17 @@ inline void isolate(const QString &name)
     QVERIFY(!library().lessons.empty());
 }
 
+/// Whether what was remembered before is there.
+enum class Settings { fresh, kept };
+
 /// A window with nothing but the panel, on show.
 struct Shown
 {
-    explicit Shown(const QString &lesson = "multi_foot", const QString &step = "any_number")
+    explicit Shown(const QString &lesson = "multi_foot", const QString &step = "any_number",
+                   Settings settings = Settings::fresh)
     {
+        if (settings == Settings::fresh)
+            QSettings().remove(CodeView::foldedKey);
         session.openStep(lesson, step);
         window.resize(480, 600);
         panel = new CodePanel(session, theme, &window);

@@ -65,6 +65,90 @@ private slots:
         QCOMPARE(shown.panel->caption(), QString("values of the body"));
     }
 
+    void whileItPlaysNothingIsMarkedAndAStopMarksTheLastPhase()
+    {
+        Shown shown;
+        const auto isMarked = [&](const char *line) { return shown.view().wash(shown.row(line)).isValid(); };
+        shown.session.frameForward();
+        QVERIFY(isMarked("x = x + h * v"));
+        QVERIFY(!isMarked("v = keep * v"));
+        shown.session.play();
+        QVERIFY(!isMarked("x = x + h * v"));
+        shown.session.pause();
+        QVERIFY(isMarked("x = x + h * v"));
+    }
+
+    void aLineThatIsClickedIsTheOneThatIsMarked()
+    {
+        Shown shown("single_spring", "fixed_centre");
+        const std::size_t row = shown.row("d = target - mover");
+        shown.view().showPlace(shown.view().placeOf(row));
+        shown.click(row);
+        const QColor strong = shown.theme.tokens().wash;
+        QCOMPARE(shown.view().wash(row), strong);
+        QVERIFY(shown.view().wash(shown.row("pull = k * d")) != strong);
+        shown.session.frameForward();
+        shown.session.phaseForward();
+        QCOMPARE(shown.view().wash(shown.row("pull = k * d")), strong);
+    }
+
+    void howTheMethodAddsUpIsFoldedAndUnfoldingIsRemembered()
+    {
+        {
+            Shown shown("single_spring", "fixed_centre");
+            const std::size_t adds = shown.row("force.add(");
+            QVERIFY(adds < shown.view().rows().size());
+            QVERIFY(shown.view().isPlumbingFolded());
+            QVERIFY(shown.view().rowRect(adds).isEmpty());
+            QVERIFY(!shown.view().rowRect(shown.row("pull = k * d")).isEmpty());
+            shown.click(shown.row("how the method adds it", CodeRow::Kind::file));
+            QVERIFY(!shown.view().rowRect(adds).isEmpty());
+            QVERIFY(shown.view().isQuiet(adds)); // pale all the same
+        }
+        Shown again("single_spring", "fixed_centre", Settings::kept);
+        QVERIFY(!again.view().rowRect(again.row("force.add(")).isEmpty());
+        const std::size_t name = again.row("how the method adds it", CodeRow::Kind::file);
+        while (again.view().row() != name) // the keyboard comes there, too
+            QTest::keyClick(&again.view(), Qt::Key_Down);
+        QTest::keyClick(&again.view(), Qt::Key_Return);
+        QVERIFY(again.view().rowRect(again.row("force.add(")).isEmpty());
+    }
+
+    void whatComputesNothingIsPale()
+    {
+        Shown shown("single_spring", "fixed_centre");
+        QVERIFY(!shown.view().isQuiet(shown.row("d = target - mover")));
+        QVERIFY(!shown.view().isQuiet(shown.row("pull = k * d")));
+        for (const char *line : {"SpringPull spring(", "return {d, pull};"})
+            QVERIFY2(shown.view().isQuiet(shown.row(line)), line);
+        QVERIFY(!shown.view().isQuiet(shown.row("Scene scene"))); // the set-up is all to be read
+    }
+
+    void aStopShowsNoValuesOfWhatItsLineDidBefore()
+    {
+        Shown shown; // springs of the feet, then the same lines for the body
+        const std::size_t row = shown.row("pull = k * d");
+        shown.session.breakpoints().toggle(shown.view().placeOf(row));
+        shown.session.frameForward();
+        QVERIFY(shown.session.stoppedBy());
+        QCOMPARE(shown.session.timeline().at(), (sim::Cursor{0, 3}));
+        QCOMPARE(shown.view().chipText(row), QString());
+        shown.session.phaseForward();
+        QVERIFY(!shown.view().chipText(row).isEmpty());
+    }
+
+    void anotherBodyIsShownWhileTheMouseRestsOnTheCode()
+    {
+        Shown shown;
+        shown.session.goTo({4, 5});
+        const std::size_t row = shown.row("pull = k * d");
+        QTest::mouseMove(shown.view().viewport(), shown.view().rowRect(row).center());
+        QTRY_VERIFY(shown.session.isGlancing());
+        const QString before = shown.view().chipText(row);
+        shown.session.select("foot3");
+        QVERIFY(shown.view().chipText(row) != before);
+    }
+
     void aParameterThatChangesChangesItsChip()
     {
         Shown shown;

@@ -169,13 +169,132 @@ private slots:
         QCOMPARE(feet, 1);
     }
 
-    void betweenFramesNothingIsMarked()
+    void beforeTheFirstFrameNothingIsMarked()
     {
         const lessons::Step &step = stepOf("multi_foot", "any_number");
-        sim::Timeline run = runOf(step);
+        const sim::Timeline run = runOf(step);
+        const CodeListing listing = listingOf(step, run);
+        QCOMPARE(whens(marksOf(listing, run, {}, 0)), QList<When>(5, When::plain));
+    }
+
+    void everyPhaseIsNowWhenItIsDoneTheLastOneToo_data()
+    {
+        QTest::addColumn<QString>("method");
+        QTest::newRow("group after group") << "published";
+        QTest::newRow("all at once") << "semi_implicit_euler";
+    }
+    void everyPhaseIsNowWhenItIsDoneTheLastOneToo()
+    {
+        QFETCH(QString, method);
+        const lessons::Step &step = stepOf("gravity_walls", "gravity");
+        sim::Timeline run = runOf(step, method);
         const CodeListing listing = listingOf(step, run);
         run.seek({4, 0});
-        QCOMPARE(whens(marksOf(listing, run, {}, 0)), QList<When>(5, When::plain));
+        const int phases = run.track().phasesPerRow();
+        for (int phase = 0; phase < phases; ++phase) {
+            run.stepPhase();
+            const std::vector<SectionMark> marks = marksOf(listing, run, {}, -1);
+            for (std::size_t i = 0; i < marks.size(); ++i) {
+                const bool isIt = listing.sections[i].has(phase);
+                QCOMPARE(marks[i].when == When::now, isIt);
+                QCOMPARE(marks[i].result.has_value(), isIt);
+            }
+        }
+        QCOMPARE(run.at(), (sim::Cursor{5, 0})); // what files and commands call this moment
+        run.stepPhase();
+        const std::vector<SectionMark> next = marksOf(listing, run, {}, -1);
+        for (std::size_t i = 0; i < next.size(); ++i)
+            QCOMPARE(next[i].when == When::now, listing.sections[i].has(0));
+    }
+
+    void theMarkedLineIsAFormulaOfTheEffectAndNotPlumbing_data() { everyStepAndMethod(); }
+    void theMarkedLineIsAFormulaOfTheEffectAndNotPlumbing()
+    {
+        QFETCH(QString, lesson);
+        QFETCH(QString, step);
+        QFETCH(QString, method);
+        sim::Timeline run = runOf(stepOf(lesson, step), method);
+        const CodeListing listing = listingOf(stepOf(lesson, step), run);
+        const int phases = run.track().shown().pipeline.phasesPerStep();
+        run.seek({2, 0});
+        for (int phase = 0; phase < std::min(phases, 12); ++phase) {
+            run.stepPhase();
+            const sim::Scene &scene = run.track().shown().scene;
+            for (const std::string &body : {scene.names.front(), scene.names.back()}) {
+                const auto chips = chipsAt(listing, run, body);
+                for (std::size_t i = 0;
+                     const SectionMark &mark : marksOf(listing, run, chips, scene.find(body))) {
+                    const CodeSection &section = listing.sections[i++];
+                    if (!mark.result)
+                        continue;
+                    const QString text = section.lines[*mark.result].source.text;
+                    QVERIFY2(!text.contains("force.add(") && !text.contains("torque.add("), qPrintable(text));
+                    QVERIFY2(!section.lines[*mark.result].isPlumbing, qPrintable(text));
+                }
+            }
+        }
+    }
+
+    void theMarkOfASpringIsHookesLaw()
+    {
+        const lessons::Step &step = stepOf("single_spring", "fixed_centre");
+        for (const char *method : {"published", "semi_implicit_euler"}) {
+            sim::Timeline run = runOf(step, method);
+            const CodeListing listing = listingOf(step, run);
+            run.seek({3, 1});
+            const auto marks = marksOf(listing, run, chipsAt(listing, run, "foot"), 0);
+            const auto now = std::find_if(marks.begin(), marks.end(),
+                                          [](const SectionMark &mark) { return mark.when == When::now; });
+            QVERIFY(now != marks.end() && now->result);
+            const auto &lines = listing.sections[static_cast<std::size_t>(now - marks.begin())].lines;
+            QVERIFY2(lines[*now->result].source.text.contains("pull = k * d"),
+                     qPrintable(lines[*now->result].source.text));
+        }
+    }
+
+    void roundingNoiseIsShownAsNothingAndItsTipTellsIt()
+    {
+        const lessons::Step &step = stepOf("single_spring", "fixed_centre");
+        sim::Timeline run = runOf(step, "semi_implicit_euler");
+        const CodeListing listing = listingOf(step, run);
+        run.seek({4, 0});
+        std::vector<sim::Moment> moments = run.track().moments("foot");
+        bool any = false;
+        for (sim::Moment &moment : moments) {
+            for (sim::Live &live : moment.live) {
+                if (live.name != "pull")
+                    continue;
+                live.value = sim::Vec2{-3.3e-18, 1.9e-18};
+                live.before.reset();
+                any = true;
+            }
+        }
+        QVERIFY(any);
+        int found = 0;
+        for (const CodeChip &chip : chipsOf(listing, moments, run.track().shown(), 0)) {
+            if (!chip.tip.startsWith("pull: "))
+                continue;
+            ++found;
+            QCOMPARE(chip.text, QString("(0, 0)"));
+            QVERIFY2(chip.tip.contains("(−3.3e−18, 1.9e−18)"), qPrintable(chip.tip));
+        }
+        QCOMPARE(found, 1);
+    }
+
+    void noiseIsRelativeToTheScene()
+    {
+        sim::Scene scene = stepOf("single_spring", "fixed_centre")
+                               .script()
+                               .build(stepOf("single_spring", "fixed_centre").script().values);
+        scene.start.position.setConstant(200.0);
+        QCOMPARE(noiseOf(scene), 2e-10);
+        scene.start.position.setConstant(-1e-6);
+        QCOMPARE(noiseOf(scene), 1e-18); // what is small there is no noise
+        scene.start.position.setZero();
+        QCOMPARE(noiseOf(scene), 1e-12);
+        const std::variant<double, sim::Vec2> pair = withoutNoise(sim::Vec2{1e-11, -3.0}, 2e-10);
+        QCOMPARE(std::get<sim::Vec2>(pair).x, 0.0);
+        QCOMPARE(std::get<sim::Vec2>(pair).y, -3.0);
     }
 
     void insideAFrameSectionsAreDoneNowOrToCome_data()

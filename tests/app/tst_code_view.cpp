@@ -182,7 +182,7 @@ private slots:
         shown.panel->resize(400, 240);
         const int phases = shown.session.timeline().track().phasesPerRow();
         QVERIFY(phases > 5);
-        for (int i = 1; i < phases; ++i) {
+        for (int i = 1; i <= phases; ++i) { // the last one, too
             shown.session.phaseForward();
             std::size_t now = 0;
             for (std::size_t row = 0; row < shown.view().rows().size(); ++row) {

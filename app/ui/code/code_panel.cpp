@@ -11,6 +11,8 @@
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
+#include <utility>
+
 namespace app {
 
 namespace {
@@ -38,8 +40,15 @@ CodePanel::CodePanel(Session &session, const Theme &theme, QWidget *parent)
     connect(&session, &Session::stepOpened, this, &CodePanel::follow);
     connect(&session, &Session::runChanged, this, &CodePanel::follow);
     connect(&session, &Session::moved, this, &CodePanel::follow);
-    connect(&session, &Session::playingChanged, this, &CodePanel::follow);
-    connect(&session, &Session::selectionChanged, this, &CodePanel::follow);
+    connect(&session, &Session::playingChanged, this, [this] {
+        m_refreshed.invalidate(); // marks come and go at once
+        follow();
+    });
+    connect(&session, &Session::selectionChanged, this, [this] {
+        if (m_looks)
+            m_session.endGlance(); // the values under the mouse are another body's now
+        follow();
+    });
     connect(&session, &Session::glanceChanged, this, &CodePanel::followGlance);
     rebuild();
 }
@@ -147,6 +156,7 @@ void CodePanel::rebuild()
     m_view->setListing(m_listing);
     m_view->setSpots(parameterSpots(m_listing, *m_step, *m_segment));
     m_asked.reset();
+    m_ranTo.reset();
     m_card->hide();
     closeEditor();
     m_refreshed.invalidate();
@@ -165,24 +175,44 @@ void CodePanel::refresh()
     m_refreshed.start();
     const sim::Timeline &timeline = m_session.shown();
     std::vector<CodeChip> values = chipsOf(m_listing, m_session.moments(), *m_segment, point());
-    std::vector<SectionMark> marks = marksOf(m_listing, timeline, values, point());
+    if (m_session.stoppedBy() && !m_session.isGlancing())
+        dropNext(values, m_listing, timeline.at().phase % m_segment->pipeline.phasesPerStep());
+    std::vector<SectionMark> marks = marksNow(timeline, values);
     const std::vector<CodeChip> parameters = parameterChips(m_listing, *m_step, timeline.values());
     values.insert(values.end(), parameters.begin(), parameters.end());
     m_view->setValues(std::move(values), std::move(marks));
-    if (m_session.isGlancing())
-        m_view->scrollToNow();
-    else
+    const std::optional<sim::Cursor> &marked = m_session.marked();
+    if (!m_session.isGlancing())
         showStand();
+    else if (marked && marked->phase > 0)
+        m_view->scrollToNow();
     showCard();
+}
+
+/// While playing nothing is marked: it would be another line at each frame.
+std::vector<SectionMark> CodePanel::marksNow(const sim::Timeline &timeline,
+                                             const std::vector<CodeChip> &values) const
+{
+    if (m_session.isPlaying())
+        return std::vector<SectionMark>(m_listing.sections.size());
+    std::vector<SectionMark> marks = marksOf(m_listing, timeline, values, point());
+    const bool isThere = m_ranTo && timeline.at() == m_ranTo->at && m_ranTo->section < marks.size();
+    if (isThere && marks[m_ranTo->section].when == When::now)
+        marks[m_ranTo->section].result = m_ranTo->line;
+    return marks;
 }
 
 void CodePanel::showStand()
 {
     const sim::Timeline &timeline = m_session.timeline();
-    if (!m_begun && timeline.at() != sim::Cursor{})
+    const sim::Cursor at = timeline.at();
+    if (!m_begun && at != sim::Cursor{})
         m_view->showPhases();
-    m_begun = m_begun || timeline.at() != sim::Cursor{};
-    if (timeline.at().phase > 0 && !m_session.isPlaying())
+    m_begun = m_begun || at != sim::Cursor{};
+    // The end of a frame comes into view where the step before it was one inside the frame.
+    const bool hasEnded = std::exchange(m_wasInside, at.phase > 0) && at.phase == 0;
+    const bool isRanTo = m_ranTo && m_ranTo->at == at;
+    if ((at.phase > 0 || hasEnded || isRanTo) && !m_session.isPlaying())
         m_view->showNow();
     if (const std::optional<BreakHit> &hit = m_session.stoppedBy()) {
         const Breakpoint *stop = m_session.breakpoints().find(hit->id);

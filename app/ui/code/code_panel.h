@@ -58,6 +58,13 @@ private:
         ParameterSpot spot;
         double from;
     };
+    /// A line that a learner ran to, and where the run is then.
+    struct RanTo
+    {
+        std::size_t section = 0;
+        std::size_t line = 0;
+        sim::Cursor at;
+    };
     struct Asked
     {
         CodeSymbol symbol;
@@ -86,6 +93,8 @@ private:
     void follow();
     void rebuild();
     void refresh();
+    std::vector<SectionMark> marksNow(const sim::Timeline &timeline,
+                                      const std::vector<CodeChip> &values) const;
     /// Scrolls to where the run stands.
     void showStand();
     void showCaption();
@@ -112,6 +121,8 @@ private:
     std::shared_ptr<const sim::Segment> m_segment; ///< what m_listing was made of
     sim::MethodPtr m_method;
     const lessons::Step *m_step = nullptr;
+    std::optional<RanTo> m_ranTo;
+    bool m_wasInside = false;  ///< whether the run stood inside a frame when the code last scrolled to it
     bool m_begun = false;      ///< whether the values have left frame 0 since the code is on show
     bool m_looks = false;      ///< whether the moment that is marked is that of the line under the mouse
     std::optional<int> m_top;  ///< the first line in sight before somebody looked at another moment

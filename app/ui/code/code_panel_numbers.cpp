@@ -218,8 +218,11 @@ void CodePanel::showCard()
     if (!m_asked)
         return;
     const CodeSymbol &symbol = m_asked->symbol;
-    const CodeHistory history =
-        historyOf(symbol, m_session.timeline().track(), m_session.selected().toStdString());
+    CodeHistory history = historyOf(symbol, m_session.timeline().track(), m_session.selected().toStdString());
+    for (CodeHistory::Sample &sample : history.samples) {
+        if (symbol.parameter.isEmpty())
+            sample.value = withoutNoise(sample.value, noiseOf(m_segment->scene));
+    }
     QString value = tr("none yet");
     if (const lessons::Parameter *parameter = m_step->parameter(symbol.parameter))
         value = typedText(*parameter, m_session.parameter(symbol.parameter));

@@ -71,6 +71,9 @@ void CodePanel::runTo(std::size_t row)
                 : tr("This line says in which order phases run. Click a line of a phase to run to it."));
         return;
     }
+    const CodeRow &its = m_view->rows()[row];
+    m_ranTo =
+        section.lines[its.line].isQuiet ? std::nullopt : std::optional(RanTo{its.section, its.line, *target});
     m_session.runTo(*target);
 }
 

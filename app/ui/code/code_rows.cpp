@@ -2,9 +2,16 @@
 
 #include "app/ui/code/code_ink.h"
 
+#include <QCoreApplication>
+
 namespace app {
 
 namespace {
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(CodeRows)
+};
 
 QByteArray inked(const QString &text, Ink ink)
 {
@@ -17,6 +24,14 @@ CodeRow headingOf(const CodeSection &section, std::size_t index)
     const QString caption = files.isEmpty() ? QString() : QStringLiteral("   ") + fileName(files.first());
     return {CodeRow::Kind::heading, index, 0, section.title + caption,
             inked(section.title, Ink::heading) + inked(caption, Ink::caption)};
+}
+
+/// Where the lines from `index` on are from.
+CodeRow fileRow(std::size_t section, std::size_t index, const CodeLine &line)
+{
+    const QString name = fileName(line.file);
+    const QString text = line.isPlumbing ? Text::tr("%1: how the method adds it").arg(name) : name;
+    return {CodeRow::Kind::file, section, index, text, inked(text, Ink::caption), line.isPlumbing};
 }
 
 }
@@ -35,11 +50,11 @@ std::vector<CodeRow> rowsOf(const CodeListing &listing, Gone gone)
         for (std::size_t i = 0; i < section.lines.size(); ++i) {
             const CodeLine &line = section.lines[i];
             addGone(i);
-            if (i > 0 && section.lines[i - 1].file != line.file) {
-                const QString name = fileName(line.file);
-                rows.push_back({CodeRow::Kind::file, s, i, name, inked(name, Ink::caption)});
-            }
-            rows.push_back({CodeRow::Kind::code, s, i, line.source.text, inksOf(line.source.text)});
+            if (i > 0 && (section.lines[i - 1].file != line.file ||
+                          section.lines[i - 1].isPlumbing != line.isPlumbing))
+                rows.push_back(fileRow(s, i, line));
+            rows.push_back(
+                {CodeRow::Kind::code, s, i, line.source.text, inksOf(line.source.text), line.isPlumbing});
         }
         addGone(section.lines.size());
         rows.push_back({CodeRow::Kind::gap, s, 0, {}, {}});
@@ -58,6 +73,11 @@ QString keyOf(const CodeSection &section)
         break;
     }
     return section.title.section(' ', 1); // without its number
+}
+
+QString keyOfPlumbing()
+{
+    return QStringLiteral("plumbing");
 }
 
 QString plainText(const CodeSection &section)

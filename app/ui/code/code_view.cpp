@@ -5,6 +5,7 @@
 #include "app/ui/theme/theme.h"
 
 #include <QScrollBar>
+#include <QSettings>
 
 #include <algorithm>
 
@@ -15,19 +16,20 @@ namespace {
 constexpr int foldBase = QsciScintilla::SC_FOLDLEVELBASE;
 constexpr int foldHeader = QsciScintilla::SC_FOLDLEVELHEADERFLAG;
 
-long foldLevel(CodeRow::Kind kind)
+long foldLevel(const CodeRow &row)
 {
-    switch (kind) {
+    switch (row.kind) {
     case CodeRow::Kind::heading:
         return foldBase | foldHeader;
     case CodeRow::Kind::gap:
         return foldBase;
     case CodeRow::Kind::file:
+        return (foldBase + 1) | (row.isPlumbing ? foldHeader : 0);
     case CodeRow::Kind::code:
     case CodeRow::Kind::gone:
         break;
     }
-    return foldBase + 1;
+    return row.isPlumbing ? foldBase + 2 : foldBase + 1;
 }
 
 }
@@ -38,6 +40,11 @@ CodeView::CodeView(const Theme &theme, QWidget *parent) : QsciScintilla(parent),
     setAccessibleDescription(tr("Up and Down go from line to line. Enter runs to a line, or folds at a "
                                 "heading. F9 sets a stop, F2 changes a parameter, Ctrl+I tells a value, "
                                 "Ctrl+C copies."));
+    const QSettings settings;
+    if (settings.contains(foldedKey)) {
+        const QStringList folded = settings.value(foldedKey).toStringList();
+        m_folded = QSet<QString>(folded.begin(), folded.end());
+    }
     setUp();
     applyTheme();
     connect(&theme, &Theme::changed, this, &CodeView::applyTheme);
@@ -70,9 +77,9 @@ void CodeView::layRows()
     setText(lines.join('\n'));
     styleText();
     strikeGone();
-    for (std::size_t section = 0; section < m_listing.sections.size(); ++section) {
-        if (m_folded.contains(keyOf(m_listing.sections[section])))
-            send(*this, SCI_FOLDLINE, headingRow(section), SC_FOLDACTION_CONTRACT);
+    for (std::size_t row = 0; row < m_rows.size(); ++row) {
+        if (m_folded.contains(foldKey(m_rows[row])))
+            send(*this, SCI_FOLDLINE, row, SC_FOLDACTION_CONTRACT);
     }
     applyMarks();
     send(*this, SCI_SETEMPTYSELECTION, 0);
@@ -83,7 +90,7 @@ void CodeView::styleText()
     QByteArray inks;
     for (std::size_t row = 0; row < m_rows.size(); ++row) {
         inks += m_rows[row].inks + '\0';
-        send(*this, SCI_SETFOLDLEVEL, row, foldLevel(m_rows[row].kind));
+        send(*this, SCI_SETFOLDLEVEL, row, foldLevel(m_rows[row]));
         if (const CodeLine *shown = line(m_rows[row]))
             SendScintilla(SCI_MARGINSETTEXT, row, QByteArray::number(shown->source.number).constData());
     }
@@ -155,7 +162,7 @@ void CodeView::markRow(std::size_t row)
         markerAdd(static_cast<int>(row), result ? lineText : regionText);
         markerAdd(static_cast<int>(row), result ? lineMargin : regionMargin);
     }
-    if (isToCome(row)) {
+    if (isToCome(row) || isQuiet(row)) {
         const long start = send(*this, SCI_POSITIONFROMLINE, row);
         const long end = send(*this, SCI_GETLINEENDPOSITION, row);
         send(*this, SCI_INDICATORFILLRANGE, static_cast<std::size_t>(start), end - start);
@@ -195,6 +202,12 @@ QColor CodeView::wash(std::size_t row) const
     if (!inRegion || !mark(its) || mark(its)->when != When::now)
         return {};
     return isResult(its) ? m_theme.tokens().wash : m_theme.tokens().wash2;
+}
+
+bool CodeView::isQuiet(std::size_t row) const
+{
+    const CodeLine *its = line(m_rows[row]);
+    return its && its->isQuiet;
 }
 
 bool CodeView::isToCome(std::size_t row) const

@@ -67,6 +67,8 @@ public:
 
     bool isFolded(std::size_t section) const;
     void setFolded(std::size_t section, bool folded);
+    /// Whether the lines are folded that add up what effects have computed: all of them fold together.
+    bool isPlumbingFolded() const { return m_folded.contains(keyOfPlumbing()); }
     /// The sections that are not folded, as text with file names.
     QString shownText() const;
 
@@ -82,6 +84,10 @@ public:
     /// How wide numbers, symbols and colour bar are together.
     static int marginsWidth();
     bool isToCome(std::size_t row) const;
+    /// Whether a row is pale because a learner need not read it: see CodeLine.
+    bool isQuiet(std::size_t row) const;
+
+    static constexpr const char *foldedKey = "code/folded"; ///< of the settings: what is folded
 
 signals:
     /// A breakpoint on this row is to be set, or taken away.
@@ -140,7 +146,13 @@ private:
     std::size_t rowOf(const CodeRow &sought) const;
     void applyMarks();
     void markRow(std::size_t row);
-    void toggle(std::size_t section);
+    /// By which key a row folds what is below it; empty where it folds nothing.
+    QString foldKey(const CodeRow &row) const;
+    void fold(const QString &key, bool folded);
+    /// Folds or unfolds, as a learner does: that is remembered.
+    void toggle(const QString &key);
+    /// Unfolds all that hides a row.
+    void unfold(std::size_t row);
     void goToRow(std::size_t row);
     /// By so many rows, or headings, or words of the row.
     void moveByRows(int by, bool onlyHeadings);
@@ -175,6 +187,7 @@ private:
 
     void paintRow(QPainter &painter, std::size_t row) const;
     void paintHeading(QPainter &painter, std::size_t row) const;
+    void paintChevron(QPainter &painter, std::size_t row) const;
     void paintSymbol(QPainter &painter, std::size_t row) const;
     void paintSign(QPainter &painter, std::size_t row, const QString &sign, const QColor &ink) const;
     void paintStop(QPainter &painter, std::size_t row, const Breakpoint &breakpoint) const;
@@ -188,7 +201,8 @@ private:
     std::vector<CodeRow> m_rows;
     std::vector<CodeChip> m_chips;
     std::vector<SectionMark> m_marks;
-    QSet<QString> m_folded = {QStringLiteral("order")}; ///< keys of sections; the order is for the curious
+    /// Keys of what is folded. The order and how things are added up are for the curious.
+    QSet<QString> m_folded = {QStringLiteral("order"), keyOfPlumbing()};
     std::vector<Breakpoint> m_breakpoints;
     std::vector<ParameterSpot> m_spots;
     std::size_t m_row = 0;           ///< that the keyboard is on

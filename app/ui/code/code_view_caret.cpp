@@ -115,7 +115,8 @@ void CodeView::moveByRows(int by, bool onlyHeadings)
     for (auto row = static_cast<std::ptrdiff_t>(m_row) + by; row >= 0 && row < count; row += by) {
         const auto at = static_cast<std::size_t>(row);
         const bool isHeading = m_rows[at].kind == CodeRow::Kind::heading;
-        const bool isLine = line(m_rows[at]) || m_rows[at].kind == CodeRow::Kind::gone;
+        const bool isLine =
+            line(m_rows[at]) || m_rows[at].kind == CodeRow::Kind::gone || !foldKey(m_rows[at]).isEmpty();
         const bool counts = isHeading || (!onlyHeadings && isLine);
         if (!counts || rowRect(at).isEmpty())
             continue;
@@ -147,8 +148,8 @@ qsizetype CodeView::column() const
 void CodeView::actOnRow()
 {
     const CodeRow &its = m_rows[m_row];
-    if (its.kind == CodeRow::Kind::heading)
-        toggle(its.section);
+    if (const QString key = foldKey(its); !key.isEmpty())
+        toggle(key);
     else if (line(its))
         emit runAsked(m_row);
 }
@@ -180,7 +181,7 @@ void CodeView::showPlace(const CodePlace &place)
     for (std::size_t row = 0; row < m_rows.size(); ++row) {
         if (placeOf(row) != place || !line(m_rows[row]))
             continue;
-        setFolded(m_rows[row].section, false);
+        unfold(row);
         goToRow(row);
         m_keepsRow = true;
         return;

@@ -1,6 +1,8 @@
 #include "app/ui/code/code_scintilla.h"
 #include "app/ui/code/code_view.h"
 
+#include <QSettings>
+
 #include <algorithm>
 
 namespace app {
@@ -22,20 +24,38 @@ void CodeView::setFolded(std::size_t section, bool folded)
 {
     if (section >= m_listing.sections.size() || folded == isFolded(section))
         return;
-    const QString key = keyOf(m_listing.sections[section]);
+    fold(keyOf(m_listing.sections[section]), folded);
+}
+
+QString CodeView::foldKey(const CodeRow &row) const
+{
+    if (row.kind == CodeRow::Kind::heading)
+        return keyOf(m_listing.sections[row.section]);
+    return row.kind == CodeRow::Kind::file && row.isPlumbing ? keyOfPlumbing() : QString();
+}
+
+void CodeView::fold(const QString &key, bool folded)
+{
     folded ? (void)m_folded.insert(key) : (void)m_folded.remove(key);
-    for (std::size_t other = 0; other < m_listing.sections.size(); ++other) {
+    for (std::size_t row = 0; row < m_rows.size(); ++row) {
         // Two sections of the same work fold together.
-        if (keyOf(m_listing.sections[other]) == key)
-            send(*this, SCI_FOLDLINE, headingRow(other),
-                 folded ? SC_FOLDACTION_CONTRACT : SC_FOLDACTION_EXPAND);
+        if (foldKey(m_rows[row]) == key)
+            send(*this, SCI_FOLDLINE, row, folded ? SC_FOLDACTION_CONTRACT : SC_FOLDACTION_EXPAND);
     }
     viewport()->update();
 }
 
-void CodeView::toggle(std::size_t section)
+void CodeView::toggle(const QString &key)
 {
-    setFolded(section, !isFolded(section));
+    fold(key, !m_folded.contains(key));
+    QSettings().setValue(foldedKey, QStringList(m_folded.begin(), m_folded.end()));
+}
+
+void CodeView::unfold(std::size_t row)
+{
+    setFolded(m_rows[row].section, false);
+    if (m_rows[row].isPlumbing && isPlumbingFolded())
+        fold(keyOfPlumbing(), false);
 }
 
 void CodeView::scrollTo(std::size_t first, std::size_t row)
@@ -69,7 +89,8 @@ std::optional<std::size_t> CodeView::scrollToNow()
         std::size_t now = heading;
         std::size_t last = heading;
         for (std::size_t row = heading; !isFolded(section) && row < m_rows.size(); ++row) {
-            if (m_rows[row].section != section || m_rows[row].kind != CodeRow::Kind::code)
+            if (m_rows[row].section != section || m_rows[row].kind != CodeRow::Kind::code ||
+                rowRect(row).isEmpty())
                 continue;
             last = row;
             now = isResult(m_rows[row]) ? row : now;
@@ -110,7 +131,7 @@ void CodeView::showNextNew()
         while (end < count && isNew(end))
             ++end;
         m_newRow = row;
-        setFolded(m_rows[row].section, false);
+        unfold(row);
         send(*this, SCI_SETSEL, static_cast<std::size_t>(send(*this, SCI_GETLINEENDPOSITION, end - 1)),
              send(*this, SCI_POSITIONFROMLINE, row));
         scrollTo(row, end - 1);

@@ -111,7 +111,8 @@ void CodeView::mousePressEvent(QMouseEvent *event)
         return;
     }
     m_byKeyboard = false;
-    if (m_rows[*row].kind != CodeRow::Kind::heading && !line(m_rows[*row])) {
+    const QString key = foldKey(m_rows[*row]);
+    if (key.isEmpty() && !line(m_rows[*row])) {
         QsciScintilla::mousePressEvent(event);
         return;
     }
@@ -119,8 +120,8 @@ void CodeView::mousePressEvent(QMouseEvent *event)
     m_row = *row;
     m_word.reset();
     viewport()->update();
-    if (m_rows[*row].kind == CodeRow::Kind::heading) {
-        toggle(m_rows[*row].section);
+    if (!key.isEmpty()) {
+        toggle(key);
     } else if (isInMargin(event->pos())) {
         emit stopAsked(*row);
     } else if (const ParameterSpot *spot = spotAt(event->pos())) {
@@ -148,7 +149,7 @@ void CodeView::mouseMoveEvent(QMouseEvent *event)
             viewport()->setCursor(Qt::SizeHorCursor);
             return;
         }
-        if (m_rows[*row].kind == CodeRow::Kind::heading || (isLine && isInMargin(event->pos()))) {
+        if (!foldKey(m_rows[*row]).isEmpty() || (isLine && isInMargin(event->pos()))) {
             viewport()->setCursor(Qt::PointingHandCursor);
             return;
         }
@@ -258,6 +259,9 @@ QString CodeView::tipAt(const QPoint &position) const
         const QString files = m_listing.sections[its.section].files().join('\n');
         return tr("%1\nClick to fold or unfold (Enter)").arg(files);
     }
+    if (!foldKey(its).isEmpty())
+        return tr("These lines add up what was computed above. They are the same for every force.\nClick to "
+                  "fold or unfold (Enter)");
     if (its.kind == CodeRow::Kind::gone)
         return tr("The step before has this line; here it is gone.");
     const CodeLine *shown = line(its);

@@ -113,6 +113,8 @@ void CodeView::paintRow(QPainter &painter, std::size_t row) const
     const QRect rect = rowRect(row);
     painter.fillRect(QRect(barLeft, rect.top(), barWidth, rect.height()),
                      m_theme.kindColor(m_listing.sections[its.section].kind));
+    if (!foldKey(its).isEmpty())
+        paintChevron(painter, row);
     if (its.kind == CodeRow::Kind::heading)
         paintHeading(painter, row);
     if (its.kind == CodeRow::Kind::code) {
@@ -129,13 +131,18 @@ void CodeView::paintRow(QPainter &painter, std::size_t row) const
     }
 }
 
+void CodeView::paintChevron(QPainter &painter, std::size_t row) const
+{
+    const bool hides = m_folded.contains(foldKey(m_rows[row]));
+    const QIcon chevron =
+        m_theme.icon(hides ? QStringLiteral("right") : QStringLiteral("down"), m_theme.tokens().ink3);
+    chevron.paint(&painter, QRect(symbolLeft, rowRect(row).top() + 4, 12, 12));
+}
+
 void CodeView::paintHeading(QPainter &painter, std::size_t row) const
 {
     const CodeRow &its = m_rows[row];
     const QRect rect = rowRect(row);
-    const QIcon chevron = m_theme.icon(
-        isFolded(its.section) ? QStringLiteral("right") : QStringLiteral("down"), m_theme.tokens().ink3);
-    chevron.paint(&painter, QRect(symbolLeft, rect.top() + 4, 12, 12));
     const SectionMark *at = mark(its);
     if (!at || at->note.isEmpty())
         return;
