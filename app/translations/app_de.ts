@@ -3327,6 +3327,26 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <source>Use %1</source>
         <translation>%1 verwenden</translation>
     </message>
+    <message>
+        <source>%1 frames, %2 of %3 methods</source>
+        <translation>%1 Bilder, %2 von %3 Verfahren</translation>
+    </message>
+    <message>
+        <source>Show fewer methods</source>
+        <translation>Weniger Verfahren zeigen</translation>
+    </message>
+    <message>
+        <source>Show all methods</source>
+        <translation>Alle Verfahren zeigen</translation>
+    </message>
+    <message>
+        <source>Only the method of this step and the two that tell most beside it</source>
+        <translation>Nur das Verfahren dieses Schritts und die zwei, die daneben am meisten sagen</translation>
+    </message>
+    <message>
+        <source>Every method that was measured, two more plots of them, and remarks</source>
+        <translation>Jedes gemessene Verfahren, zwei weitere Diagramme davon, und Anmerkungen</translation>
+    </message>
 </context>
 <context>
     <name>app::ArrangeMenu</name>
@@ -3675,6 +3695,12 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <source>The step before has this line; here it is gone.</source>
         <translation>Der Schritt davor hat diese Zeile; hier ist sie weg.</translation>
     </message>
+    <message>
+        <source>These lines add up what was computed above. They are the same for every force.
+Click to fold or unfold (Enter)</source>
+        <translation>Diese Zeilen addieren, was darüber berechnet wurde. Sie sind für jede Kraft dieselben.
+Klick klappt ein oder aus (Eingabe)</translation>
+    </message>
 </context>
 <context>
     <name>app::Commands</name>
@@ -3695,12 +3721,6 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <translation>Zeit</translation>
     </message>
     <message>
-    <message>
-        <source>These lines add up what was computed above. They are the same for every force.
-Click to fold or unfold (Enter)</source>
-        <translation>Diese Zeilen addieren, was darüber berechnet wurde. Sie sind für jede Kraft dieselben.
-Klick klappt ein oder aus (Eingabe)</translation>
-    </message>
         <source>Other runs</source>
         <translation>Andere Läufe</translation>
     </message>
@@ -5262,12 +5282,12 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>Zeitschritt, Bilder (feiner →)</translation>
     </message>
     <message>
-        <source>error, px</source>
-        <translation>Fehler, px</translation>
+        <source>how far off at most, px</source>
+        <translation>größte Abweichung, px</translation>
     </message>
     <message>
-        <source>← better</source>
-        <translation>← besser</translation>
+        <source>← more exact</source>
+        <translation>← genauer</translation>
     </message>
     <message>
         <source>A step %1 times as short makes the error %2 times as small: order %3 here, %4 stated</source>
@@ -5653,12 +5673,12 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>Bild</translation>
     </message>
     <message>
-        <source>error, px</source>
-        <translation>Fehler, px</translation>
+        <source>how far off, px</source>
+        <translation>Abweichung, px</translation>
     </message>
     <message>
-        <source>← better</source>
-        <translation>← besser</translation>
+        <source>← more exact</source>
+        <translation>← genauer</translation>
     </message>
     <message>
         <source>Frame %1: %2 off</source>
@@ -6641,24 +6661,30 @@ für weniger so genau.</translation>
         <translation>Fehler und Zeit</translation>
     </message>
     <message>
-        <source>time, µs a frame</source>
-        <translation>Zeit, µs pro Bild</translation>
+        <source>time to compute a frame, µs</source>
+        <translation>Zeit zum Berechnen eines Bildes, µs</translation>
     </message>
     <message>
         <source>forces computed a frame (times come next)</source>
         <translation>berechnete Kräfte pro Bild (Zeiten folgen)</translation>
     </message>
     <message>
-        <source>error, px</source>
-        <translation>Fehler, px</translation>
+        <source>how far off at most, px</source>
+        <translation>größte Abweichung, px</translation>
     </message>
     <message>
-        <source>cheaper ←</source>
-        <translation>billiger ←</translation>
+        <source>← faster</source>
+        <translation>← schneller</translation>
     </message>
     <message>
-        <source>← better</source>
-        <translation>← besser</translation>
+        <source>← more exact</source>
+        <translation>← genauer</translation>
+    </message>
+    <message>
+        <source>A frame is on the screen
+for %1&#x2009;µs (30 a second)</source>
+        <translation>Ein Bild steht %1&#x2009;µs
+auf dem Schirm (30 pro Sekunde)</translation>
     </message>
 </context>
 <context>

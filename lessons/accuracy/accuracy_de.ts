@@ -108,7 +108,7 @@ Runge–Kutta 4 asks for the forces four times a step, Semi-implicit Euler once.
 
 Steps must be small enough first: at 2&#x2009;frames both are far off.
 
-The **Accuracy** plot (Measure, at the top) shows each method as a ladder. Steeper is a higher order.</source>
+The **Accuracy** plot (Measure, at the top) shows a method as a ladder: three of them, or all by **Show all methods**. Steeper is a higher order.</source>
         <translation>Der halbe Zeitschritt ist die doppelte Arbeit. Was bekommst du dafür?
 
 Ein Verfahren der **Ordnung 1** bekommt den halben Fehler. **Ordnung 2**: ein Viertel. **Ordnung 4**: ein Sechzehntel. Die Ordnung sagt nichts über einen einzelnen Zeitschritt; sie sagt, was das Halbieren wert ist.
@@ -117,7 +117,7 @@ Runge–Kutta 4 fragt viermal pro Zeitschritt nach den Kräften, das semi-impliz
 
 Dafür müssen die Zeitschritte erst einmal klein genug sein: Bei 2&#x2009;Bildern sind beide weit daneben.
 
-Das Diagramm **Genauigkeit** (Messen, ganz oben) zeigt jedes Verfahren als Leiter. Steiler heißt höhere Ordnung.</translation>
+Das Diagramm **Genauigkeit** (Messen, ganz oben) zeigt ein Verfahren als Leiter: drei davon, oder mit **Alle Verfahren zeigen** jedes. Steiler heißt höhere Ordnung.</translation>
     </message>
     <message>
         <source>Steps that adapt</source>
@@ -162,14 +162,14 @@ Here you may be 1&#x2009;px off, and spend **half a microsecond** a frame. The w
 
 When you come to frame 200 the program compares your run with the exact one, and times it on this machine, several times over. Nothing else may be changed. On a busy machine it may need another try, so let it play on.
 
-**Measure** (at the top) shows all methods at once; click a point to use it.</source>
+**Measure** (at the top), then **Show all methods**: click a mark to use it.</source>
         <translation>Kein Verfahren ist das beste. Die Frage ist: **Wie weit darf es daneben sein, und was darf es kosten?** Ein Spiel, das 10 000 Figuren 60-mal pro Sekunde bewegt, hat 1,7&#x202f;µs für jede, und noch mehr zu tun.
 
 Hier darfst du 1&#x202f;px daneben sein und **eine halbe Mikrosekunde** pro Bild ausgeben. Der Anfang ist billig und 15&#x202f;px daneben. Kleine Zeitschritte davon sind genau, und teuer. Welches Verfahren, mit welchem Zeitschritt?
 
 Bei Bild 200 vergleicht das Programm deinen Lauf mit dem exakten und misst mehrmals seine Zeit auf diesem Rechner. Sonst darf nichts geändert sein. Auf einem beschäftigten Rechner braucht es vielleicht noch einen Versuch, also lass es weiterlaufen.
 
-**Messen** (ganz oben) zeigt alle Verfahren auf einmal; klicke auf einen Punkt, um ihn zu verwenden.</translation>
+**Messen** (ganz oben), dann **Alle Verfahren zeigen**: Klicke auf eine Marke, um sie zu verwenden.</translation>
     </message>
     <message>
         <source>A crowd</source>

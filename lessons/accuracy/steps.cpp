@@ -140,8 +140,8 @@ Step halveStep()
         "computations a frame the one is 0.13 px off at frame 60, and the other 0.44 px. With 64, it "
         "is 0.00003 px against 0.05.\n\n"
         "Steps must be small enough first: at 2 frames both are far off.\n\n"
-        "The **Accuracy** plot (Measure, at the top) shows each method as a ladder. Steeper is a higher "
-        "order.");
+        "The **Accuracy** plot (Measure, at the top) shows a method as a ladder: three of them, or all by "
+        "**Show all methods**. Steeper is a higher order.");
     step.tries = halveTries(exact, step.presets());
     step.scene = halve::setUp;
     step.measures.push_back(computationsMeasure());
@@ -223,7 +223,7 @@ Step budgetStep()
         "machine, several times over. Nothing else may be changed. On a busy machine it may need another "
         "try, "
         "so let it play on.\n\n"
-        "**Measure** (at the top) shows all methods at once; click a point to use it.");
+        "**Measure** (at the top), then **Show all methods**: click a mark to use it.");
     step.tries = budgetTries(step.presets());
     step.scene = budget::setUp;
     step.measures.push_back(computationsMeasure());

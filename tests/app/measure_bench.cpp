@@ -85,6 +85,7 @@ StudyFunction Puppet::function()
 
 Bench::Bench()
 {
+    panel.setShowsAll(true);
     show(panel, {560, 560});
 }
 

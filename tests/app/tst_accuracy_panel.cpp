@@ -1,12 +1,15 @@
 // The Accuracy panel, driven as a learner drives it, over a made-up study.
 
 #include "app/model/accuracy_words.h"
+#include "app/model/telling_methods.h"
 #include "measure_bench.h"
 #include "sim/methods/methods.h"
 
 #include <QAccessible>
 #include <QPushButton>
 #include <QtTest>
+
+#include <set>
 
 using namespace app;
 using measure_bench::Bench;
@@ -28,7 +31,119 @@ private slots:
     void aScreenReaderHearsWhatIsChosen();
     void cancelStopsAndMeasureAgainGoesOn();
     void whereNothingMovesTheVerdictSaysSo();
+    void aBeginnerSeesThreeMethodsAndTheTimeOfAFrame();
+    void allMethodsAreAClickAwayAndThatIsRemembered();
+    void theWayInUseIsAlwaysShown();
+    void theTellingMethodsAreTheCheapestAndTheMostExact();
+    void timesHaveOneUnit_data();
+    void timesHaveOneUnit();
 };
+
+namespace {
+
+std::set<std::string> methodsOf(const Bench &bench, const SpotPlot &plot)
+{
+    std::set<std::string> shown;
+    for (const Spot &spot : plot.spots())
+        shown.insert(bench.study.accuracy()->rows[spot.row].way.method->id());
+    return shown;
+}
+
+}
+
+void AccuracyPanelTest::aBeginnerSeesThreeMethodsAndTheTimeOfAFrame()
+{
+    Bench bench;
+    bench.panel.setShowsAll(false);
+    QVERIFY(bench.measured());
+    WorkPrecisionPlot &plot = bench.plot();
+    // By hand: the cheapest that stays within 0.1 px, and what is off least.
+    const sim::AccuracyRow *cheapest = nullptr;
+    for (const sim::AccuracyRow &row : bench.study.accuracy()->rows) {
+        const bool fits = row.outcome == sim::Outcome::measured && row.error <= 0.1;
+        if (fits && (!cheapest || row.nsPerFrame < cheapest->nsPerFrame))
+            cheapest = &row;
+    }
+    const std::set<std::string> shown = methodsOf(bench, plot);
+    QCOMPARE(shown.size(), std::size_t(3));
+    QVERIFY(shown.count(bench.world.session.step().script().method->id()));
+    QVERIFY(shown.count(cheapest->way.method->id()));
+    // A frame of 30 a second has 33,333 microseconds: right of all marks, and in sight.
+    QVERIFY(plot.showsFrame());
+    for (const Spot &spot : plot.spots())
+        QVERIFY(spot.place.x() < 1e6 / 30.0);
+    QVERIFY(plot.xAxis->coordToPixel(1e6 / 30.0) < plot.axisRect()->right());
+    QVERIFY(!bench.panel.findChild<QLabel *>("failure")->isVisible());
+    QVERIFY(plot.height() > bench.panel.height() / 2);
+}
+
+void AccuracyPanelTest::allMethodsAreAClickAwayAndThatIsRemembered()
+{
+    Bench bench;
+    bench.panel.setShowsAll(false);
+    QVERIFY(bench.measured());
+    auto *all = bench.panel.findChild<QPushButton *>("allMethods");
+    QTest::mouseClick(all, Qt::LeftButton);
+    QCOMPARE(methodsOf(bench, bench.plot()).size(), sim::allMethods().size());
+    QVERIFY(bench.panel.findChild<QLabel *>("failure")->isVisible());
+    const AccuracyPanel next(bench.study, bench.world.theme);
+    QVERIFY(next.showsAll());
+    auto *fewer = bench.panel.findChild<QPushButton *>("fewerMethods");
+    QVERIFY(fewer->isVisible() && !all->isVisible());
+    fewer->setFocus();
+    QTest::keyClick(fewer, Qt::Key_Space);
+    QCOMPARE(methodsOf(bench, bench.plot()).size(), std::size_t(3));
+    const AccuracyPanel again(bench.study, bench.world.theme);
+    QVERIFY(!again.showsAll());
+}
+
+void AccuracyPanelTest::theWayInUseIsAlwaysShown()
+{
+    Bench bench;
+    bench.panel.setShowsAll(false);
+    QVERIFY(bench.measured());
+    for (const sim::MethodPtr &method : sim::allMethods()) {
+        const bool adapts = method->stepping() == sim::Stepping::adaptive;
+        bench.world.session.use(method, adapts ? sim::StepSize::within(1e-2) : sim::StepSize::of(0.5));
+        QVERIFY2(methodsOf(bench, bench.plot()).count(method->id()), method->id().c_str());
+    }
+}
+
+void AccuracyPanelTest::theTellingMethodsAreTheCheapestAndTheMostExact()
+{
+    const auto row = [](const char *method, double error, double ns) {
+        sim::AccuracyRow made;
+        made.way = {sim::findMethod(method), sim::StepSize::of(1.0)};
+        made.outcome = sim::Outcome::measured;
+        made.error = error;
+        made.nsPerFrame = ns;
+        return made;
+    };
+    sim::Accuracy found;
+    found.rows = {row("published", 5.0, 20.0), row("semi_implicit_euler", 4.0, 20.0),
+                  row("velocity_verlet", 0.05, 30.0), row("midpoint", 0.04, 60.0), row("rk4", 1e-4, 90.0)};
+    using Names = std::vector<std::string>;
+    QCOMPARE(tellingMethods(found, "published", 0.1), (Names{"published", "velocity_verlet", "rk4"}));
+    // Where one method is both, the next most exact one of another order joins it.
+    QCOMPARE(tellingMethods(found, "published", 0.01), (Names{"published", "rk4", "midpoint"}));
+    QCOMPARE(tellingMethods(found, "rk4", 0.01), (Names{"rk4", "midpoint", "semi_implicit_euler"}));
+    QCOMPARE(tellingMethods({}, "rk4", 0.1), Names{"rk4"});
+}
+
+void AccuracyPanelTest::timesHaveOneUnit_data()
+{
+    QTest::addColumn<double>("ns");
+    QTest::addColumn<QString>("shown");
+    QTest::newRow("a little") << 31.4 << "0.031\u2009µs";
+    QTest::newRow("thousands of nanoseconds") << 7922.0 << "7.9\u2009µs";
+    QTest::newRow("milliseconds") << 16.7e6 << "16700\u2009µs";
+}
+
+void AccuracyPanelTest::timesHaveOneUnit()
+{
+    QFETCH(double, ns);
+    QTEST(duration(ns), "shown");
+}
 
 void AccuracyPanelTest::theCardNamesTheCheapestWayWithinTheTarget()
 {

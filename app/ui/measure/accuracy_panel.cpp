@@ -13,6 +13,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QSettings>
 #include <QStackedWidget>
 #include <QTextDocumentFragment>
 #include <QToolButton>
@@ -25,6 +26,7 @@ namespace app {
 
 namespace {
 
+const char *const allKey = "measure/allMethods";
 constexpr int margin = 16;
 constexpr int leastPlot = 150;   ///< px; below that a plot tells nothing
 constexpr int leastRemarks = 36; ///< px: two lines; what does not fit is scrolled to
@@ -59,7 +61,12 @@ AccuracyPanel::AccuracyPanel(AccuracyStudy &study, const Theme &theme, QWidget *
     m_export->setNumbersAsText([seen] { return seen()->numbers(); });
     for (int i = 0; i < m_views->count(); ++i)
         m_export->addContextMenu(*m_views->widget(i));
-    m_title->addAction(tabs());
+    m_showsAll = QSettings().value(allKey, false).toBool();
+    m_tabRow = tabs();
+    m_title->addAction(m_tabRow);
+    m_all = choiceButton("allMethods", tr("Show all methods"),
+                         tr("Every method that was measured, two more plots of them, and remarks"), true);
+    m_title->addAction(m_all);
     m_title->addAction(m_export->makeButton(this));
     m_unstable = textLabel("failure", Qt::PlainText, this);
     m_views->setMinimumHeight(leastPlot);
@@ -82,7 +89,7 @@ AccuracyPanel::AccuracyPanel(AccuracyStudy &study, const Theme &theme, QWidget *
     column->addWidget(card());
     column->addWidget(m_remarksArea);
     connect(&study, &AccuracyStudy::changed, this, &AccuracyPanel::refresh);
-    connect(m_workPrecision, &WorkPrecisionPlot::targetChanged, this, &AccuracyPanel::refreshCard);
+    connect(m_workPrecision, &WorkPrecisionPlot::targetChanged, this, &AccuracyPanel::refresh);
     connect(&theme, &Theme::changed, this, &AccuracyPanel::dress);
     dress();
     refresh();
@@ -127,6 +134,8 @@ QWidget *AccuracyPanel::stateRow()
     m_state = new QLabel(row);
     m_state->setObjectName("caption");
     m_state->setWordWrap(true);
+    m_fewer = choiceButton("fewerMethods", tr("Show fewer methods"),
+                           tr("Only the method of this step and the two that tell most beside it"), false);
     m_progress = new ProgressLine(tr("How far the measurement is"), row);
     m_progress->setMaximumWidth(160);
     m_measure = new QPushButton(row);
@@ -134,9 +143,27 @@ QWidget *AccuracyPanel::stateRow()
     m_measure->setAutoDefault(false);
     layout->addWidget(m_state, 1);
     layout->addWidget(m_progress);
+    layout->addWidget(m_fewer);
     layout->addWidget(m_measure);
     connect(m_measure, &QPushButton::clicked, this, &AccuracyPanel::measureOrCancel);
+    m_stateRow = row;
     return row;
+}
+
+QPushButton *AccuracyPanel::choiceButton(const char *name, const QString &text, const QString &tip, bool all)
+{
+    auto *button = new QPushButton(text, this);
+    button->setObjectName(name);
+    button->setAutoDefault(false);
+    button->setToolTip(tip);
+    connect(button, &QPushButton::clicked, this, [this, all] {
+        const bool hadFocus = m_all->hasFocus() || m_fewer->hasFocus();
+        QSettings().setValue(allKey, all);
+        setShowsAll(all);
+        if (hadFocus) // the button is gone, the other one is there
+            (all ? m_fewer : m_all)->setFocus(Qt::OtherFocusReason);
+    });
+    return button;
 }
 
 QWidget *AccuracyPanel::card()
@@ -204,33 +231,74 @@ void AccuracyPanel::resizeEvent(QResizeEvent *event)
 void AccuracyPanel::refresh()
 {
     const sim::Accuracy *accuracy = m_study.accuracy();
-    QString caption;
-    if (accuracy) {
-        std::set<std::string> methods;
-        for (const sim::AccuracyRow &row : accuracy->rows)
-            methods.insert(row.way.method->id());
-        caption = accuracy->previewed > 0
-                      ? tr("first %1 frames of %2").arg(accuracy->previewed).arg(accuracy->span)
-                      : tr("%1 frames, %2 methods")
-                            .arg(accuracy->horizon > 0 ? accuracy->horizon : accuracy->span)
-                            .arg(methods.size());
-    }
-    m_title->setCaption(caption);
+    chooseMethods();
+    m_title->setCaption(accuracy ? captionOf(*accuracy) : QString());
     const QString unstable = accuracy ? unstableWords(*accuracy) : QString();
     m_unstable->setText(unstable.isEmpty() ? QString() : QStringLiteral("✕ ") + unstable);
-    m_unstable->setVisible(!unstable.isEmpty());
+    m_unstable->setVisible(showsAll() && !unstable.isEmpty());
     const QString remarks = accuracy ? remarksOn(*accuracy).join(QStringLiteral("\n")) : QString();
     m_remarks->setText(remarks);
-    m_remarksArea->setVisible(!remarks.isEmpty());
+    m_remarksArea->setVisible(showsAll() && !remarks.isEmpty());
     fitRemarks();
     refreshState();
     refreshCard();
+}
+
+QString AccuracyPanel::captionOf(const sim::Accuracy &accuracy) const
+{
+    if (accuracy.previewed > 0)
+        return tr("first %1 frames of %2").arg(accuracy.previewed).arg(accuracy.span);
+    std::set<std::string> methods, shown;
+    for (const sim::AccuracyRow &row : accuracy.rows) {
+        methods.insert(row.way.method->id());
+        if (m_workPrecision->shown().has(*row.way.method))
+            shown.insert(row.way.method->id());
+    }
+    const auto frames = accuracy.horizon > 0 ? accuracy.horizon : accuracy.span;
+    return shown.size() == methods.size()
+               ? tr("%1 frames, %2 methods").arg(frames).arg(methods.size())
+               : tr("%1 frames, %2 of %3 methods").arg(frames).arg(shown.size()).arg(methods.size());
+}
+
+void AccuracyPanel::setShowsAll(bool all)
+{
+    if (all == m_showsAll)
+        return;
+    m_showsAll = all;
+    if (!all)
+        setView(errorAgainstTime);
+    refresh();
+}
+
+/// The step's own method and the most telling others. Before there are times nobody knows which those are: until then the
+/// plot is of the step's own.
+void AccuracyPanel::chooseMethods()
+{
+    ShownMethods shown{showsAll()};
+    const sim::Accuracy *accuracy = m_study.accuracy();
+    if (!shown.areAll && accuracy) {
+        const Session &session = m_study.session();
+        const std::string own = session.step().script().method->id();
+        const bool isEarly = m_study.stage() == AccuracyStudy::Stage::measuring;
+        const std::vector<std::string> telling =
+            isEarly ? std::vector<std::string>{own}
+                    : tellingMethods(*accuracy, own, m_workPrecision->target());
+        shown.ids = {telling.begin(), telling.end()};
+        shown.ids.insert(session.timeline().script().method->id());
+    }
+    for (int i = 0; i < m_views->count(); ++i)
+        static_cast<SpotPlot *>(m_views->widget(i))->setShown(shown);
 }
 
 void AccuracyPanel::refreshState()
 {
     using Stage = AccuracyStudy::Stage;
     const bool measuring = m_study.stage() == Stage::measuring;
+    m_all->setVisible(!m_showsAll);
+    m_fewer->setVisible(m_showsAll);
+    m_tabRow->setVisible(m_showsAll);
+    m_stateRow->setVisible(m_showsAll ||
+                           m_study.stage() != Stage::done); // a plot that is done speaks for itself
     m_progress->setVisible(measuring);
     m_progress->setShare(m_study.done());
     m_measure->setText(measuring ? tr("Cancel") : m_study.accuracy() ? tr("Measure again") : tr("Measure"));

@@ -33,6 +33,10 @@ public:
     View view() const;
     WorkPrecisionPlot &workPrecision() const { return *m_workPrecision; }
     RunPlot &run() const { return *m_overTheRun; }
+    /// Whether the plots show all methods, with all remarks: else three of them, for a beginner. What a learner chooses is
+    /// remembered.
+    bool showsAll() const { return m_showsAll; }
+    void setShowsAll(bool all);
     /// Of the plot that is seen.
     PlotExport &exports() const { return *m_export; }
     /// What the card says, without its marks.
@@ -54,8 +58,12 @@ protected:
 private:
     QWidget *tabs();
     QWidget *stateRow();
+    /// A button that shows all methods, or fewer.
+    QPushButton *choiceButton(const char *name, const QString &text, const QString &tip, bool all);
     QWidget *card();
     void refresh();
+    void chooseMethods();
+    QString captionOf(const sim::Accuracy &accuracy) const;
     void fitRemarks();
     void refreshState();
     void refreshCard();
@@ -74,6 +82,11 @@ private:
     RunPlot *m_overTheRun;
     std::vector<QToolButton *> m_tabs;
     QLabel *m_state;
+    bool m_showsAll = false;
+    QWidget *m_tabRow;
+    QWidget *m_stateRow = nullptr;
+    QPushButton *m_all;
+    QPushButton *m_fewer = nullptr;
     ProgressLine *m_progress;
     QPushButton *m_measure;
     QLabel *m_verdict;

@@ -63,7 +63,8 @@ std::vector<Spot> OrderPlot::layOut()
     for (std::size_t i = 0; i < rows.size(); ++i) {
         if (i == 0 || rows[i].way.method->id() != rows[i - 1].way.method->id())
             ++line;
-        if (rows[i].outcome != sim::Outcome::measured || rows[i].way.step.adaptive())
+        if (rows[i].outcome != sim::Outcome::measured || rows[i].way.step.adaptive() ||
+            !shown().has(*rows[i].way.method))
             continue;
         const double h = rows[i].way.step.h;
         spots.push_back({i, {h, rows[i].error}, line});
@@ -125,7 +126,8 @@ void OrderPlot::placeWords()
 void OrderPlot::draw(QPainter &painter)
 {
     const QRectF area = axisRect()->rect();
-    drawAxisNames(painter, area, {tr("step, frames (finer →)"), tr("error, px"), {}, tr("← better")},
+    drawAxisNames(painter, area,
+                  {tr("step, frames (finer →)"), tr("how far off at most, px"), {}, tr("← more exact")},
                   m_theme);
     painter.save();
     painter.setClipRect(area.adjusted(-6.0, 0.0, 6.0, 0.0));

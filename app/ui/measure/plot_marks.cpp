@@ -12,6 +12,8 @@ namespace app {
 namespace {
 
 constexpr int mostTicks = 9;
+constexpr int leastPlain = -3;        ///< 0.001 is written out; what is longer is a power of ten
+constexpr int mostPlain = 4;          ///< so is 10000
 constexpr double besideLine = 9.0;    ///< px between a line's end and its name
 constexpr double farFromLine = 14.0;  ///< px: a name that is moved farther is joined to its line
 constexpr double shortestPiece = 6.0; ///< px
@@ -49,7 +51,7 @@ PowerTicker::PowerTicker(Writing writing) : m_writing(writing)
 QString PowerTicker::getTickLabel(double tick, const QLocale &, QChar, int)
 {
     const int exponent = static_cast<int>(std::lround(std::log10(tick)));
-    if (m_writing == Writing::plain && std::abs(exponent) <= 3)
+    if (m_writing == Writing::plain && exponent >= leastPlain && exponent <= mostPlain)
         return QLocale().toString(tick, 'g', 6);
     return powerOfTen(exponent);
 }

@@ -79,7 +79,8 @@ void RunPlot::chooseRows()
     if (used && used->outcome != sim::Outcome::measured)
         used = nullptr;
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        if (rows[i].outcome != sim::Outcome::measured || rows[i].errorAt.size() < 2)
+        if (rows[i].outcome != sim::Outcome::measured || rows[i].errorAt.size() < 2 ||
+            !shown().has(*rows[i].way.method))
             continue;
         const bool isNew = m_rows.empty() || rows[m_rows.back()].way.method->id() != rows[i].way.method->id();
         if (isNew)
@@ -141,7 +142,7 @@ void RunPlot::placeWords()
 void RunPlot::draw(QPainter &painter)
 {
     const QRectF area = axisRect()->rect();
-    drawAxisNames(painter, area, {tr("frame"), tr("error, px"), {}, tr("← better")}, m_theme);
+    drawAxisNames(painter, area, {tr("frame"), tr("how far off, px"), {}, tr("← more exact")}, m_theme);
     painter.save();
     painter.setClipRect(area);
     const AccuracyRow *used = m_study.inUse();

@@ -24,7 +24,7 @@ SpotPlot::SpotPlot(AccuracyStudy &study, const Theme &theme, QWidget *parent)
     setAntialiasedElements(QCP::aeAll);
     setNoAntialiasingOnDrag(false);
     setPlottingHint(QCP::phImmediateRefresh, false); // it is painted together with all else that has changed
-    m_errorTicks = makeLogarithmic(*yAxis, PowerTicker::Writing::powers);
+    m_errorTicks = makeLogarithmic(*yAxis, PowerTicker::Writing::plain);
     setErrors({});
     axisRect()->setAutoMargins(QCP::msNone);
     axisRect()->setMargins({58, 12, 16, 44});
@@ -39,6 +39,14 @@ void SpotPlot::dress()
     dressAxis(*xAxis, m_theme);
     dressAxis(*yAxis, m_theme);
     m_axesAreOld = true;
+    refresh();
+}
+
+void SpotPlot::setShown(const ShownMethods &shown)
+{
+    if (shown == m_shown)
+        return;
+    m_shown = shown;
     refresh();
 }
 

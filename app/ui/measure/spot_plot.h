@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/model/accuracy_study.h"
+#include "app/model/telling_methods.h"
 #include "app/ui/measure/error_scale.h"
 #include "app/ui/measure/spots.h"
 #include "app/ui/plots/plot_export.h"
@@ -20,6 +21,10 @@ class SpotPlot : public QCustomPlot
 
 public:
     SpotPlot(AccuracyStudy &study, const Theme &theme, QWidget *parent = nullptr);
+
+    /// Which methods are shown: all, unless told otherwise.
+    void setShown(const ShownMethods &shown);
+    const ShownMethods &shown() const { return m_shown; }
 
     const std::vector<Spot> &spots() const { return m_spots; }
     /// Where a spot is drawn, in px of the widget.
@@ -94,6 +99,7 @@ private:
     void showTip();
     void adopt();
 
+    ShownMethods m_shown;
     std::vector<Spot> m_spots;
     ErrorScale m_errors;
     QSharedPointer<PowerTicker> m_errorTicks;

@@ -12,9 +12,12 @@ using sim::Outcome;
 
 constexpr double nameRoom = 128.0;   ///< px right of the last marker
 constexpr double besideFirst = 24.0; ///< px left of the first one
-constexpr double shortest = 80.0;    ///< px that are kept between them
-constexpr double above = 30.0;       ///< a factor of room over the largest error
-constexpr double fromTop = 0.06;     ///< of the height: where unstable rows stand
+constexpr double besideFrame = 14.0; ///< px right of the time that a frame has
+constexpr double nameFactor =
+    30.0;                         ///< between the dearest marker and that time, so that names have room there
+constexpr double shortest = 80.0; ///< px that are kept between them
+constexpr double above = 30.0;    ///< a factor of room over the largest error
+constexpr double fromTop = 0.06;  ///< of the height: where unstable rows stand
 
 /// Whether all that is measured has a time, so that times can be compared.
 bool isTimed(const std::vector<AccuracyRow> &rows)
@@ -52,7 +55,7 @@ std::vector<int> linesOf(const std::vector<AccuracyRow> &rows)
     return lines;
 }
 
-void fitCosts(WorkPrecisionLayout &layout, double width)
+void fitCosts(WorkPrecisionLayout &layout, double width, bool withFrame)
 {
     double cheap = HUGE_VAL;
     double dear = 0.0;
@@ -60,18 +63,22 @@ void fitCosts(WorkPrecisionLayout &layout, double width)
         cheap = std::min(cheap, spot.place.x());
         dear = std::max(dear, spot.place.x());
     }
-    const double inner = std::max(shortest, width - nameRoom - besideFirst);
-    const double decades = std::max(0.3, std::log10(dear / cheap)) / inner; // a px
+    const bool isFrameShown = withFrame && dear * nameFactor < frameOnScreen;
+    const double last = isFrameShown ? frameOnScreen : dear;
+    const double room = isFrameShown ? besideFrame : nameRoom;
+    const double inner = std::max(shortest, width - room - besideFirst);
+    const double decades = std::max(0.3, std::log10(last / cheap)) / inner; // a px
     layout.least = cheap * std::pow(10.0, -besideFirst * decades);
-    layout.most = dear * std::pow(10.0, nameRoom * decades);
+    layout.most = last * std::pow(10.0, room * decades);
 }
 
-void addUnstable(WorkPrecisionLayout &layout, const std::vector<AccuracyRow> &rows, int line)
+void addUnstable(WorkPrecisionLayout &layout, const std::vector<AccuracyRow> &rows, const ShownMethods &shown,
+                 int line)
 {
     const ErrorScale &errors = layout.errors;
     const double top = errors.upper / std::pow(errors.upper / errors.lower, fromTop);
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        if (rows[i].outcome != Outcome::unstable)
+        if (rows[i].outcome != Outcome::unstable || !shown.has(*rows[i].way.method))
             continue;
         const double cost = unstableCost(rows, i, layout.timed);
         layout.spots.push_back({i, {std::clamp(cost, layout.least * 1.1, layout.most), top}, line});
@@ -85,7 +92,8 @@ double costOf(const AccuracyRow &row, bool timed)
     return timed ? row.nsPerFrame / 1e3 : row.evaluations;
 }
 
-WorkPrecisionLayout workPrecisionLayout(const sim::Accuracy &accuracy, double target, QSizeF size)
+WorkPrecisionLayout workPrecisionLayout(const sim::Accuracy &accuracy, const ShownMethods &shown,
+                                        double target, QSizeF size)
 {
     const std::vector<AccuracyRow> &rows = accuracy.rows;
     const std::vector<int> lines = linesOf(rows);
@@ -93,7 +101,8 @@ WorkPrecisionLayout workPrecisionLayout(const sim::Accuracy &accuracy, double ta
     layout.timed = isTimed(rows);
     std::vector<double> errors{target};
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        if (rows[i].outcome != Outcome::measured || !(costOf(rows[i], layout.timed) > 0.0))
+        if (rows[i].outcome != Outcome::measured || !(costOf(rows[i], layout.timed) > 0.0) ||
+            !shown.has(*rows[i].way.method))
             continue;
         layout.spots.push_back({i, {costOf(rows[i], layout.timed), rows[i].error}, lines[i]});
         errors.push_back(rows[i].error);
@@ -103,8 +112,8 @@ WorkPrecisionLayout workPrecisionLayout(const sim::Accuracy &accuracy, double ta
     layout.errors = errorScale(errors, above, size.height());
     for (Spot &spot : layout.spots)
         spot.place.setY(layout.errors.place(spot.place.y()));
-    fitCosts(layout, size.width());
-    addUnstable(layout, rows, lines.back() + 1);
+    fitCosts(layout, size.width(), layout.timed && !shown.areAll);
+    addUnstable(layout, rows, shown, lines.back() + 1);
     return layout;
 }
 

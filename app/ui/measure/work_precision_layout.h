@@ -1,8 +1,8 @@
 #pragma once
 
+#include "app/model/telling_methods.h"
 #include "app/ui/measure/error_scale.h"
 #include "app/ui/measure/spots.h"
-#include "sim/accuracy/study.h"
 
 #include <QSizeF>
 
@@ -21,7 +21,12 @@ struct WorkPrecisionLayout
 /// What a row costs, as the layout counts it.
 double costOf(const sim::AccuracyRow &row, bool timed);
 
-/// Lays the rows of `accuracy` out on an area of `size` px. `target` is an error, in px, that is in sight, too.
-WorkPrecisionLayout workPrecisionLayout(const sim::Accuracy &accuracy, double target, QSizeF size);
+/// How long a frame is on the screen, in µs: the program shows 30 a second.
+constexpr double frameOnScreen = 1e6 / 30.0;
+
+/// Lays the rows of `accuracy` that are `shown` out on an area of `size` px. `target` is an error, in px, that is in sight,
+/// too. Where not all methods are shown there is room for frameOnScreen.
+WorkPrecisionLayout workPrecisionLayout(const sim::Accuracy &accuracy, const ShownMethods &shown,
+                                        double target, QSizeF size);
 
 }

@@ -40,7 +40,8 @@ WorkPrecisionPlot::WorkPrecisionPlot(AccuracyStudy &study, const Theme &theme, Q
 
 std::vector<Spot> WorkPrecisionPlot::layOut()
 {
-    WorkPrecisionLayout layout = workPrecisionLayout(*m_study.accuracy(), m_target, axisRect()->size());
+    WorkPrecisionLayout layout =
+        workPrecisionLayout(*m_study.accuracy(), shown(), m_target, axisRect()->size());
     m_timed = layout.timed;
     if (!layout.spots.empty()) {
         xAxis->setRange(layout.least, layout.most);
@@ -52,14 +53,16 @@ std::vector<Spot> WorkPrecisionPlot::layOut()
 void WorkPrecisionPlot::draw(QPainter &painter)
 {
     const QRectF area = axisRect()->rect();
-    drawAxisNames(painter, area,
-                  {m_timed ? tr("time, µs a frame") : tr("forces computed a frame (times come next)"),
-                   tr("error, px"), tr("cheaper ←"), tr("← better")},
-                  m_theme);
+    drawAxisNames(
+        painter, area,
+        {m_timed ? tr("time to compute a frame, µs") : tr("forces computed a frame (times come next)"),
+         tr("how far off at most, px"), tr("← faster"), tr("← more exact")},
+        m_theme);
     if (spots().empty())
         return;
     painter.save();
     painter.setClipRect(area.adjusted(-6.0, -6.0, 6.0, 6.0));
+    drawFrame(painter);
     drawFront(painter);
     drawTarget(painter);
     drawWhiskers(painter);
@@ -73,11 +76,42 @@ void WorkPrecisionPlot::draw(QPainter &painter)
         drawRing(painter, onScreen(*chosen()), QPen(m_theme.tokens().ink, 2.0), markerSize);
 }
 
+QString WorkPrecisionPlot::frameText()
+{
+    const QString number = QString::number(qRound(frameOnScreen));
+    return tr("A frame is on the screen\nfor %1\u2009µs (30 a second)")
+        .arg(number.chopped(3) + QChar(0x2009) + number.right(3));
+}
+
+QRectF WorkPrecisionPlot::frameLabel() const
+{
+    if (!showsFrame())
+        return {};
+    const QRectF area = axisRect()->rect();
+    const QSizeF size = QFontMetricsF(m_theme.ui(12)).size(0, frameText());
+    return {QPointF(xAxis->coordToPixel(frameOnScreen) - size.width() - 8.0, area.top() + 4.0), size};
+}
+
+void WorkPrecisionPlot::drawFrame(QPainter &painter) const
+{
+    if (!showsFrame())
+        return;
+    const Tokens &t = m_theme.tokens();
+    const QRectF area = axisRect()->rect();
+    const double x = xAxis->coordToPixel(frameOnScreen);
+    painter.setPen(QPen(t.ink2, 1.5));
+    painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
+    const QRectF label = frameLabel();
+    painter.fillRect(label.adjusted(-2.0, 0.0, 2.0, 0.0), t.panel);
+    painter.setFont(m_theme.ui(12));
+    painter.drawText(label, Qt::AlignRight | Qt::AlignTop | Qt::TextDontClip, frameText());
+}
+
 QPolygonF WorkPrecisionPlot::frontLine() const
 {
     QPolygonF front;
     for (const Spot &spot : spots()) {
-        if (m_timed && rowOf(spot).front)
+        if (m_timed && shown().areAll && rowOf(spot).front)
             front << onScreen(spot);
     }
     std::sort(front.begin(), front.end(), [](QPointF a, QPointF b) { return a.x() < b.x(); });
@@ -138,7 +172,7 @@ void WorkPrecisionPlot::drawLadders(QPainter &painter) const
 
 LabelPlaces WorkPrecisionPlot::takenPlaces() const
 {
-    std::vector<QRectF> marks{targetHandle(), hereTag()};
+    std::vector<QRectF> marks{targetHandle(), hereTag(), frameLabel()};
     std::vector<QLineF> strokes;
     const double half = markerSize / 2.0 + 2.0;
     const Spot *before = nullptr;
@@ -234,11 +268,17 @@ QRectF WorkPrecisionPlot::hereTag() const
     const QPointF at = onScreen(*spot);
     const QRectF area = axisRect()->rect();
     const double width = QFontMetricsF(m_theme.ui(12, QFont::DemiBold)).horizontalAdvance(hereText()) + 14.0;
-    QRectF tag(0.0, 0.0, width, 20.0);
-    tag.moveTo(std::max(area.left() + 2.0, at.x() - tag.width() / 2.0), at.y() + 13.0);
-    if (tag.bottom() > area.bottom())
-        tag.moveBottom(at.y() - 13.0);
-    return tag;
+    constexpr double height = 20.0, away = 13.0;
+    const double left = std::max(area.left() + 2.0, at.x() - width / 2.0);
+    const QRectF below(left, at.y() + away, width, height),
+        above(left, at.y() - away - height, width, height);
+    if (below.bottom() > area.bottom())
+        return above;
+    const auto covered = [this](const QRectF &tag) {
+        return std::count_if(spots().begin(), spots().end(),
+                             [&](const Spot &one) { return tag.contains(onScreen(one)); });
+    };
+    return above.top() >= area.top() && covered(above) < covered(below) ? above : below;
 }
 
 void WorkPrecisionPlot::drawHere(QPainter &painter) const

@@ -2,6 +2,7 @@
 
 #include "app/ui/measure/plot_marks.h"
 #include "app/ui/measure/spot_plot.h"
+#include "app/ui/measure/work_precision_layout.h"
 
 namespace app {
 
@@ -21,6 +22,8 @@ public:
     QRectF targetHandle() const;
     /// Whether times are known, so that the plot shows them.
     bool showsTimes() const { return m_timed; }
+    /// Whether the time that a frame is on the screen is in sight.
+    bool showsFrame() const { return m_timed && xAxis->range().contains(frameOnScreen); }
 
     static constexpr double leastTarget = 1e-10; ///< px
     static constexpr double mostTarget = 100.0;  ///< px
@@ -41,6 +44,10 @@ protected:
 
 private:
     static QString hereText();
+    static QString frameText();
+    /// Where that is written; empty where the line is out of sight.
+    QRectF frameLabel() const;
+    void drawFrame(QPainter &painter) const;
     /// What the names must not cover.
     LabelPlaces takenPlaces() const;
     /// The spots that nothing beats, on the screen, from cheap to dear; empty before there are times.
