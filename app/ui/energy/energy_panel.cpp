@@ -12,12 +12,18 @@
 #include <QStackedWidget>
 #include <QToolButton>
 
+#include <algorithm>
+
 namespace app {
 
 namespace {
 
 constexpr int refreshMilliseconds = 100; ///< while playing: numbers that change faster cannot be read
 constexpr int listWidth = 276;
+constexpr int narrowUpTo = 640;   ///< px: a panel that is narrower, and tall, has its list below the plot
+constexpr int tallFrom = 400;     ///< px
+constexpr int unitHeight = 22;    ///< px
+constexpr double mostList = 0.42; ///< of the panel's height, for a list below the plot
 
 }
 
@@ -66,7 +72,7 @@ QWidget *EnergyPanel::ledger()
 {
     auto *page = new QWidget(m_pages);
     auto *side = new QWidget(page);
-    side->setFixedWidth(listWidth);
+    m_side = side;
     m_unit = new QLabel(side);
     m_unit->setObjectName("caption");
     m_unit->setContentsMargins(31, 2, 12, 2);
@@ -80,7 +86,27 @@ QWidget *EnergyPanel::ledger()
     row->setSpacing(4);
     row->addWidget(m_plot, 1);
     row->addWidget(side);
+    m_split = row;
     return page;
+}
+
+/// Beside the list, the plot of a narrow panel would be a stripe.
+void EnergyPanel::placeList()
+{
+    const bool isBelow = width() < narrowUpTo && height() >= tallFrom;
+    const int wanted = static_cast<int>(m_list->lines().size()) * EnergyDelegate::rowHeight + unitHeight;
+    m_split->setDirection(isBelow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    m_side->setMinimumWidth(isBelow ? 0 : listWidth);
+    m_side->setMaximumWidth(isBelow ? QWIDGETSIZE_MAX : listWidth);
+    m_side->setMinimumHeight(0);
+    m_side->setMaximumHeight(isBelow ? std::min(wanted, static_cast<int>(mostList * height()))
+                                     : QWIDGETSIZE_MAX);
+}
+
+void EnergyPanel::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    placeList();
 }
 
 QWidget *EnergyPanel::tabs()
@@ -188,6 +214,7 @@ void EnergyPanel::showLedger()
                                            : tr("counting…"));
     m_unit->setText(unit());
     m_list->setLines(m_view == energy ? counted().energyAt(frame) : counted().momentumAt(frame), unit());
+    placeList();
 }
 
 void EnergyPanel::setCovered(bool covered)

@@ -6,6 +6,7 @@
 #include <QElapsedTimer>
 #include <QWidget>
 
+class QBoxLayout;
 class QLabel;
 class QStackedWidget;
 class QToolButton;
@@ -51,10 +52,12 @@ signals:
 protected:
     void showEvent(QShowEvent *event) override;
     void hideEvent(QHideEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
 
 private:
     QWidget *tabs();
     QWidget *ledger();
+    void placeList();
     void refresh();
     void refreshNow();
     void showLedger();
@@ -71,6 +74,8 @@ private:
     PanelTitle *m_title;
     QStackedWidget *m_pages;
     QWidget *m_ledger = nullptr;
+    QWidget *m_side = nullptr;     ///< the list with its unit
+    QBoxLayout *m_split = nullptr; ///< of that and the plot
     QLabel *m_reason = nullptr;
     EnergyPlot *m_plot = nullptr;
     PlotExport *m_export = nullptr;
