@@ -117,7 +117,7 @@ Step wallsStep()
         "that leads away. It is a rule, not a force: the wall only stops what hits it. With **at wall** on "
         "*walk on* it walks against the wall for good. Its standing feet then slip 1.1 px a frame, more than "
         "twice as much as on its way.\n\n"
-        "You can steer it, as before.");
+        "You can steer it, as before: with the arrow keys, or with the pointer while its button is down.");
     step.tries = wallsTries();
     step.scene = walls::setUp;
     step.look = inRoom;

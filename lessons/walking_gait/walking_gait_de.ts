@@ -80,12 +80,12 @@ Keines von beiden kommt über das Höchsttempo hinaus, 0,15 in jeder Richtung. L
 
 The creature **turns round** when any part of it touches a wall: the clock&apos;s speed gets the sign that leads away. It is a rule, not a force: the wall only stops what hits it. With **at wall** on *walk on* it walks against the wall for good. Its standing feet then slip 1.1&#x202f;px a frame, more than twice as much as on its way.
 
-You can steer it, as before.</source>
+You can steer it, as before: with the arrow keys, or with the pointer while its button is down.</source>
         <translation>Zwei Wände, wie in der Lektion davor, für Füße und Körper. Wo ein Rand über eine Wand hinaus ist, wird er zurückgesetzt, und die Geschwindigkeit quer zur Wand wird 0.
 
 Die Figur **kehrt um**, wenn irgendein Teil von ihr eine Wand berührt: Das Tempo der Uhr bekommt das Vorzeichen, das wegführt. Das ist eine Regel, keine Kraft: Die Wand hält nur an, was sie trifft. Steht **An einer Wand** auf *weitergehen*, geht sie endlos gegen die Wand. Ihre stehenden Füße rutschen dann 1,1&#x202f;px pro Bild, mehr als doppelt so viel wie unterwegs.
 
-Lenken kannst du sie wie zuvor.</translation>
+Lenken kannst du sie wie zuvor: mit den Pfeiltasten oder mit dem Zeiger, solange seine Taste gedrückt ist.</translation>
     </message>
     <message>
         <source>Company</source>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/effect.h"
+#include "sim/input_reader.h"
 
 #include <cmath>
 #include <numbers>
@@ -61,7 +62,7 @@ inline double gustSlope(double distance, Gale gale, double gusts)
 }
 
 /// Lets a gust run outwards from the pointer.
-class GustFront : public Driver
+class GustFront : public Driver, public InputReader
 {
 public:
     /// `speed` in px/frame.
@@ -73,6 +74,7 @@ public:
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
     Sees sees() const override { return Sees::scene; }
+    bool reads(Signal signal) const override { return signal == Signal::pointer; }
     void drive(State &state, double h) const override;
     Pace pace() const override { return Pace::flows; }
     std::vector<Live> explain(const State &before, const State &after, int point) const override;

@@ -2,6 +2,7 @@
 
 #include "sim/effect.h"
 #include "sim/effects/spring.h"
+#include "sim/input_reader.h"
 
 namespace sim {
 
@@ -22,7 +23,7 @@ SpringPull motor(
 //! [motor]
 // clang-format on
 
-class Motor : public Force
+class Motor : public Force, public InputReader
 {
 public:
     /// k in 1 over the tutorial's unit of time squared, dt in those units per frame.
@@ -34,6 +35,7 @@ public:
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
     Sees sees() const override { return Sees::scene; }
+    bool reads(Signal signal) const override { return signal == Signal::target; }
     bool idle() const override { return m_k * m_dt * m_dt == 0.0; }
     void add(const State &state, Points movers, double scale, Directions directions,
              Eigen::ArrayX2d &into) const override;
@@ -74,7 +76,7 @@ Shifted anticipate(
 // clang-format on
 
 /// Takes each new target in turn: before it goes there, `mover` is shifted the other way. List it first.
-class Anticipation : public Driver
+class Anticipation : public Driver, public InputReader
 {
 public:
     /// `anticipation`: the part of the way to the target that it is shifted.
@@ -86,6 +88,7 @@ public:
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
     Sees sees() const override { return Sees::scene; }
+    bool reads(Signal signal) const override { return signal == Signal::target; }
     void drive(State &state, double h) const override;
     std::vector<Live> explain(const State &before, const State &after, int point) const override;
 

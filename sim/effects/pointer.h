@@ -1,12 +1,13 @@
 #pragma once
 
 #include "sim/effect.h"
+#include "sim/input_reader.h"
 
 namespace sim {
 
 /// Puts a point where the pointer is, from the first time that the pointer is known. List it first: the point then
 /// stands there before anything else looks.
-class CarriedByPointer : public Driver
+class CarriedByPointer : public Driver, public InputReader
 {
 public:
     explicit CarriedByPointer(int point) : m_point(point) {}
@@ -17,6 +18,7 @@ public:
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
     Sees sees() const override { return Sees::scene; }
+    bool reads(Signal signal) const override { return signal == Signal::pointer; }
     void drive(State &state, double h) const override;
     std::vector<Live> explain(const State &before, const State &after, int point) const override;
 

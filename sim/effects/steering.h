@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/effect.h"
+#include "sim/input_reader.h"
 
 #include <algorithm>
 
@@ -52,7 +53,7 @@ double steerByPointer(
 
 /// Sets the speed of a gait clock: by the pointer while its button is down, else by the keys that are down. With
 /// neither the clock keeps the speed that it has.
-class Steering : public Driver
+class Steering : public Driver, public InputReader
 {
 public:
     /// The pointer's way is measured from point `body`.
@@ -64,6 +65,7 @@ public:
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &, Points points) const override { return points.contains(m_body) ? 1 : 0; }
     Sees sees() const override { return Sees::scene; }
+    bool reads(Signal signal) const override { return signal == Signal::pointer || signal == Signal::keys; }
     void drive(State &state, double h) const override;
     std::vector<Live> explain(const State &before, const State &after, int point) const override;
 

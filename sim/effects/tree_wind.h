@@ -3,6 +3,7 @@
 #include "sim/direction.h"
 #include "sim/effect.h"
 #include "sim/effects/tree.h"
+#include "sim/input_reader.h"
 
 #include <algorithm>
 #include <cmath>
@@ -189,7 +190,7 @@ struct Turbulence
 };
 
 /// Wind that blows from the pointer while its button is down, and turns each branch, from the trunk to the twigs.
-class TreeWind : public Driver
+class TreeWind : public Driver, public InputReader
 {
 public:
     TreeWind(TreePtr tree, TreeFormula formula, Resistance resistance,
@@ -204,6 +205,7 @@ public:
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
     Sees sees() const override { return m_turbulence ? Sees::time : Sees::scene; }
+    bool reads(Signal signal) const override { return signal == Signal::pointer; }
     /// Only while it blows is turbulence drawn.
     bool isTimeless(const State &state) const override { return !m_turbulence || !blows(state); }
     void drive(State &state, double h) const override;

@@ -2,6 +2,7 @@
 
 #include "sim/effect.h"
 #include "sim/effects/tree.h"
+#include "sim/input_reader.h"
 
 namespace sim {
 
@@ -44,7 +45,7 @@ using tree_formulas::turnToPointer;
 using tree_formulas::turnToPointerPublished;
 
 /// Turns every branch to the pointer at once while its button is down, from the trunk to the twigs.
-class TurnToPointer : public Driver
+class TurnToPointer : public Driver, public InputReader
 {
 public:
     TurnToPointer(TreePtr tree, TreeFormula formula) : m_tree(std::move(tree)), m_formula(formula) {}
@@ -55,6 +56,7 @@ public:
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
     Sees sees() const override { return Sees::scene; }
+    bool reads(Signal signal) const override { return signal == Signal::pointer; }
     void drive(State &state, double h) const override;
     std::vector<Live> explain(const State &before, const State &after, int point) const override;
 

@@ -4,6 +4,7 @@
 #include "sim/effects/gust.h"
 #include "sim/effects/torsion.h"
 #include "sim/effects/tree.h"
+#include "sim/input_reader.h"
 
 #include <algorithm>
 
@@ -48,7 +49,7 @@ WindPush windPush(
 // clang-format on
 
 /// Wind that pushes each branch away from the pointer, as a gust that runs outwards (see GustFront).
-class WindTorque : public Torque
+class WindTorque : public Torque, public InputReader
 {
 public:
     /// `wind`: its strength; `gusts`: the share by which it swells and ebbs.
@@ -63,6 +64,7 @@ public:
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
     Sees sees() const override { return Sees::scene; }
+    bool reads(Signal signal) const override { return signal == Signal::pointer; }
     bool idle() const override { return m_wind == 0.0; }
     void add(const State &state, Points movers, double scale, Eigen::ArrayXd &into) const override;
     /// A branch is pushed where it ends, so what it is pushed by depends on the angles of all branches below it, too:

@@ -1,7 +1,9 @@
 // Pointer, targets and keys that reach the scene.
 
+#include "app/ui/scene/hand.h"
 #include "look_scenes.h"
 #include "scene_bench.h"
+#include "sim/input_reader.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
@@ -13,9 +15,25 @@ namespace {
 
 constexpr sim::Vec2 empty = {420.0, 330.0}; ///< where no body is
 
-lessons::Step stepThatKnows(const char *id, std::vector<Does> does, int pointed = -1)
+/// Reads all input, and does nothing with it.
+class Reader : public sim::Driver, public sim::InputReader
 {
-    const sim::Scene scene = look_scenes::pointsAt({{200, 150}, {300, 150}});
+public:
+    std::string id() const override { return "reader"; }
+    std::string title() const override { return "reader"; }
+    sim::Kind kind() const override { return sim::Kind::driver; }
+    std::vector<sim::Region> regions(sim::Directions) const override { return {}; }
+    int count(const sim::State &, sim::Points points) const override { return points.count; }
+    bool reads(sim::Signal) const override { return true; }
+    void drive(sim::State &, double) const override {}
+    std::vector<sim::Live> explain(const sim::State &, const sim::State &, int) const override { return {}; }
+};
+
+lessons::Step stepThatKnows(const char *id, std::vector<Does> does, int pointed = -1, bool isRead = true)
+{
+    sim::Scene scene = look_scenes::pointsAt({{200, 150}, {300, 150}});
+    if (isRead)
+        scene.effects.push_back(std::make_shared<Reader>());
     lessons::Look look = look_scenes::feetOnly(scene);
     look.pointed = pointed;
     lessons::Step step = look_scenes::step(id, scene, look);
@@ -40,6 +58,29 @@ QStringList told(const Session &session)
             all << "grab " + QString::fromStdString(grab->body);
     }
     return all;
+}
+
+/// All that a step says of what to do.
+QString phraseOf(const lessons::Step &step)
+{
+    QString all;
+    for (const lessons::Try &one : step.tries)
+        all += one.text + one.hint;
+    return all;
+}
+
+/// A click on a place of the view that shows no body.
+void clickWhereNothingIs(SceneView &view)
+{
+    view.fit();
+    const Camera camera(view.viewportTransform());
+    for (const QPoint at : {QPoint(30, 90), QPoint(760, 90), QPoint(400, 80), QPoint(760, 500)}) {
+        if (Hand::bodyAt(view.shown(), camera, at) >= 0)
+            continue;
+        QTest::mouseClick(view.viewport(), Qt::LeftButton, {}, at);
+        return;
+    }
+    QFAIL("there are bodies everywhere");
 }
 
 struct ToolBench : SceneBench
@@ -101,6 +142,20 @@ private slots:
         QCOMPARE(told(bench.session), QStringList{"grab p1"});
     }
 
+    void undoingSaysWhatWasDone()
+    {
+        ToolBench bench(stepThatKnows("wind", {Does::hand, Does::pointer}));
+        const QPoint at = bench.onScreen(empty);
+        bench.press(at);
+        bench.release(at);
+        QCOMPARE(bench.session.deeds().undoText(), QString("Move pointer"));
+        const QPoint body = bench.onScreen({300, 150});
+        bench.press(body);
+        bench.move(body + QPoint(30, 0));
+        bench.release(body + QPoint(30, 0));
+        QCOMPARE(bench.session.deeds().undoText(), QString("Drag p1"));
+    }
+
     void theBodyThatThePointerCarriesGoesWithIt()
     {
         ToolBench bench(stepThatKnows("sticks", {Does::hand, Does::pointer}, 0));
@@ -128,6 +183,58 @@ private slots:
         bench.release(at + QPoint(40, 0));
         QVERIFY(told(bench.session).isEmpty());
         QVERIFY(bench.onScreen(empty) != at);
+    }
+
+    void whatNoEffectReadsIsNoInput()
+    {
+        ToolBench bench(
+            stepThatKnows("torture", {Does::hand, Does::pointer, Does::target, Does::keys}, -1, false));
+        const QPoint at = bench.onScreen(empty);
+        bench.press(at);
+        bench.release(at);
+        QTest::keyClick(&bench.view, Qt::Key_Return, Qt::AltModifier);
+        bench.session.play();
+        QTest::keyClick(&bench.view, Qt::Key_Left);
+        bench.session.pause();
+        QCOMPARE(told(bench.session), QStringList());
+        QCOMPARE(bench.session.deeds().count(), 0);
+    }
+
+    void inNoStepAClickOnTheEmptySceneChangesTheRunUnlessItsTextAsksForIt()
+    {
+        SceneBench bench;
+        const LessonLibrary library = LessonLibrary::load({LESSON_DIR});
+        Session session(library);
+        SceneView view(session, bench.theme);
+        view.resize(800, 600);
+        int steps = 0;
+        for (const LessonEntry &lesson : library.lessons) {
+            for (const lessons::Step &step : lesson.steps) {
+                session.openStep(lesson.id, step.id);
+                clickWhereNothingIs(view);
+                const QString text = step.narration + phraseOf(step);
+                const bool asks = text.contains("pointer", Qt::CaseInsensitive) ||
+                                  text.contains("button", Qt::CaseInsensitive) ||
+                                  text.contains("click", Qt::CaseInsensitive);
+                QVERIFY2(asks || session.timeline().script().input == step.script().input,
+                         qPrintable(lesson.id + '/' + step.id));
+                ++steps;
+            }
+        }
+        QVERIFY(steps >= 60);
+    }
+
+    void inTheTorturePanelAClickOnTheEmptySceneLeavesTheCaseAsItIs()
+    {
+        SceneBench bench;
+        const LessonLibrary library = LessonLibrary::load({LESSON_DIR});
+        Session session(library);
+        SceneView view(session, bench.theme);
+        view.resize(800, 600);
+        session.openStep("hard_cases", "torture");
+        clickWhereNothingIs(view);
+        QCOMPARE(session.deeds().count(), 0);
+        QVERIFY(!session.step().note(session.timeline().track()).contains("nobody claims this"));
     }
 
     void arrowKeysSteerWhileItPlaysAndOnlyThen()

@@ -1,5 +1,9 @@
 #include "app/ui/scene/tools.h"
 
+#include "sim/input_reader.h"
+
+#include <algorithm>
+
 namespace app {
 
 namespace {
@@ -20,6 +24,35 @@ bool sim::Keys::*steeringKey(int key)
     }
 }
 
+std::optional<sim::Signal> signalOf(lessons::Does what)
+{
+    switch (what) {
+    case lessons::Does::pointer:
+        return sim::Signal::pointer;
+    case lessons::Does::target:
+        return sim::Signal::target;
+    case lessons::Does::keys:
+        return sim::Signal::keys;
+    case lessons::Does::hand:
+    case lessons::Does::gust:
+        break;
+    }
+    return std::nullopt;
+}
+
+}
+
+bool Tools::can(lessons::Does what) const
+{
+    const std::optional<sim::Signal> signal = signalOf(what);
+    if (!signal || !m_session.step().can(what))
+        return false;
+    // A step can show many scenes. Where nothing reads the pointer, a click must not become part of the run.
+    const std::vector<sim::EffectPtr> &effects = m_session.timeline().track().shown().scene.effects;
+    return std::any_of(effects.begin(), effects.end(), [&](const sim::EffectPtr &one) {
+        const auto *reader = dynamic_cast<const sim::InputReader *>(one.get());
+        return reader && reader->reads(*signal);
+    });
 }
 
 bool Tools::any() const

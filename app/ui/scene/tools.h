@@ -31,11 +31,12 @@ public:
     bool nudge(sim::Vec2 by, sim::Vec2 middle);
     /// The pointer's button by the keyboard: down if it was up. Returns whether the step has a pointer.
     bool togglePointer(sim::Vec2 middle);
-    /// Whether the open step has a pointer or targets.
+    /// Returns whether the scene has a use for the pointer or for targets.
     bool any() const;
 
 private:
-    bool can(lessons::Does what) const { return m_session.step().can(what); }
+    /// Returns whether the step accepts this input and an effect of its scene, as it is now, reads it.
+    bool can(lessons::Does what) const;
     sim::Vec2 pointer(sim::Vec2 middle) const;
     bool isDown() const;
 
