@@ -59,6 +59,17 @@ class TestGallery : public QObject
     Q_OBJECT
 
 private slots:
+    void returnTakesACard()
+    {
+        GalleryBench bench;
+        bench.open();
+        QTest::keyClick(bench.cards()[0], Qt::Key_Right);
+        QTest::keyClick(bench.cards()[1], Qt::Key_Return);
+        QCOMPARE(bench.value("k"), 0.9);
+        QVERIFY(!QApplication::activePopupWidget());
+        QCOMPARE(bench.session.deeds().undoText(), QString("Choose “Stiff”"));
+    }
+
     void initTestCase() { prepareProgram(); }
 
     void onlyStepsWithPresetsHaveOne()

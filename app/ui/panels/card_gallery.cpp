@@ -108,6 +108,12 @@ bool CardGallery::eventFilter(QObject *watched, QEvent *event)
 
 bool CardGallery::goFrom(const QObject *button, int key)
 {
+    if (key == Qt::Key_Return || key == Qt::Key_Enter) { // a tool button knows only Space
+        const auto chosen = std::find(m_buttons.begin(), m_buttons.end(), button);
+        if (chosen != m_buttons.end())
+            (*chosen)->click();
+        return chosen != m_buttons.end();
+    }
     int step = 0;
     if (key == Qt::Key_Right)
         step = 1;

@@ -26,7 +26,7 @@ struct GalleryCard
     std::function<void()> take; ///< called when the gallery is gone
 };
 
-/// Pictures to choose from, as a page over the window: by mouse, or by arrow keys and Space. Esc or a click elsewhere
+/// Pictures to choose from, as a page over the window: by mouse, or by arrow keys and Return or Space. Esc or a click elsewhere
 /// closes it.
 class CardGallery : public QFrame
 {
