@@ -182,18 +182,18 @@ void Session::goBackTo(int id)
 
 void Session::keepBranch(int branch, bool kept)
 {
-    changeBranches(kept ? tr("Keep a run") : tr("Keep a run no more"),
+    changeBranches(kept ? tr("Keep run") : tr("Stop keeping run"),
                    [&](Branches &branches) { branches.keep(branch, kept); });
 }
 
 void Session::renameBranch(int branch, const QString &name)
 {
-    changeBranches(tr("Name of a run"), [&](Branches &branches) { branches.rename(branch, name); });
+    changeBranches(tr("Rename run"), [&](Branches &branches) { branches.rename(branch, name); });
 }
 
 void Session::deleteBranch(int branch)
 {
-    changeBranches(tr("Delete a run"), [&](Branches &branches) { branches.remove(branch); });
+    changeBranches(tr("Delete run"), [&](Branches &branches) { branches.remove(branch); });
 }
 
 void Session::forgetGhost()

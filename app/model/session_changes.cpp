@@ -28,9 +28,10 @@ QString written(const sim::Script &script, const sim::Method &method)
 }
 
 /// A body that was taken, carried and let go.
-Deed handDeed()
+Deed handDeed(const QString &body)
 {
-    return {Session::tr("Your hand"), Session::tr("your hand"), QStringLiteral(":hand")};
+    const QString hand = Session::tr("your hand");
+    return {Session::tr("Drag %1").arg(bodyTitle(body)), hand, QStringLiteral(":hand"), hand};
 }
 
 }
@@ -54,11 +55,11 @@ void Session::setParameter(const QString &id, double value)
     if (declared->opens) {
         sim::Values values = step().presets();
         values.set(id.toStdString(), value);
-        startAnew({declared->name, {}, {}}, values,
-                  {m_timeline->script().method, sim::findMethod(step().method.toStdString())});
+        startAnew({tr("Change %1").arg(withinSentence(declared->name)), declared->name, {}, declared->name},
+                  values, {m_timeline->script().method, sim::findMethod(step().method.toStdString())});
         return;
     }
-    edit({declared->name, written(id, was), id, written(id, value)},
+    edit({tr("Change %1").arg(withinSentence(declared->name)), written(id, was), id, written(id, value)},
          [&](sim::Timeline &timeline) { return timeline.set(id.toStdString(), value); });
 }
 
@@ -68,7 +69,7 @@ void Session::resetParameters()
     if (std::all_of(all.begin(), all.end(),
                     [this](const auto &one) { return parameter(one.id) == one.preset; }))
         return;
-    m_deeds.beginMacro(tr("Reset all"));
+    m_deeds.beginMacro(tr("Reset all parameters"));
     for (const lessons::Parameter &one : all)
         setParameter(one.id, one.preset);
     m_deeds.endMacro();
@@ -93,7 +94,7 @@ void Session::use(const sim::MethodPtr &method, sim::StepSize step)
     if (sameMethod && step == was)
         return;
     const QString after = sameMethod ? stepTitle(step) : phrase(method->title());
-    edit({sameMethod ? tr("Step") : tr("Method"), written(now, *method), {}, after},
+    edit({sameMethod ? tr("Change step") : tr("Change method"), written(now, *method), {}, after},
          [&](sim::Timeline &timeline) {
              sim::Script script = timeline.script();
              script.method = method;
@@ -139,7 +140,7 @@ void Session::runAgain(const sim::Remedy &remedy)
     const QString was = remedy.setsParameter() ? written(changed, parameter(changed))
                                                : written(m_timeline->script(), *remedy.method);
     m_timeline->seek({}); // the way to that frame may be long: goTo() takes it in slices
-    edit({tr("What mends"), was}, [&](sim::Timeline &timeline) {
+    edit({tr("Apply remedy"), was, {}, tr("a remedy")}, [&](sim::Timeline &timeline) {
         const sim::StepSize step = timeline.script().step;
         const bool forked = timeline.replace(sim::mended(timeline.script(), remedy));
         if (step.adaptive() != timeline.script().step.adaptive())
@@ -178,14 +179,15 @@ void Session::grab(const QString &body)
         return;
     select(body);
     m_holding = true;
-    edit(handDeed(), [&](sim::Timeline &timeline) { return timeline.hand(sim::Grab{body.toStdString()}); });
+    edit(handDeed(body),
+         [&](sim::Timeline &timeline) { return timeline.hand(sim::Grab{body.toStdString()}); });
 }
 
 void Session::moveHand(sim::Vec2 to)
 {
     if (!m_holding || !std::isfinite(to.x) || !std::isfinite(to.y))
         return;
-    edit(handDeed(), [&](sim::Timeline &timeline) { return timeline.hand(sim::Move{to}); });
+    edit(handDeed(m_selected), [&](sim::Timeline &timeline) { return timeline.hand(sim::Move{to}); });
 }
 
 void Session::letGo()
@@ -193,7 +195,7 @@ void Session::letGo()
     if (!m_holding)
         return;
     m_holding = false;
-    edit(handDeed(), [](sim::Timeline &timeline) { return timeline.hand(sim::Release{}); });
+    edit(handDeed(m_selected), [](sim::Timeline &timeline) { return timeline.hand(sim::Release{}); });
     endGesture();
 }
 
@@ -202,9 +204,10 @@ void Session::point(sim::Vec2 at, bool down)
     if (!step().can(lessons::Does::pointer) || !std::isfinite(at.x) || !std::isfinite(at.y))
         return;
     m_pointerDown = down ? std::optional(at) : std::nullopt;
-    edit({tr("Pointer"), tr("the pointer"), QStringLiteral(":pointer")}, [&](sim::Timeline &timeline) {
-        return timeline.hand(sim::Pointer{at, down});
-    });
+    edit({tr("Move pointer"), tr("the pointer"), QStringLiteral(":pointer"), tr("the pointer")},
+         [&](sim::Timeline &timeline) {
+             return timeline.hand(sim::Pointer{at, down});
+         });
     if (!down)
         endGesture();
 }
@@ -213,7 +216,7 @@ void Session::aim(sim::Vec2 target)
 {
     if (!step().can(lessons::Does::target) || !std::isfinite(target.x) || !std::isfinite(target.y))
         return;
-    edit({tr("Target"), tr("the target")},
+    edit({tr("Set target"), tr("the target"), {}, tr("the target")},
          [&](sim::Timeline &timeline) { return timeline.hand(sim::Target{target}); });
 }
 
@@ -222,9 +225,10 @@ void Session::steer(bool sim::Keys::*key, bool down)
     if (!step().can(lessons::Does::keys) || m_keys.*key == down)
         return;
     m_keys.*key = down;
-    edit({tr("Arrow keys"), tr("the keys"), QStringLiteral(":keys")}, [&](sim::Timeline &timeline) {
-        return timeline.hand(sim::Key{key, down});
-    });
+    edit({tr("Press arrow keys"), tr("the keys"), QStringLiteral(":keys"), tr("the keys")},
+         [&](sim::Timeline &timeline) {
+             return timeline.hand(sim::Key{key, down});
+         });
     if (m_keys == sim::Keys{})
         endGesture();
 }
@@ -242,7 +246,8 @@ void Session::startWith(const lessons::Preset &preset)
     sim::Values values = step().presets();
     for (const auto &[id, value] : preset.values)
         values.set(id.toStdString(), value);
-    startAnew({preset.title, {}, {}}, values, {sim::findMethod(step().method.toStdString())});
+    startAnew({tr("Choose “%1”").arg(preset.title), preset.title, {}, preset.title}, values,
+              {sim::findMethod(step().method.toStdString())});
 }
 
 void Session::startAnew(const Deed &deed, const sim::Values &values,

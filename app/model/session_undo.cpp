@@ -157,7 +157,7 @@ void Session::redo()
         return;
     const QString what = m_deeds.redoText();
     m_deeds.redo();
-    emit said(tr("Done again: %1.").arg(what));
+    emit said(tr("Redone: %1.").arg(what));
 }
 
 }

@@ -10,6 +10,12 @@ namespace app {
 /// What a click in the picture does while a scene is built.
 enum class BuildTool { select, point, nail, spring, stick, foot };
 
+/// Returns whether the tool ties two points.
+inline bool isLinkTool(BuildTool tool)
+{
+    return tool == BuildTool::spring || tool == BuildTool::stick || tool == BuildTool::foot;
+}
+
 /// The bench on which a learner builds the scene of a workshop: the tool in hand, what is chosen, and what is done
 /// with both. Every deed is one entry to undo.
 class Workbench : public QObject
@@ -41,6 +47,15 @@ public:
 
     /// A click with the tool (not `select`), at `at` (px) on the point `hit`, or on none (-1).
     void use(sim::Vec2 at, int hit);
+    /// One end of a drag: a place (px), and the point there, or -1.
+    struct End
+    {
+        sim::Vec2 at;
+        int hit = -1;
+    };
+    /// A drag with a spring, stick or foot: makes one link, with the points that it needs, as one entry to undo. A chain
+    /// of clicks ends with it.
+    void drag(End from, End to);
     /// Leaves what was begun: first a link, then the tool, then what is chosen. Returns whether there was any of it.
     bool leave();
 
@@ -67,8 +82,10 @@ private:
     void follow();
     void followSelection();
     void shareChoice();
-    /// From point `a` to point `hit`, or to a new one at `at` where that is -1: one deed.
-    void link(int a, sim::Vec2 at, int hit);
+    /// Ties two points, of which those that are missing are added: one deed.
+    void link(End from, End to);
+    /// Adds a link of the tool's kind. Returns its number, if there was room.
+    std::optional<int> addLink(sim::Blueprint &plan, int a, int b) const;
     /// `made`: the link that the scene was refused with; empty where there was no room for one.
     void sayWhyNoLink(int hit, std::optional<int> made);
     int pointAt(sim::Blueprint &plan, sim::Vec2 at, int hit) const;

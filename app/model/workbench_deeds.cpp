@@ -1,5 +1,6 @@
 // What a learner does on the bench: each deed is one entry to undo.
 
+#include "app/model/sentences.h"
 #include "app/model/workbench.h"
 #include "app/model/workshop.h"
 
@@ -11,6 +12,21 @@ namespace app {
 namespace {
 
 const sim::Vec2 besideCopied{20.0, 20.0}; ///< px: where copies stand
+
+QString pointTitle(const sim::Blueprint &plan, int point)
+{
+    return bodyTitle(QString::fromStdString(plan.points[std::size_t(point)].name));
+}
+
+/// Names what is chosen in a few words, as the object of a sentence: "p1", "spring", "3 parts".
+QString titleOf(const sim::Blueprint &plan, const Chosen &chosen)
+{
+    if (chosen.points.size() == 1)
+        return pointTitle(plan, chosen.points.front()); // with what ties it
+    if (chosen.count() != 1)
+        return Workbench::tr("%1 parts").arg(chosen.count());
+    return chosen.springs.empty() ? Workbench::tr("stick") : Workbench::tr("spring");
+}
 
 }
 
@@ -56,9 +72,11 @@ void Workbench::useOnPoint(sim::Vec2 at, int hit)
         choose({{hit}, {}, {}});
         return;
     }
-    const QString what = !nails                                              ? tr("Point")
-                         : hit >= 0 && plan().points[std::size_t(hit)].fixed ? tr("Nail out")
-                                                                             : tr("Nail");
+    const QString what = !nails    ? tr("Add point")
+                         : hit < 0 ? tr("Add nail")
+                         : plan().points[std::size_t(hit)].fixed
+                             ? tr("Free %1").arg(pointTitle(plan(), hit))
+                             : tr("Nail %1 down").arg(pointTitle(plan(), hit));
     if (change(what, edit))
         choose({{point}, {}, {}});
     else if (point < 0)
@@ -78,11 +96,11 @@ void Workbench::use(sim::Vec2 at, int hit)
         return;
     }
     if (m_first) {
-        link(*m_first, at, hit);
+        link({{}, *m_first}, {at, hit});
         return;
     }
     int point = hit;
-    if (hit < 0 && !change(tr("Point"), [&](sim::Blueprint &plan) { point = pointAt(plan, at, hit); })) {
+    if (hit < 0 && !change(tr("Add point"), [&](sim::Blueprint &plan) { point = pointAt(plan, at, hit); })) {
         if (point < 0)
             sayFull();
         return;
@@ -92,28 +110,45 @@ void Workbench::use(sim::Vec2 at, int hit)
     emit changed();
 }
 
-void Workbench::link(int a, sim::Vec2 at, int hit)
+void Workbench::drag(End from, End to)
+{
+    if (!isOpen() || !isLinkTool(m_tool))
+        return;
+    m_first.reset();
+    link(from, to);
+    m_first.reset(); // a drag makes one link: the next one begins anew
+    emit changed();
+}
+
+std::optional<int> Workbench::addLink(sim::Blueprint &plan, int a, int b) const
+{
+    return m_tool == BuildTool::spring  ? addSpring(plan, a, b)
+           : m_tool == BuildTool::stick ? addStick(plan, a, b)
+                                        : addFoot(plan, b, a);
+}
+
+void Workbench::link(End from, End to)
 {
     std::optional<int> made;
-    int b = hit;
+    int a = from.hit, b = to.hit;
+    const bool isOnePoint = a >= 0 && a == b;
     const auto edit = [&](sim::Blueprint &plan) {
         const sim::Blueprint before = plan;
-        b = pointAt(plan, at, hit);
-        if (b >= 0)
-            made = m_tool == BuildTool::spring  ? addSpring(plan, a, b)
-                   : m_tool == BuildTool::stick ? addStick(plan, a, b)
-                                                : addFoot(plan, b, a);
+        a = pointAt(plan, from.at, from.hit);
+        b = pointAt(plan, to.at, to.hit);
+        if (a >= 0 && b >= 0)
+            made = addLink(plan, a, b);
         if (!made)
             plan = before; // no point without the link that it is for
     };
     const BuildTool tool = m_tool;
-    const QString what = tool == BuildTool::spring  ? tr("Spring")
-                         : tool == BuildTool::stick ? tr("Stick")
-                                                    : tr("Foot");
-    const bool isDone = a != hit && change(what, edit);
-    if (!isDone && a != hit) {
-        sayWhyNoLink(hit, made);
-        if (hit < 0)
+    const QString what = tool == BuildTool::spring  ? tr("Add spring")
+                         : tool == BuildTool::stick ? tr("Add stick")
+                                                    : tr("Add foot");
+    const bool isDone = !isOnePoint && change(what, edit);
+    if (!isDone && !isOnePoint) {
+        sayWhyNoLink(to.hit, made);
+        if (from.hit < 0 || to.hit < 0)
             return; // the next click may have more luck
     }
     m_first = tool == BuildTool::foot ? std::optional(a) // the next foot of the same body
@@ -143,7 +178,7 @@ void Workbench::moveChosen(sim::Vec2 by)
         return;
     const std::vector<int> points = m_chosen.points;
     change(
-        points.size() == 1 ? tr("Place") : tr("Places"),
+        tr("Move %1").arg(titleOf(plan(), {points, {}, {}})),
         [&](sim::Blueprint &plan) { moveBy(plan, points, by); }, QStringLiteral(":place"));
 }
 
@@ -156,7 +191,7 @@ void Workbench::eraseChosen()
         return;
     }
     const Chosen gone = m_chosen;
-    if (!change(tr("Delete"), [&](sim::Blueprint &plan) { erase(plan, gone); }))
+    if (!change(tr("Delete %1").arg(titleOf(plan(), gone)), [&](sim::Blueprint &plan) { erase(plan, gone); }))
         return;
     m_chosen = {}; // the numbers mean other parts now
     m_first.reset();
@@ -170,7 +205,7 @@ void Workbench::duplicateChosen()
     const Chosen old = m_chosen;
     std::optional<Chosen> added;
     const auto edit = [&](sim::Blueprint &plan) { added = duplicate(plan, old, besideCopied); };
-    if (change(tr("Duplicate"), edit))
+    if (change(tr("Duplicate %1").arg(titleOf(plan(), old)), edit))
         choose(*added);
     else if (canBuild() && !added)
         emit m_session.said(tr("There is no room for a copy of all that: choose fewer parts, or delete some "
@@ -193,7 +228,7 @@ void Workbench::setEffect(const QString &id, bool present)
 
 void Workbench::addGaitFor(int foot)
 {
-    change(tr("Gait group"), [&](sim::Blueprint &plan) {
+    change(tr("Add gait group"), [&](sim::Blueprint &plan) {
         if (const std::optional<int> gait = addGait(plan))
             plan.feet[std::size_t(foot)].gait = *gait;
     });

@@ -124,7 +124,7 @@ void takeToWorkshop(Session &session)
     try {
         const TakenScene scene = takenScene(session, workshop->steps.front());
         session.openStep(workshop->id, workshop->steps.front().id);
-        if (session.takeUp({Text::tr("Scene taken over"), {}, {}}, scene.script))
+        if (session.takeUp({Text::tr("Take over scene"), {}, {}}, scene.script))
             emit session.said(scene.sentence);
     } catch (const Refusal &refusal) {
         emit session.said(refusal.sentence());
@@ -135,7 +135,7 @@ bool takeExample(Session &session, const lessons::Example &example)
 {
     try {
         const Experiment read = readExperiment(example.file, session.library());
-        return session.takeUp({Text::tr("Example %1").arg(example.title), {}, {}}, read.script);
+        return session.takeUp({Text::tr("Open example %1").arg(example.title), {}, {}}, read.script);
     } catch (const Refusal &refusal) {
         emit session.said(refusal.sentence());
         return false;
@@ -163,10 +163,9 @@ bool setBuiltEffect(Session &session, const QString &id, bool present)
     std::erase(plan.effects, (*found)->id());
     if (present)
         plan.effects.push_back((*found)->id());
-    const QString title = capitalised(phrase((*found)->title()));
-    return session.build(
-        {present ? Text::tr("%1 added").arg(title) : Text::tr("%1 removed").arg(title), {}, {}},
-        std::move(plan));
+    const QString title = phrase((*found)->title());
+    return session.build({present ? Text::tr("Add %1").arg(title) : Text::tr("Remove %1").arg(title), {}, {}},
+                         std::move(plan));
 }
 
 bool startEmpty(Session &session)
@@ -180,7 +179,11 @@ bool startEmpty(Session &session)
         return std::none_of(all.begin(), all.end(), [&](const auto &one) { return one->id() == id; });
     });
     script.values.blueprint = std::make_shared<const sim::Blueprint>(std::move(plan));
-    return session.takeUp({Text::tr("New scene"), {}, {}}, script);
+    if (!session.takeUp({Text::tr("Start new scene"), {}, {}}, script))
+        return false;
+    emit session.said(Text::tr(
+        "A new scene has one point: the least that a scene can have. Move it, or build on from it."));
+    return true;
 }
 
 }

@@ -256,7 +256,7 @@ private slots:
         for (int i = 4; i >= 0; --i) {
             world.session.undo();
             QCOMPARE(world.names().size(), i + 1);
-            QCOMPARE(world.names().last(), "undone: Gravity");
+            QCOMPARE(world.names().last(), "undone: Change gravity");
         }
         for (int i = 1; i <= 5; ++i) {
             world.session.redo();

@@ -17,7 +17,8 @@ namespace {
 constexpr QChar minus(0x2212);
 constexpr QChar ellipsis(0x2026);
 constexpr double farthest = 1e18; ///< beyond every parameter's range
-constexpr int keptDecimals = 60;  ///< so many that the base class rounds nothing
+constexpr int mostFigures = 16;
+constexpr int keptDecimals = 60; ///< so many that the base class rounds nothing
 
 QString plain(QString text)
 {
@@ -85,15 +86,32 @@ QString NumberBox::textFromValue(double value) const
     if (m_isEmpty)
         return {};
     const QString exact = exactText(value);
-    if (m_inFull || fontMetrics().horizontalAdvance(exact) <= width_ - 14)
+    if (m_inFull || fits(exact))
         return exact;
+    for (int figures = mostFigures; m_rounds && figures > 0; --figures) {
+        const QString rounded = exactText(QString::number(value, 'g', figures).toDouble());
+        if (fits(rounded))
+            return rounded;
+    }
     return fontMetrics().elidedText(exact, Qt::ElideRight, width_ - 14);
+}
+
+bool NumberBox::fits(const QString &text) const
+{
+    return fontMetrics().horizontalAdvance(text) <= width_ - 14;
+}
+
+void NumberBox::setRounding(bool rounds)
+{
+    m_rounds = rounds;
+    write();
 }
 
 double NumberBox::valueFromText(const QString &text) const
 {
     // What is shown cut, or was not touched, means the value that it stands for.
-    if (text.contains(ellipsis) || plain(text) == plain(exactText(value())))
+    if (text.contains(ellipsis) || plain(text) == plain(exactText(value())) ||
+        plain(text) == plain(textFromValue(value())))
         return value();
     bool ok = false;
     const double number = QLocale::c().toDouble(plain(text), &ok);

@@ -7,8 +7,8 @@
 
 namespace app {
 
-/// A field for a parameter's number. It never rounds: what does not fit is shown cut, and whole in the tooltip
-/// and while it is edited. Numbers outside the parameter's range can be typed; the owner brings them into it.
+/// A field for a parameter's number. What does not fit is shown cut or, where setRounding() says so, rounded; it is whole
+/// in the tooltip and while it is edited. The value itself is never rounded. Numbers outside the parameter's range can be typed; the owner brings them into it.
 class NumberBox : public QDoubleSpinBox
 {
     Q_OBJECT
@@ -20,6 +20,8 @@ public:
     void show(double value);
     /// Shows nothing, as where several values are meant; a number that is typed is chosen.
     void showNothing();
+    /// Shows a number that does not fit with as many figures as do, in place of cutting it.
+    void setRounding(bool rounds);
     /// The number in full, with at least the declared decimals.
     QString exactText(double value) const;
 
@@ -47,6 +49,7 @@ private:
 
     void dress();
     void write();
+    bool fits(const QString &text) const;
     /// By how much a press of an arrow key changes `value`; `steps` says which way.
     double stepFrom(double value, int steps) const;
 
@@ -57,6 +60,7 @@ private:
     lessons::Scale m_scale;
     bool m_inFull = false; ///< while it has the focus
     bool m_isEmpty = false;
+    bool m_rounds = false;
 };
 
 }

@@ -1,5 +1,6 @@
 #include "app/ui/sandbox/property_row.h"
 
+#include "app/model/sentences.h"
 #include "app/model/words.h"
 #include "app/ui/panels/number_box.h"
 
@@ -50,6 +51,7 @@ PropertyRow::PropertyRow(Workbench &bench, BuiltProperty property, const Theme &
 void PropertyRow::makeBox(const Theme &theme)
 {
     m_box = new NumberBox(m_property.about, theme, this);
+    m_box->setRounding(true); // lengths and places are what a drag left: 108.16653826391968
     m_name->setBuddy(m_box);
     const lessons::Parameter &about = m_property.about;
     const QString name = about.unit.isEmpty() ? about.name : about.name + ", " + about.unit;
@@ -74,7 +76,12 @@ void PropertyRow::choose(double value)
     if (about.isWhole())
         value = std::round(value);
     const Chosen chosen = m_bench.chosen();
-    m_bench.change(about.name, [&](sim::Blueprint &plan) { m_property.set(plan, chosen, value); });
+    const QString what =
+        !m_property.isTruth
+            ? tr("Change %1 of %2").arg(withinSentence(about.name), withinSentence(m_property.section))
+        : value != 0.0 ? tr("Switch “%1” on").arg(about.name)
+                       : tr("Switch “%1” off").arg(about.name);
+    m_bench.change(what, [&](sim::Blueprint &plan) { m_property.set(plan, chosen, value); });
     refresh(); // what was refused, or was out of range, is not shown
 }
 
@@ -86,6 +93,8 @@ void PropertyRow::refresh()
     m_unit->setText(value ? m_property.about.unit : tr("differ"));
     if (m_box)
         value ? m_box->show(*value) : m_box->showNothing();
+    if (m_box && value)
+        m_box->setToolTip(m_box->exactText(*value) + ' ' + m_property.about.unit + '\n' + toolTip());
     if (!m_switch)
         return;
     const QSignalBlocker silent(m_switch);
