@@ -19,12 +19,15 @@ constexpr auto leftName = "left"; ///< is there when the program ended in good o
 constexpr auto ending = ".json";
 constexpr int mostAttempts = 3;
 
-/// Why it was not written; empty: it was.
-QString writeWhole(const QString &path, const QByteArray &text)
+/// Why it was not written; empty: it was. The file bears the time `when`, if that is valid.
+QString writeWhole(const QString &path, const QByteArray &text, const QDateTime &when = {})
 {
     QSaveFile file(path);
     const bool isWritten =
         file.open(QIODevice::WriteOnly) && file.write(text) == text.size() && file.commit();
+    QFile written(path);
+    if (isWritten && when.isValid() && written.open(QIODevice::ReadWrite))
+        written.setFileTime(when, QFileDevice::FileModificationTime);
     return isWritten ? QString() : file.errorString();
 }
 
@@ -86,6 +89,13 @@ void SceneKeeper::keepNow()
     m_writer.waitForDone();
 }
 
+void SceneKeeper::takeOver(const StepName &name, const QDateTime &when)
+{
+    m_changed[name] = when;
+    m_due.insert(name);
+    keepNow();
+}
+
 void SceneKeeper::note()
 {
     const StepName name = m_document.name();
@@ -95,6 +105,7 @@ void SceneKeeper::note()
                         sameMarked(written->second.branches, m_session.branches());
     if (m_document.isChanged() ? isSame : !isThere)
         return;
+    m_changed[name] = QDateTime::currentDateTime();
     m_due.insert(name);
     if (!m_timer.isActive())
         m_timer.start();
@@ -124,8 +135,8 @@ void SceneKeeper::writeOne(const StepName &name)
     if (!takeFolder())
         return;
     m_written.insert_or_assign(name, *experiment);
-    m_writer.start([this, file = fileOf(name), text] {
-        const QString why = writeWhole(file, text);
+    m_writer.start([this, file = fileOf(name), text, when = m_changed[name]] {
+        const QString why = writeWhole(file, text, when);
         if (!why.isEmpty())
             QMetaObject::invokeMethod(this, [this, why] { fail(why); }); // in the thread that owns it
     });

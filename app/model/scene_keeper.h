@@ -32,6 +32,8 @@ public:
 
     /// Writes what waits, and returns when it is written.
     void keepNow();
+    /// Keeps the run of step `name`, which was just opened, with the time `when` at which it was last changed.
+    void takeOver(const StepName &name, const QDateTime &when);
 
 signals:
     /// Nothing can be kept; the sentence says why. Once.
@@ -53,6 +55,7 @@ private:
     QTimer m_timer;
     std::set<StepName> m_due;
     std::map<StepName, Experiment> m_written;
+    std::map<StepName, QDateTime> m_changed; ///< when each was last changed: writing it again is no change
     bool m_hasFailed = false;
     QThreadPool m_writer; ///< one thread: in order, and no picture waits for the disk
 };

@@ -3,10 +3,12 @@
 #include "window_bench.h"
 
 #include "app/model/scene_keeper.h"
+#include "app/ui/window/kept_list.h"
 
 #include <QDir>
 #include <QDirIterator>
 #include <QTemporaryDir>
+#include <QTreeWidget>
 
 using namespace app;
 using window_bench::Bench;
@@ -25,16 +27,49 @@ QStringList scenesIn(const QString &folder)
 }
 
 /// Puts a scene there as a program leaves it that was killed.
-void leave(const QString &folder, const Experiment &experiment, const LessonLibrary &library)
+void leave(const QString &folder, const Experiment &experiment, const LessonLibrary &library,
+           const QDateTime &when = {})
 {
     const QString own = folder + "/of-another-program";
     QVERIFY(QDir().mkpath(own));
-    writeExperiment(own + '/' + experiment.lesson + '.' + experiment.step + ".json", experiment, library);
+    const QString path = own + '/' + experiment.lesson + '.' + experiment.step + ".json";
+    writeExperiment(path, experiment, library);
+    QFile file(path);
+    if (when.isValid())
+        QVERIFY(file.open(QFile::ReadWrite) && file.setFileTime(when, QFileDevice::FileModificationTime));
     QFile lock(own + "/lock");
     QVERIFY(lock.open(QFile::WriteOnly));
     lock.write("999999999\nspringstep\n\n"); // no program has this number
 }
 
+}
+
+/// Leaves changed scenes of three steps, the first an hour old, the second two hours, the third three.
+void leaveThree(const QString &folder)
+{
+    Bench bench;
+    const QDateTime now = QDateTime::currentDateTime();
+    int hours = 0;
+    for (const char *step : {"fixed_centre", "moving_body"}) {
+        bench.session.openStep("single_spring", step);
+        bench.session.setParameter("k", 0.3);
+        bench.session.goTo({30, 0});
+        leave(folder, bench.session.experiment(), bench.library, now.addSecs(-3600 * ++hours));
+    }
+    bench.session.openStep("multi_foot", "two_feet");
+    bench.drag("foot0", {40, 10});
+    bench.session.goTo({80, 0});
+    leave(folder, bench.session.experiment(), bench.library, now.addSecs(-3600 * ++hours));
+}
+
+KeptList *listOf(Bench &bench)
+{
+    return bench.window.findChild<KeptList *>();
+}
+
+QTreeWidget &rowsOf(Bench &bench)
+{
+    return *listOf(bench)->findChild<QTreeWidget *>();
 }
 
 class KeptScenesTest : public QObject
@@ -53,6 +88,10 @@ private slots:
     void aClosedNoticeForgetsNothing();
     void whatWasLeftByClosingIsOfferedAsSuch();
     void aProgramThatRunsKeepsItsScenesToItself();
+    void severalAreOneListWithWhatWhenAndHowLong();
+    void anyOfTheListIsRecoveredOrDeleted();
+    void aSceneKeepsTheTimeOfItsLastChangeThroughRestarts();
+    void whatWasBuiltIsOfferedWhereBuildingBegins();
     void aDamagedSceneIsRefusedWithASentence();
     void aFolderThatCannotBeWrittenIsSaidOnce();
 
@@ -249,6 +288,96 @@ void KeptScenesTest::aProgramThatRunsKeepsItsScenesToItself()
     const Experiment kept = readExperiment(scenesIn(folder.path()).front(), two.library);
     QCOMPARE(kept.script.input, two.session.timeline().script().input);
     QCOMPARE(kept.script.values, two.session.timeline().script().values);
+}
+
+void KeptScenesTest::severalAreOneListWithWhatWhenAndHowLong()
+{
+    const QTemporaryDir folder;
+    leaveThree(folder.path());
+    Bench bench;
+    bench.window.keepScenesIn(folder.path(), soon);
+    QVERIFY2(bench.notice.sentence().contains("3 scenes"), qPrintable(bench.notice.sentence()));
+    QVERIFY(bench.answer("Show them"));
+    const QTreeWidget &rows = rowsOf(bench);
+    QVERIFY(rows.isVisible());
+    QCOMPARE(rows.topLevelItemCount(), 3);
+    const QTreeWidgetItem &last = *rows.topLevelItem(2); // the latest first
+    QVERIFY(last.text(0).contains(bench.library.lesson("multi_foot")->title));
+    QVERIFY(last.text(0).contains(bench.library.lesson("multi_foot")->step("two_feet")->title));
+    QTRY_COMPARE(last.text(1), QString("80"));
+    QCOMPARE(rows.topLevelItem(0)->text(1), QString("30"));
+    const QString file = scenesIn(folder.path()).filter("two_feet").front();
+    QCOMPARE(last.text(2), timeOf(QFileInfo(file).lastModified()));
+}
+
+void KeptScenesTest::anyOfTheListIsRecoveredOrDeleted()
+{
+    const QTemporaryDir folder;
+    leaveThree(folder.path());
+    Bench bench;
+    bench.window.keepScenesIn(folder.path(), soon);
+    QVERIFY(bench.answer("Show them"));
+    QTreeWidget &rows = rowsOf(bench);
+    QTest::keyClick(&rows, Qt::Key_Delete); // the latest
+    QCOMPARE(rows.topLevelItemCount(), 2);
+    QCOMPARE(scenesIn(folder.path()).size(), 2);
+    QTest::keyClick(&rows, Qt::Key_Down);
+    QTest::keyClick(&rows, Qt::Key_Return);
+    QVERIFY(!listOf(bench)->isVisible());
+    QCOMPARE(bench.session.step().id, QString("two_feet"));
+    QCOMPARE(bench.session.timeline().at().frame, 80);
+    for (QAction *one : bench.window.findChildren<QAction *>()) { // the other is still there
+        if (one->text() == "Reco&ver scenes…")
+            one->trigger();
+    }
+    QVERIFY(listOf(bench)->isVisible());
+    QCOMPARE(rows.topLevelItemCount(), 1);
+    QVERIFY(rows.topLevelItem(0)->text(0).contains(bench.library.lesson("single_spring")->title));
+}
+
+void KeptScenesTest::aSceneKeepsTheTimeOfItsLastChangeThroughRestarts()
+{
+    const QTemporaryDir folder;
+    const QDateTime when = QDateTime::fromString("2026-01-02T03:04:05", Qt::ISODate);
+    {
+        Bench bench;
+        bench.session.setParameter("k", 0.3);
+        leave(folder.path(), bench.session.experiment(), bench.library, when);
+    }
+    for (int restart = 0; restart < 2; ++restart) {
+        Bench bench;
+        bench.window.keepScenesIn(folder.path(), soon);
+        QVERIFY(bench.answer("Open it"));
+        QCOMPARE(scenesIn(folder.path()).size(), 1);
+        QCOMPARE(QFileInfo(scenesIn(folder.path()).front()).lastModified(), when);
+        QVERIFY(bench.window.close());
+    }
+    QCOMPARE(QFileInfo(scenesIn(folder.path()).front()).lastModified(), when);
+    Bench bench;
+    bench.window.keepScenesIn(folder.path(), soon);
+    QVERIFY(bench.answer("Open it"));
+    bench.session.setParameter("k", 0.4); // that is a change
+    QTRY_VERIFY(QFileInfo(scenesIn(folder.path()).front()).lastModified() > when);
+}
+
+void KeptScenesTest::whatWasBuiltIsOfferedWhereBuildingBegins()
+{
+    const QTemporaryDir folder;
+    Bench bench;
+    bench.window.setMode(MainWindow::Mode::build);
+    sim::Blueprint plan = *bench.session.blueprint();
+    plan.points[1].mass = 7.0;
+    QVERIFY(bench.session.build({"Change mass", {}, {}}, plan));
+    leave(folder.path(), bench.session.experiment(), bench.library);
+    Bench next;
+    next.window.keepScenesIn(folder.path(), soon);
+    next.press(Qt::Key_Escape, {}); // not now
+    QTRY_VERIFY(!next.notice.isVisible());
+    next.window.setMode(MainWindow::Mode::build);
+    QVERIFY2(next.notice.sentence().contains(next.session.step().title), qPrintable(next.notice.sentence()));
+    QVERIFY(next.answer("Open it"));
+    QCOMPARE(next.session.blueprint()->points[1].mass, 7.0);
+    QVERIFY(!next.notice.isVisible()); // it is not offered again while it is opened
 }
 
 void KeptScenesTest::aDamagedSceneIsRefusedWithASentence()

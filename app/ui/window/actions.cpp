@@ -12,6 +12,7 @@
 #include "app/ui/window/commands.h"
 #include "app/ui/window/experiment_files.h"
 #include "app/ui/window/gestures.h"
+#include "app/ui/window/kept_offer.h"
 #include "app/ui/window/main_window.h"
 
 #include <QAbstractButton>
@@ -92,6 +93,8 @@ void MainWindow::makeFileActions()
     QMenu *recent = m_file->addMenu(tr("Open &recent"));
     recent->setToolTipsVisible(true);
     connect(recent, &QMenu::aboutToShow, this, [this, recent] { m_files->fillRecent(*recent); });
+    connect(m_file->addAction(tr("Reco&ver scenes…")), &QAction::triggered, this,
+            [this] { m_kept->showList(); });
     m_file->addSeparator();
     add(tr("&Save the experiment"), QKeySequence::Save, [this] { m_files->saveOrAsk(); });
     add(tr("Save &as…"), QKeySequence("Ctrl+Shift+S"), [this] { m_files->askSave(); });

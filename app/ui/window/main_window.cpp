@@ -102,7 +102,7 @@ QWidget *MainWindow::centre()
 void MainWindow::makeFiles()
 {
     m_files = std::make_unique<ExperimentFiles>(m_session, *m_notice, *this);
-    m_kept = std::make_unique<KeptOffer>(m_session, *m_files, *m_notice);
+    m_kept = std::make_unique<KeptOffer>(m_session, *m_files, *m_notice, m_theme);
     connect(m_files.get(), &ExperimentFiles::said, &m_session, &Session::said);
     connect(&m_files->document(), &Document::stateChanged, this, &MainWindow::nameWindow);
     connect(&m_session, &Session::stepOpened, this, &MainWindow::nameWindow);
