@@ -3205,32 +3205,36 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>Diese Szene ist auseinandergeflogen: Ein Punkt ist weiter weg als %1 px oder so schnell. Geh in der Zeit zurück und nimm sie von dort.</translation>
     </message>
     <message>
-        <source>Scene taken over</source>
-        <translation>Szene übernommen</translation>
-    </message>
-    <message>
-        <source>Example %1</source>
-        <translation>Beispiel %1</translation>
-    </message>
-    <message>
         <source>Building happens at the start of the run: press Home to go there.</source>
         <translation>Gebaut wird am Anfang des Laufs: Drück Pos1, um dorthin zu gehen.</translation>
     </message>
     <message>
-        <source>%1 added</source>
-        <translation>%1 hinzugefügt</translation>
-    </message>
-    <message>
-        <source>%1 removed</source>
-        <translation>%1 entfernt</translation>
-    </message>
-    <message>
-        <source>New scene</source>
-        <translation>Neue Szene</translation>
-    </message>
-    <message>
         <source>the order in which points move (%1), as here all move at once</source>
         <translation>die Reihenfolge, in der sich Punkte bewegen (%1), denn hier bewegen sich alle zugleich</translation>
+    </message>
+    <message>
+        <source>Take over scene</source>
+        <translation>Szene übernehmen</translation>
+    </message>
+    <message>
+        <source>Open example %1</source>
+        <translation>Beispiel %1 öffnen</translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <translation>%1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>%1 entfernen</translation>
+    </message>
+    <message>
+        <source>Start new scene</source>
+        <translation>Neue Szene beginnen</translation>
+    </message>
+    <message>
+        <source>A new scene has one point: the least that a scene can have. Move it, or build on from it.</source>
+        <translation>Eine neue Szene hat einen Punkt: Weniger geht nicht. Verschieb ihn oder bau von ihm aus weiter.</translation>
     </message>
 </context>
 <context>
@@ -3427,6 +3431,65 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     </message>
 </context>
 <context>
+    <name>app::BuildGuide</name>
+    <message>
+        <source>The point in the picture is the body of your creature. Press Foot (F) to give it feet.</source>
+        <translation>Der Punkt im Bild ist der Körper deines Wesens. Drück Fuß (F), um ihm Füße zu geben.</translation>
+    </message>
+    <message>
+        <source>Click the body.</source>
+        <translation>Klick auf den Körper.</translation>
+    </message>
+    <message>
+        <source>Click the cross on the left: the first foot.</source>
+        <translation>Klick auf das Kreuz links: Das wird der erste Fuß.</translation>
+    </message>
+    <message>
+        <source>Click the cross on the right. Opposite feet need opposite angles: one 0°, the other 180°.</source>
+        <translation>Klick auf das Kreuz rechts. Füße, die sich gegenüberstehen, brauchen gegenüberliegende Winkel: einer 0°, der andere 180°.</translation>
+    </message>
+    <message>
+        <source>Two feet must be opposite each other. Click the cross on the right.</source>
+        <translation>Zwei Füße müssen sich gegenüberstehen. Klick auf das Kreuz rechts.</translation>
+    </message>
+    <message>
+        <source>Now the numbers of the feet. Press Choose (V).</source>
+        <translation>Nun die Zahlen der Füße. Drück Wählen (V).</translation>
+    </message>
+    <message>
+        <source>Click one of the feet.</source>
+        <translation>Klick auf einen der Füße.</translation>
+    </message>
+    <message>
+        <source>Swing makes it walk: it turns the legs. Type 0.05 into the field Swing, and press Return.</source>
+        <translation>Schwung lässt es gehen: Er dreht die Beine. Gib 0,05 in das Feld Schwung ein und drück die Eingabetaste.</translation>
+    </message>
+    <message>
+        <source>Feet need something to push against. Switch Ground on.</source>
+        <translation>Füße müssen sich von etwas abstoßen. Schalte Boden ein.</translation>
+    </message>
+    <message>
+        <source>Switch Walls off, so that nothing is in the way.</source>
+        <translation>Schalte Wände aus, damit nichts im Weg ist.</translation>
+    </message>
+    <message>
+        <source>Press Play (Space).</source>
+        <translation>Drück Abspielen (Leertaste).</translation>
+    </message>
+    <message>
+        <source>Watch it: it lands, and then its feet push it along.</source>
+        <translation>Schau zu: Es landet, und dann schieben es seine Füße voran.</translation>
+    </message>
+    <message>
+        <source>It does not walk yet. Press Home, and make Swing 0.05.</source>
+        <translation>Es geht noch nicht. Drück Pos1 und stell Schwung auf 0,05.</translation>
+    </message>
+    <message>
+        <source>It walks! Press Home to change it: another Swing, a third foot, or a heavier body.</source>
+        <translation>Es geht! Drück Pos1, um es zu ändern: ein anderer Schwung, ein dritter Fuß oder ein schwererer Körper.</translation>
+    </message>
+</context>
+<context>
     <name>app::BuildPanel</name>
     <message>
         <source>Build</source>
@@ -3489,14 +3552,6 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>Klicke auf einen Punkt, um ihn festzunageln oder zu lösen, oder dorthin, wo ein Nagel sein soll.</translation>
     </message>
     <message>
-        <source>Click two points: a spring goes from one to the other.</source>
-        <translation>Klicke auf zwei Punkte: Eine Feder geht vom einen zum anderen.</translation>
-    </message>
-    <message>
-        <source>Click two points: a stick goes from one to the other.</source>
-        <translation>Klicke auf zwei Punkte: Ein Stab geht vom einen zum anderen.</translation>
-    </message>
-    <message>
         <source>Click a part to choose it, drag it to move it, or draw a box round several.</source>
         <translation>Klicke auf ein Teil, um es zu wählen, zieh es, um es zu verschieben, oder zieh einen Rahmen um mehrere.</translation>
     </message>
@@ -3519,6 +3574,26 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     <message>
         <source>Click a body, then each of its feet, or where one shall be.</source>
         <translation>Klicke auf einen Körper, dann auf jeden seiner Füße oder dorthin, wo einer sein soll.</translation>
+    </message>
+    <message>
+        <source>First build: a walker</source>
+        <translation>Erstes Bauen: ein Läufer</translation>
+    </message>
+    <message>
+        <source>Build a creature that walks, in ten clicks. It begins with a new scene; undo brings yours back</source>
+        <translation>Bau mit zehn Klicks ein Wesen, das geht. Es beginnt mit einer neuen Szene; Rückgängig bringt deine zurück</translation>
+    </message>
+    <message>
+        <source>Drag from one point to another: that makes one spring. With clicks, each spring goes on from the last.</source>
+        <translation>Zieh von einem Punkt zum anderen: Das macht eine Feder. Mit Klicks geht jede Feder von der letzten aus weiter.</translation>
+    </message>
+    <message>
+        <source>Drag from one point to another: that makes one stick. With clicks, each stick goes on from the last.</source>
+        <translation>Zieh von einem Punkt zum anderen: Das macht einen Stab. Mit Klicks geht jeder Stab vom letzten aus weiter.</translation>
+    </message>
+    <message>
+        <source>On ground, Swing makes it walk. Feet opposite each other need opposite angles: 0° and 180°.</source>
+        <translation>Auf Boden lässt Schwung es gehen. Füße, die sich gegenüberstehen, brauchen gegenüberliegende Winkel: 0° und 180°.</translation>
     </message>
 </context>
 <context>
@@ -4437,6 +4512,33 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     </message>
 </context>
 <context>
+    <name>app::GuideBox</name>
+    <message>
+        <source>First build</source>
+        <translation>Erstes Bauen</translation>
+    </message>
+    <message>
+        <source>Restart</source>
+        <translation>Neu beginnen</translation>
+    </message>
+    <message>
+        <source>Begin the first build again with a new scene; undo brings this one back</source>
+        <translation>Das erste Bauen mit einer neuen Szene noch einmal beginnen; Rückgängig bringt diese zurück</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Verlassen</translation>
+    </message>
+    <message>
+        <source>Leave the first build; the scene stays as it is</source>
+        <translation>Das erste Bauen verlassen; die Szene bleibt, wie sie ist</translation>
+    </message>
+    <message>
+        <source>First build: %1 of %2</source>
+        <translation>Erstes Bauen: %1 von %2</translation>
+    </message>
+</context>
+<context>
     <name>app::HelpPage</name>
     <message>
         <source>Keys and mouse</source>
@@ -4449,6 +4551,69 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>app::KeptList</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 (not installed)</source>
+        <translation>%1: %2 (nicht installiert)</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Recover scenes</source>
+        <translation>Szenen wiederherstellen</translation>
+    </message>
+    <message>
+        <source>These scenes were not saved. Recover one to go on with it.</source>
+        <translation>Diese Szenen wurden nicht gespeichert. Stell eine wieder her, um damit weiterzumachen.</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>Szene</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Last changed</source>
+        <translation>Zuletzt geändert</translation>
+    </message>
+    <message>
+        <source>Scenes that were not saved</source>
+        <translation>Szenen, die nicht gespeichert wurden</translation>
+    </message>
+    <message>
+        <source>Go on with the selected scene (Return)</source>
+        <translation>Mit der ausgewählten Szene weitermachen (Eingabe)</translation>
+    </message>
+    <message>
+        <source>Delete the selected scene for good (Del)</source>
+        <translation>Die ausgewählte Szene endgültig löschen (Entf)</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Keep them all for later (Esc)</source>
+        <translation>Alle für später behalten (Esc)</translation>
+    </message>
+    <message>
+        <source>damaged</source>
+        <translation>beschädigt</translation>
     </message>
 </context>
 <context>
@@ -4480,6 +4645,26 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>Delete it; it will not be offered again</source>
         <translation>Sie löschen; sie wird nicht noch einmal angeboten</translation>
+    </message>
+    <message>
+        <source>Springstep was ended by something else. %1 scenes that were not saved are here.</source>
+        <translation>Springstep wurde von etwas anderem beendet. Hier sind %1 Szenen, die nicht gespeichert wurden.</translation>
+    </message>
+    <message>
+        <source>%1 scenes that were not saved are here.</source>
+        <translation>Hier sind %1 Szenen, die nicht gespeichert wurden.</translation>
+    </message>
+    <message>
+        <source>Show them</source>
+        <translation>Anzeigen</translation>
+    </message>
+    <message>
+        <source>Shows a list, from which each can be recovered or deleted</source>
+        <translation>Zeigt eine Liste, aus der man jede wiederherstellen oder löschen kann</translation>
+    </message>
+    <message>
+        <source>There is no scene to recover.</source>
+        <translation>Es gibt keine Szene zum Wiederherstellen.</translation>
     </message>
 </context>
 <context>
@@ -5171,6 +5356,10 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <source>Closes the window and opens it again with this scene. Undo begins anew.</source>
         <translation>Schließt das Fenster und öffnet es wieder mit dieser Szene. Rückgängig beginnt von vorn.</translation>
     </message>
+    <message>
+        <source>Reco&amp;ver scenes…</source>
+        <translation>Szenen &amp;wiederherstellen…</translation>
+    </message>
 </context>
 <context>
     <name>app::MeasurePanel</name>
@@ -5581,6 +5770,18 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <source>differ</source>
         <translation>verschieden</translation>
     </message>
+    <message>
+        <source>Change %1 of %2</source>
+        <translation>%1 ändern: %2</translation>
+    </message>
+    <message>
+        <source>Switch “%1” on</source>
+        <translation>„%1“ einschalten</translation>
+    </message>
+    <message>
+        <source>Switch “%1” off</source>
+        <translation>„%1“ ausschalten</translation>
+    </message>
 </context>
 <context>
     <name>app::QuantityMenu</name>
@@ -5919,10 +6120,6 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
 <context>
     <name>app::Session</name>
     <message>
-        <source>Your hand</source>
-        <translation>Deine Hand</translation>
-    </message>
-    <message>
         <source>your hand</source>
         <translation>deine Hand</translation>
     </message>
@@ -5931,40 +6128,12 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>vorher: %1</translation>
     </message>
     <message>
-        <source>Reset all</source>
-        <translation>Alle zurücksetzen</translation>
-    </message>
-    <message>
-        <source>Step</source>
-        <translation>Zeitschritt</translation>
-    </message>
-    <message>
-        <source>Method</source>
-        <translation>Verfahren</translation>
-    </message>
-    <message>
-        <source>What mends</source>
-        <translation>Heilung</translation>
-    </message>
-    <message>
-        <source>Pointer</source>
-        <translation>Zeiger</translation>
-    </message>
-    <message>
         <source>the pointer</source>
         <translation>der Zeiger</translation>
     </message>
     <message>
-        <source>Target</source>
-        <translation>Ziel</translation>
-    </message>
-    <message>
         <source>the target</source>
         <translation>das Ziel</translation>
-    </message>
-    <message>
-        <source>Arrow keys</source>
-        <translation>Pfeiltasten</translation>
     </message>
     <message>
         <source>the keys</source>
@@ -5999,10 +6168,6 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>Rückgängig: %1.</translation>
     </message>
     <message>
-        <source>Done again: %1.</source>
-        <translation>Wiederholt: %1.</translation>
-    </message>
-    <message>
         <source>The run as it was stays beside this one, as “%1”.</source>
         <translation>Der Lauf, wie er war, bleibt neben diesem, als „%1“.</translation>
     </message>
@@ -6031,20 +6196,68 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>Das ist wieder „%1“. Der Lauf, den du verlassen hast, ist jetzt einer der anderen Läufe.</translation>
     </message>
     <message>
-        <source>Keep a run</source>
-        <translation>Einen Lauf behalten</translation>
+        <source>Keep run</source>
+        <translation>Lauf behalten</translation>
     </message>
     <message>
-        <source>Keep a run no more</source>
-        <translation>Einen Lauf nicht mehr behalten</translation>
+        <source>Stop keeping run</source>
+        <translation>Lauf nicht mehr behalten</translation>
     </message>
     <message>
-        <source>Name of a run</source>
-        <translation>Name eines Laufs</translation>
+        <source>Rename run</source>
+        <translation>Lauf umbenennen</translation>
     </message>
     <message>
-        <source>Delete a run</source>
-        <translation>Einen Lauf löschen</translation>
+        <source>Delete run</source>
+        <translation>Lauf löschen</translation>
+    </message>
+    <message>
+        <source>Drag %1</source>
+        <translation>%1 ziehen</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>%1 ändern</translation>
+    </message>
+    <message>
+        <source>Reset all parameters</source>
+        <translation>Alle Parameter zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Change step</source>
+        <translation>Zeitschritt ändern</translation>
+    </message>
+    <message>
+        <source>Change method</source>
+        <translation>Verfahren ändern</translation>
+    </message>
+    <message>
+        <source>Apply remedy</source>
+        <translation>Abhilfe anwenden</translation>
+    </message>
+    <message>
+        <source>a remedy</source>
+        <translation>einer Abhilfe</translation>
+    </message>
+    <message>
+        <source>Move pointer</source>
+        <translation>Zeiger bewegen</translation>
+    </message>
+    <message>
+        <source>Set target</source>
+        <translation>Ziel setzen</translation>
+    </message>
+    <message>
+        <source>Press arrow keys</source>
+        <translation>Pfeiltasten drücken</translation>
+    </message>
+    <message>
+        <source>Choose “%1”</source>
+        <translation>„%1“ wählen</translation>
+    </message>
+    <message>
+        <source>Redone: %1.</source>
+        <translation>Wiederholt: %1.</translation>
     </message>
 </context>
 <context>
@@ -6698,60 +6911,72 @@ auf dem Schirm (30 pro Sekunde)</translation>
         <translation>Für mehr von dieser Art ist kein Platz: Lösche erst etwas.</translation>
     </message>
     <message>
-        <source>Point</source>
-        <translation>Punkt</translation>
-    </message>
-    <message>
-        <source>Nail out</source>
-        <translation>Nagel heraus</translation>
-    </message>
-    <message>
-        <source>Nail</source>
-        <translation>Nagel</translation>
-    </message>
-    <message>
-        <source>Spring</source>
-        <translation>Feder</translation>
-    </message>
-    <message>
-        <source>Stick</source>
-        <translation>Stab</translation>
-    </message>
-    <message>
-        <source>Foot</source>
-        <translation>Fuß</translation>
-    </message>
-    <message>
         <source>This point is a foot already: it can be the foot of one body.</source>
         <translation>Dieser Punkt ist schon ein Fuß: Er kann der Fuß eines einzigen Körpers sein.</translation>
-    </message>
-    <message>
-        <source>Place</source>
-        <translation>Ort</translation>
-    </message>
-    <message>
-        <source>Places</source>
-        <translation>Orte</translation>
     </message>
     <message>
         <source>A scene needs at least one point that can move: leave one.</source>
         <translation>Eine Szene braucht mindestens einen Punkt, der sich bewegen kann: Lass einen übrig.</translation>
     </message>
     <message>
-        <source>Delete</source>
-        <translation>Löschen</translation>
-    </message>
-    <message>
-        <source>Duplicate</source>
-        <translation>Verdoppeln</translation>
-    </message>
-    <message>
-        <source>Gait group</source>
-        <translation>Ganggruppe</translation>
-    </message>
-    <message>
         <source>There is no room for a copy of all that: choose fewer parts, or delete some first.</source>
         <translation>Für eine Kopie von all dem ist kein Platz: Wähle weniger Teile oder lösche erst welche.</translation>
+    </message>
+    <message>
+        <source>%1 parts</source>
+        <translation>%1 Teile</translation>
+    </message>
+    <message>
+        <source>stick</source>
+        <translation>Stab</translation>
+    </message>
+    <message>
+        <source>spring</source>
+        <translation>Feder</translation>
+    </message>
+    <message>
+        <source>Add point</source>
+        <translation>Punkt hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add nail</source>
+        <translation>Nagel hinzufügen</translation>
+    </message>
+    <message>
+        <source>Free %1</source>
+        <translation>%1 lösen</translation>
+    </message>
+    <message>
+        <source>Nail %1 down</source>
+        <translation>%1 festnageln</translation>
+    </message>
+    <message>
+        <source>Add spring</source>
+        <translation>Feder hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add stick</source>
+        <translation>Stab hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add foot</source>
+        <translation>Fuß hinzufügen</translation>
+    </message>
+    <message>
+        <source>Move %1</source>
+        <translation>%1 bewegen</translation>
+    </message>
+    <message>
+        <source>Delete %1</source>
+        <translation>%1 löschen</translation>
+    </message>
+    <message>
+        <source>Duplicate %1</source>
+        <translation>%1 verdoppeln</translation>
+    </message>
+    <message>
+        <source>Add gait group</source>
+        <translation>Ganggruppe hinzufügen</translation>
     </message>
 </context>
 <context>
@@ -7603,6 +7828,50 @@ auf dem Schirm (30 pro Sekunde)</translation>
     <message>
         <source>Keeps everything between two walls and above a floor, with friction and without a bounce.</source>
         <translation>Hält alles zwischen zwei Wänden und über einem Boden, mit Reibung und ohne Abprall.</translation>
+    </message>
+    <message>
+        <source>Stiff springs</source>
+        <translation>Steife Federn</translation>
+    </message>
+    <message>
+        <source>Many feet on one body</source>
+        <translation>Viele Füße an einem Körper</translation>
+    </message>
+    <message>
+        <source>All in one place</source>
+        <translation>Alles an einem Ort</translation>
+    </message>
+    <message>
+        <source>Torn by a hand</source>
+        <translation>Von einer Hand gerissen</translation>
+    </message>
+    <message>
+        <source>Walls and walking</source>
+        <translation>Wände und Gehen</translation>
+    </message>
+    <message>
+        <source>Sticks that contradict</source>
+        <translation>Stäbe, die sich widersprechen</translation>
+    </message>
+    <message>
+        <source>Swimmers</source>
+        <translation>Schwimmer</translation>
+    </message>
+    <message>
+        <source>Trees in wind</source>
+        <translation>Bäume im Wind</translation>
+    </message>
+    <message>
+        <source>Unusual steps</source>
+        <translation>Ungewöhnliche Zeitschritte</translation>
+    </message>
+    <message>
+        <source>Long runs</source>
+        <translation>Lange Läufe</translation>
+    </message>
+    <message>
+        <source>Input that is refused</source>
+        <translation>Eingaben, die abgelehnt werden</translation>
     </message>
 </context>
 <context>

@@ -54,6 +54,15 @@ struct Bench
     {
         QTest::keyClick(&view(), Qt::Key(key), modifiers);
     }
+    /// Types a number into the field of a property, as after a click on it.
+    void type(const QString &id, const QString &number)
+    {
+        auto *box = row(id)->findChild<NumberBox *>();
+        QTest::mouseClick(box, Qt::LeftButton);
+        box->selectAll();
+        QTest::keyClicks(box, number);
+        QTest::keyClick(box, Qt::Key_Return);
+    }
     PropertyRow *row(const QString &id) const
     {
         for (PropertyRow *one : panel().rows()) {

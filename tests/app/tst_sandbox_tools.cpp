@@ -30,7 +30,7 @@ private slots:
         QVERIFY(bench.view().viewport()->rect().contains(bench.on({270, 900})));
     }
 
-    void linksAreDraggedOneAfterTheOther()
+    void everyDragMakesOneLinkAndEnds()
     {
         Bench bench;
         bench.build();
@@ -39,12 +39,88 @@ private slots:
             bench.click(place);
         bench.key(Qt::Key_T);
         bench.drag({100, 100}, {160, 100});
+        QVERIFY(!bench.bench().first());
         bench.drag({160, 100}, {130, 50}); // from where the last one ended
         bench.drag({130, 50}, {100, 100});
         QCOMPARE(bench.plan().sticks.size(), std::size_t(3));
-        QVERIFY(bench.bench().first());
-        bench.click({100, 100}); // there a click ends it
         QVERIFY(!bench.bench().first());
+    }
+
+    void twoSeparateDragsMakeTwoSprings()
+    {
+        Bench bench;
+        bench.build();
+        const std::size_t points = bench.plan().points.size();
+        const int deeds = bench.session().deeds().count();
+        bench.key(Qt::Key_S);
+        bench.drag({100, 100}, {160, 100});
+        bench.drag({100, 200}, {160, 200});
+        QCOMPARE(bench.plan().springs.size(), std::size_t(3)); // with the one that was there
+        QCOMPARE(bench.plan().points.size(), points + 4);
+        QCOMPARE(bench.plan().springs[1].a, int(points));
+        QCOMPARE(bench.plan().springs[1].b, int(points) + 1);
+        QCOMPARE(bench.plan().springs[2].a, int(points) + 2);
+        QCOMPARE(bench.plan().springs[2].b, int(points) + 3);
+        QCOMPARE(bench.session().deeds().count(), deeds + 2); // with its points, each is one entry
+        QCOMPARE(bench.session().deeds().undoText(), QString("Add spring"));
+        bench.session().undo();
+        QCOMPARE(bench.plan().points.size(), points + 2);
+    }
+
+    void aDragEndsAChainOfClicks()
+    {
+        Bench bench;
+        bench.build();
+        bench.key(Qt::Key_S);
+        bench.click({100, 100});
+        bench.click({160, 100});
+        QVERIFY(bench.bench().first()); // clicks go on
+        bench.drag({100, 200}, {160, 200});
+        QVERIFY(!bench.bench().first());
+        QCOMPARE(bench.plan().springs.size(), std::size_t(3));
+        const sim::BuiltSpring &last = bench.plan().springs.back();
+        QVERIFY(isNear(bench.plan().points[std::size_t(last.a)].x, {100, 200}, 1.5));
+        QVERIFY(isNear(bench.plan().points[std::size_t(last.b)].x, {160, 200}, 1.5));
+    }
+
+    void aDragThatIsGivenUpMakesNothing()
+    {
+        Bench bench;
+        bench.build();
+        const sim::Blueprint before = bench.plan();
+        bench.key(Qt::Key_S);
+        QTest::mousePress(bench.view().viewport(), Qt::LeftButton, {}, bench.on({100, 100}));
+        QTest::mouseMove(bench.view().viewport(), bench.on({160, 100}));
+        bench.key(Qt::Key_Escape);
+        QTest::mouseRelease(bench.view().viewport(), Qt::LeftButton, {}, bench.on({160, 100}));
+        QVERIFY(bench.plan() == before);
+        QVERIFY(bench.bench().tool() == BuildTool::spring); // Esc gave up no more than the drag
+    }
+
+    void undoingSaysWhatWasBuilt()
+    {
+        Bench bench;
+        bench.build();
+        const QUndoStack &deeds = bench.session().deeds();
+        bench.key(Qt::Key_P);
+        bench.click({100, 100});
+        QCOMPARE(deeds.undoText(), QString("Add point"));
+        bench.key(Qt::Key_N);
+        bench.click({100, 100});
+        QCOMPARE(deeds.undoText(), QString("Nail p2 down"));
+        bench.click({100, 100});
+        QCOMPARE(deeds.undoText(), QString("Free p2"));
+        bench.key(Qt::Key_V);
+        bench.drag({100, 100}, {130, 120});
+        QCOMPARE(deeds.undoText(), QString("Move p2"));
+        bench.type("mass", "3");
+        QCOMPARE(bench.plan().points[2].mass, 3.0);
+        QCOMPARE(deeds.undoText(), QString("Change mass of point p2"));
+        bench.view().setFocus();
+        QTest::keyClick(&bench.window, Qt::Key_J, Qt::ControlModifier);
+        QCOMPARE(deeds.undoText(), QString("Duplicate p2"));
+        QTest::keyClick(&bench.window, Qt::Key_Delete);
+        QCOMPARE(deeds.undoText(), QString("Delete p3"));
     }
 
     void aMouseBuilds()

@@ -8,6 +8,9 @@ namespace {
 
 constexpr double ringGap = 5.0;  ///< px of the screen
 constexpr double crossArm = 9.0; ///< px of the screen
+constexpr double askedWidth = 2.0;
+constexpr double askedGap = 6.0; ///< px of the screen
+constexpr double askedRadius = 14.0;
 constexpr double bandWidth = 9.0;
 constexpr double bandShade = 0.22;
 
@@ -52,6 +55,32 @@ void drawBox(const Canvas &canvas, const QRectF &box)
 
 }
 
+void BuildLayer::drawLinkUnderWay(const Canvas &canvas) const
+{
+    const Workbench &bench = *m_marks.bench;
+    const std::optional<sim::Vec2> end = m_marks.cursor ? m_marks.cursor : m_marks.pointer;
+    if (bench.first() && !m_marks.from)
+        drawRing(canvas, *bench.first(), 3.0);
+    if (!end || (!bench.first() && !m_marks.from))
+        return;
+    const QPointF from = m_marks.from ? canvas.camera.at(*m_marks.from) : placeOn(canvas, *bench.first());
+    canvas.painter.setPen(dashed(canvas.tokens().ink2, 1.5, {4.0, 3.0}));
+    canvas.painter.drawLine(canvas.cut(from, canvas.camera.at(*end)));
+}
+
+void BuildLayer::drawAsked(const Canvas &canvas) const
+{
+    canvas.painter.setPen(solid(canvas.tokens().now, askedWidth));
+    for (const int point : m_marks.guide->points())
+        drawRing(canvas, point, askedGap);
+    if (const std::optional<sim::Vec2> place = m_marks.guide->place()) {
+        const QPointF at = canvas.camera.at(*place);
+        drawCross(canvas, at);
+        canvas.painter.setPen(solid(canvas.tokens().now, askedWidth));
+        canvas.painter.drawEllipse(at, askedRadius, askedRadius);
+    }
+}
+
 void BuildLayer::draw(const Canvas &canvas) const
 {
     const Workbench &bench = *m_marks.bench;
@@ -66,14 +95,9 @@ void BuildLayer::draw(const Canvas &canvas) const
         drawRing(canvas, point, 0.0);
     if (!bench.canBuild())
         return;
-    const std::optional<sim::Vec2> end = m_marks.cursor ? m_marks.cursor : m_marks.pointer;
-    if (bench.first()) {
-        drawRing(canvas, *bench.first(), 3.0);
-        if (end) {
-            p.setPen(dashed(canvas.tokens().ink2, 1.5, {4.0, 3.0}));
-            p.drawLine(canvas.cut(placeOn(canvas, *bench.first()), canvas.camera.at(*end)));
-        }
-    }
+    drawLinkUnderWay(canvas);
+    if (m_marks.guide->isOn())
+        drawAsked(canvas);
     if (m_marks.cursor)
         drawCross(canvas, canvas.camera.at(*m_marks.cursor));
     if (m_marks.box)

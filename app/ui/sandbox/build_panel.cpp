@@ -1,20 +1,27 @@
 #include "app/ui/sandbox/build_panel.h"
 
+#include "app/model/build_guide.h"
 #include "app/model/sentences.h"
 #include "app/model/workshop.h"
 #include "app/ui/panels/panel_title.h"
 #include "app/ui/sandbox/effect_switches.h"
 #include "app/ui/sandbox/example_gallery.h"
+#include "app/ui/sandbox/guide_box.h"
+#include "app/ui/sandbox/guide_ring.h"
 #include "app/ui/sandbox/property_row.h"
 #include "app/ui/theme/icons.h"
 
 #include <QAction>
+#include <QCheckBox>
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace app {
 
@@ -22,6 +29,7 @@ namespace {
 
 constexpr int sideMargin = 16;
 constexpr int toolColumns = 3;
+constexpr int besideAsked = 40; ///< px that are seen above and below what the guide asks for
 
 QFrame *dividerIn(QWidget *parent)
 {
@@ -54,10 +62,11 @@ QToolButton *toolButton(QAction *action, const Theme &theme, QWidget *parent)
 
 }
 
-BuildPanel::BuildPanel(Session &session, Workbench &bench, const QList<QAction *> &tools, const Theme &theme,
-                       QWidget *parent)
-    : QWidget(parent), m_session(session), m_bench(bench), m_theme(theme),
+BuildPanel::BuildPanel(Session &session, Workbench &bench, BuildGuide &guide, const QList<QAction *> &tools,
+                       const Theme &theme, QWidget *parent)
+    : QWidget(parent), m_session(session), m_bench(bench), m_guide(guide), m_theme(theme),
       m_title(new PanelTitle(tr("Build"), PanelTitle::CaptionPlace::right, theme, this)),
+      m_guideBox(new GuideBox(guide, this)), m_ring(new GuideRing(theme)),
       m_gallery(new ExampleGallery(session, theme, this))
 {
     setObjectName("panel");
@@ -68,6 +77,7 @@ BuildPanel::BuildPanel(Session &session, Workbench &bench, const QList<QAction *
     column->addWidget(m_title);
     column->addWidget(palette(tools));
     column->addWidget(dividerIn(this));
+    column->addWidget(m_guideBox);
     column->addWidget(page(), 1);
     column->addWidget(dividerIn(this));
     column->addWidget(feet());
@@ -80,7 +90,13 @@ BuildPanel::BuildPanel(Session &session, Workbench &bench, const QList<QAction *
                 refreshProperties(); // it says where the run is, and whether it plays
         });
     }
+    connect(&guide, &BuildGuide::changed, this, &BuildPanel::refresh);
     refresh();
+}
+
+BuildPanel::~BuildPanel()
+{
+    delete m_ring; // it may have another parent by now
 }
 
 QWidget *BuildPanel::palette(const QList<QAction *> &tools)
@@ -89,8 +105,10 @@ QWidget *BuildPanel::palette(const QList<QAction *> &tools)
     auto *grid = new QGridLayout(box);
     grid->setContentsMargins(12, 0, 12, 8);
     grid->setSpacing(4);
-    for (int i = 0; i < tools.size(); ++i)
-        grid->addWidget(toolButton(tools[i], m_theme, box), i / toolColumns, i % toolColumns);
+    for (int i = 0; i < tools.size(); ++i) {
+        m_tools << toolButton(tools[i], m_theme, box);
+        grid->addWidget(m_tools.back(), i / toolColumns, i % toolColumns);
+    }
     return box;
 }
 
@@ -104,7 +122,7 @@ QLabel *BuildPanel::heading(const QString &text)
 
 QWidget *BuildPanel::page()
 {
-    auto *area = new QScrollArea(this);
+    auto *area = m_area = new QScrollArea(this);
     area->setWidgetResizable(true);
     area->setFrameShape(QFrame::NoFrame);
     area->setFocusPolicy(Qt::NoFocus);
@@ -138,10 +156,28 @@ QWidget *BuildPanel::page()
     column->addWidget(m_away);
     column->addWidget(m_properties);
     column->addWidget(heading(tr("Acts on everything")));
-    column->addWidget(new EffectSwitches(m_session, m_bench, content));
+    m_effects = new EffectSwitches(m_session, m_bench, content);
+    column->addWidget(m_effects);
+    column->addWidget(beginning(content));
     column->addStretch(1);
     area->setWidget(content);
     return area;
+}
+
+QWidget *BuildPanel::beginning(QWidget *parent)
+{
+    m_begin = new QWidget(parent);
+    auto *row = new QHBoxLayout(m_begin);
+    row->setContentsMargins(sideMargin, 12, sideMargin, 4);
+    auto *button = new QPushButton(tr("First build: a walker"), m_begin);
+    button->setObjectName("firstBuild");
+    button->setToolTip(
+        tr("Build a creature that walks, in ten clicks. It begins with a new scene; undo brings yours "
+           "back"));
+    connect(button, &QPushButton::clicked, &m_guide, &BuildGuide::start);
+    row->addWidget(button);
+    row->addStretch(1);
+    return m_begin;
 }
 
 QWidget *BuildPanel::feet()
@@ -178,6 +214,51 @@ void BuildPanel::refresh()
         return;
     refreshTitle();
     refreshProperties();
+    pointOut();
+}
+
+QWidget *BuildPanel::askedControl() const
+{
+    const auto rowOf = [this](const QString &id) -> QWidget * {
+        const auto found = std::find_if(m_rows.begin(), m_rows.end(), [&](const PropertyRow *one) {
+            return one->property().about.id == id;
+        });
+        return found == m_rows.end() ? nullptr : *found;
+    };
+    switch (m_guide.step()) {
+    case BuildGuide::Step::footTool:
+        return m_tools.value(static_cast<int>(BuildTool::foot));
+    case BuildGuide::Step::chooseTool:
+        return m_tools.value(static_cast<int>(BuildTool::select));
+    case BuildGuide::Step::swing:
+        return rowOf(QStringLiteral("speed"));
+    case BuildGuide::Step::ground:
+        return m_effects->box(QStringLiteral("ground"));
+    case BuildGuide::Step::walls:
+        return m_effects->box(QStringLiteral("walls"));
+    case BuildGuide::Step::play:
+        return window()->findChild<QToolButton *>(QStringLiteral("play"));
+    default:
+        return nullptr; // it is in the picture
+    }
+}
+
+void BuildPanel::pointOut()
+{
+    m_begin->setVisible(!m_guide.isOn());
+    if (!m_ring)
+        return; // the window goes
+    QWidget *asked = m_guide.isOn() && m_bench.isOpen() ? askedControl() : nullptr;
+    m_ring->setWidget(asked);
+    if (!asked || !m_area->isAncestorOf(asked))
+        return;
+    QTimer::singleShot(0, asked, [this, asked] { // once it is laid out
+        m_area->ensureWidgetVisible(asked, 0, besideAsked);
+        if (!m_ring || m_ring->widget() != asked)
+            return;
+        m_ring->setWidget(nullptr); // a ring that was out of the picture stays hidden
+        m_ring->setWidget(asked);
+    });
 }
 
 void BuildPanel::refreshTitle()
@@ -207,9 +288,11 @@ QString BuildPanel::toolHint() const
     case BuildTool::nail:
         return tr("Click a point to nail it down or to free it, or where a nail shall be.");
     case BuildTool::spring:
-        return tr("Click two points: a spring goes from one to the other.");
+        return tr("Drag from one point to another: that makes one spring. With clicks, each spring goes on "
+                  "from the last.");
     case BuildTool::stick:
-        return tr("Click two points: a stick goes from one to the other.");
+        return tr("Drag from one point to another: that makes one stick. With clicks, each stick goes on "
+                  "from the last.");
     case BuildTool::foot:
         return tr("Click a body, then each of its feet, or where one shall be.");
     case BuildTool::select:
@@ -223,7 +306,8 @@ void BuildPanel::refreshProperties()
     const bool can = m_bench.canBuild();
     const bool any = can && !m_bench.chosen().isEmpty();
     m_away->setVisible(!can);
-    m_hint->setVisible(!any || m_bench.tool() != BuildTool::select);
+    const bool isGuided = m_guide.isOn() && can; // it says one thing at a time
+    m_hint->setVisible(!isGuided && (!any || m_bench.tool() != BuildTool::select));
     m_properties->setVisible(any);
     m_hint->setText(can ? toolHint() : waitHint());
     if (!any) {
@@ -246,6 +330,8 @@ void BuildPanel::refreshProperties()
 
 void BuildPanel::makeRows(std::vector<BuiltProperty> properties)
 {
+    if (m_ring)
+        m_ring->setWidget(nullptr); // it may be round one of them
     // Later, not here: one of these rows may be the one that led here.
     while (QLayoutItem *item = m_column->takeAt(0)) {
         item->widget()->hide();
@@ -264,11 +350,19 @@ void BuildPanel::makeRows(std::vector<BuiltProperty> properties)
         m_column->addWidget(m_rows.back());
     }
     if (hasFoot)
-        makeGaitButton();
+        makeGaitHelp();
 }
 
-void BuildPanel::makeGaitButton()
+void BuildPanel::makeGaitHelp()
 {
+    auto *said =
+        new QLabel(tr("On ground, Swing makes it walk. Feet opposite each other need opposite angles: 0° "
+                      "and 180°."),
+                   m_properties);
+    said->setObjectName("caption");
+    said->setWordWrap(true);
+    said->setContentsMargins(sideMargin, 6, sideMargin, 2);
+    m_column->addWidget(said);
     auto *box = new QWidget(m_properties);
     auto *row = new QHBoxLayout(box);
     row->setContentsMargins(sideMargin, 4, sideMargin, 4);

@@ -50,6 +50,12 @@ void EffectSwitches::make()
     refresh();
 }
 
+QCheckBox *EffectSwitches::box(const QString &effect) const
+{
+    const auto found = m_switches.find(effect);
+    return found == m_switches.end() ? nullptr : found->second;
+}
+
 void EffectSwitches::refresh()
 {
     if (!m_bench.isOpen())

@@ -19,6 +19,9 @@ public:
     /// Both must outlive this.
     EffectSwitches(Session &session, Workbench &bench, QWidget *parent = nullptr);
 
+    /// Returns the switch of an effect; null where there is none.
+    QCheckBox *box(const QString &effect) const;
+
 private:
     void make();
     void refresh();

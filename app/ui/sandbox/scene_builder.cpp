@@ -56,14 +56,17 @@ double distanceTo(QPointF at, QPointF a, QPointF b)
 
 }
 
-SceneBuilder::SceneBuilder(Session &session, Workbench &bench, SceneView &view, const Theme &theme)
+SceneBuilder::SceneBuilder(Session &session, Workbench &bench, const BuildGuide &guide, SceneView &view,
+                           const Theme &theme)
     : QObject(&view), m_session(session), m_bench(bench), m_view(view)
 {
     m_marks.bench = &bench;
+    m_marks.guide = &guide;
     view.scene()->addItem(new BuildLayer(m_marks, view.shown(), theme));
     view.installEventFilter(this);
     view.viewport()->installEventFilter(this);
     connect(&bench, &Workbench::changed, this, &SceneBuilder::refresh);
+    connect(&guide, &BuildGuide::changed, this, &SceneBuilder::refresh);
     connect(&session, &Session::selectionChanged, this, [this] {
         // The keys that choose a body take the keyboard's cross along.
         const int point = m_view.shown().selected;
@@ -76,9 +79,12 @@ void SceneBuilder::refresh()
 {
     if (m_bench.tool() == BuildTool::select || !m_bench.canBuild())
         m_marks.cursor.reset();
-    if (!m_bench.first())
+    if (!isLinkTool(m_bench.tool()))
+        m_marks.from.reset();
+    if (!m_bench.first() && !m_marks.from)
         m_marks.pointer.reset();
     if (!m_bench.canBuild()) {
+        m_marks.from.reset();
         m_pressed.reset();
         m_isDragging = m_isBoxing = false;
         m_marks.box.reset();
@@ -170,12 +176,10 @@ bool SceneBuilder::press(const QMouseEvent &event)
     m_marks.cursor.reset();
     m_pressed = event.position();
     m_moved = {};
-    // Where the chain has come to it ends with a click, and goes on with a drag: which it is, the release tells.
-    m_isOnFirst = builds && m_bench.first() == pointAt(event.position());
-    if (builds && !m_isOnFirst)
-        m_bench.use(rounded(placeOf(event.position())), pointAt(event.position()));
-    else if (!builds)
+    if (!builds)
         choosePart(event);
+    else if (!isLinkTool(m_bench.tool())) // of a link the release tells whether it was a click or a drag
+        m_bench.use(rounded(placeOf(event.position())), pointAt(event.position()));
     return true;
 }
 
@@ -208,7 +212,9 @@ bool SceneBuilder::move(const QMouseEvent &event)
     if (!m_bench.canBuild())
         return false;
     const bool builds = m_bench.tool() != BuildTool::select;
-    if (m_bench.first()) {
+    if (m_pressed && isLinkTool(m_bench.tool()))
+        stretchTo(event.position());
+    if (m_bench.first() || m_marks.from) {
         m_marks.pointer = placeOf(event.position());
         m_view.viewport()->update();
     }
@@ -244,11 +250,42 @@ bool SceneBuilder::release(const QMouseEvent &event)
     if (m_isBoxing)
         chooseWithBox();
     m_isDragging = m_isBoxing = false;
-    // A link can be dragged from one point to the other, too.
-    const bool dragged = QLineF(pressed, event.position()).length() > dragLink;
-    if ((dragged || m_isOnFirst) && m_bench.first() && m_bench.canBuild())
-        m_bench.use(rounded(placeOf(event.position())), pointAt(event.position()));
+    if (isLinkTool(m_bench.tool()))
+        finishLink(pressed, event.position());
     return true;
+}
+
+Workbench::End SceneBuilder::endAt(QPointF at) const
+{
+    return {rounded(placeOf(at)), pointAt(at)};
+}
+
+void SceneBuilder::stretchTo(QPointF at)
+{
+    if (m_marks.from || QLineF(*m_pressed, at).length() <= dragLink)
+        return;
+    const Workbench::End from = endAt(*m_pressed);
+    m_marks.from = from.hit < 0 ? from.at : m_bench.plan().points[std::size_t(from.hit)].x;
+}
+
+void SceneBuilder::finishLink(QPointF pressed, QPointF released)
+{
+    const bool isFar = QLineF(pressed, released).length() > dragLink;
+    const bool wasDragged = m_marks.from.has_value();
+    stopLink();
+    if (isFar) // whether or not the pointer was seen on its way
+        m_bench.drag(endAt(pressed), endAt(released));
+    else if (!wasDragged) // what comes back to where it began is given up
+        m_bench.use(rounded(placeOf(pressed)), pointAt(pressed));
+}
+
+void SceneBuilder::stopLink()
+{
+    m_pressed.reset();
+    m_marks.from.reset();
+    if (!m_bench.first())
+        m_marks.pointer.reset();
+    m_view.viewport()->update();
 }
 
 void SceneBuilder::chooseWithBox()
@@ -299,6 +336,10 @@ bool SceneBuilder::arrow(sim::Vec2 way, Qt::KeyboardModifiers modifiers)
 
 bool SceneBuilder::keyDown(const QKeyEvent &key)
 {
+    if (key.key() == Qt::Key_Escape && m_marks.from) {
+        stopLink();
+        return true;
+    }
     if (key.key() == Qt::Key_Escape)
         return m_bench.leave();
     if (key.key() == Qt::Key_BraceRight || key.key() == Qt::Key_BraceLeft) {

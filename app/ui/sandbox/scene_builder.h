@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/model/workbench.h"
+#include "app/model/build_guide.h"
 #include "app/ui/scene/layers.h"
 
 #include <QObject>
@@ -17,9 +17,11 @@ class SceneView;
 struct BuildMarks
 {
     const Workbench *bench = nullptr;
-    std::optional<sim::Vec2> cursor;  ///< where the keyboard builds
-    std::optional<sim::Vec2> pointer; ///< where a link under way would end
-    std::optional<QRectF> box;        ///< that chooses, px of the scene
+    const BuildGuide *guide = nullptr; ///< what it asks for is marked
+    std::optional<sim::Vec2> cursor;   ///< where the keyboard builds
+    std::optional<sim::Vec2> from;     ///< where the link that is dragged begins
+    std::optional<sim::Vec2> pointer;  ///< where a link under way would end
+    std::optional<QRectF> box;         ///< that chooses, px of the scene
 };
 
 /// Rings round what is chosen, the link under way, the box that chooses, and the keyboard's cross.
@@ -35,6 +37,9 @@ protected:
     void draw(const Canvas &canvas) const override;
 
 private:
+    void drawLinkUnderWay(const Canvas &canvas) const;
+    void drawAsked(const Canvas &canvas) const;
+
     const BuildMarks &m_marks;
 };
 
@@ -44,7 +49,8 @@ class SceneBuilder : public QObject
     Q_OBJECT
 
 public:
-    SceneBuilder(Session &session, Workbench &bench, SceneView &view, const Theme &theme);
+    SceneBuilder(Session &session, Workbench &bench, const BuildGuide &guide, SceneView &view,
+                 const Theme &theme);
 
     const BuildMarks &marks() const { return m_marks; }
 
@@ -61,6 +67,10 @@ private:
     bool release(const QMouseEvent &event);
     void choosePart(const QMouseEvent &event);
     void dragTo(sim::Vec2 place);
+    /// Begins to drag a link, once the pointer has gone far enough from where the button went down.
+    void stretchTo(QPointF at);
+    void finishLink(QPointF pressed, QPointF released);
+    void stopLink();
     bool keyDown(const QKeyEvent &key);
     bool takes(const QKeyEvent &key) const;
     bool arrow(sim::Vec2 way, Qt::KeyboardModifiers modifiers);
@@ -68,6 +78,7 @@ private:
     void refresh();
 
     sim::Vec2 placeOf(QPointF at) const;
+    Workbench::End endAt(QPointF at) const;
     int pointAt(QPointF at) const;
     /// The spring or stick nearest to a place of the screen.
     Chosen linkAt(QPointF at) const;
@@ -81,7 +92,6 @@ private:
     sim::Vec2 m_moved;                ///< px, how far the chosen points were dragged
     bool m_isDragging = false;
     bool m_isBoxing = false;
-    bool m_isOnFirst = false; ///< the button went down on the point that the next link goes on from
 };
 
 }

@@ -1,6 +1,6 @@
 // Building a scene of one's own: the way there and back, its tools and commands.
 
-#include "app/model/workbench.h"
+#include "app/model/build_guide.h"
 #include "app/model/workshop.h"
 #include "app/ui/panels/learn_panel.h"
 #include "app/ui/sandbox/build_panel.h"
@@ -20,9 +20,10 @@ namespace app {
 void MainWindow::makeBuilding()
 {
     m_bench = new Workbench(m_session, this);
-    new SceneBuilder(m_session, *m_bench, *m_scene, m_theme); // the scene's own
+    auto *guide = new BuildGuide(m_session, *m_bench, this);
+    new SceneBuilder(m_session, *m_bench, *guide, *m_scene, m_theme); // the scene's own
     makeBuildActions();
-    m_build = new BuildPanel(m_session, *m_bench, makeToolActions(), m_theme, this);
+    m_build = new BuildPanel(m_session, *m_bench, *guide, makeToolActions(), m_theme, this);
     connect(m_build, &BuildPanel::leaving, this, [this] { setMode(Mode::learn); });
     auto *pages = new QStackedWidget(this);
     pages->setObjectName("leftPages");
