@@ -1,5 +1,12 @@
-// Where the scene view looks: zoom, pan, and what a step shows first.
+// Where the scene view looks: what a step shows first, and how the picture stays with its subject.
+//
+// As long as the learner has neither zoomed nor moved the picture, it shows the subject with its motion. If bodies leave
+// it all the same, it zooms out, then moves along; back at frame 0 it shows what it showed first. A picture that the
+// learner has zoomed or moved stays as it is while any body is in sight. When the last one has left, the picture moves
+// to the bodies and keeps its zoom. "Fit" gives it back to the first rule.
 
+#include "app/model/motion_area.h"
+#include "app/ui/scene/framing.h"
 #include "app/ui/scene/layers.h"
 #include "app/ui/scene/scene_view.h"
 
@@ -7,106 +14,23 @@
 #include <QScrollBar>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numbers>
+#include <limits>
 
 namespace app {
 
 namespace {
 
-constexpr double leastZoom = 0.01;
-constexpr double mostZoom = 16.0;
 constexpr double zoomStep = 1.25;
-constexpr double border = 24.0;        ///< px of the screen round the stage
-constexpr double pleasant = 2.6;       ///< the zoom of a creature that is small enough for it
-constexpr double creatureReach = 75.0; ///< px round a creature's middle that it needs, at least
-constexpr double creatureRoom = 12.0;  ///< px that it needs beside its outermost body
-constexpr double solidSide = 12.0;     ///< px beyond the walls that a room shows
-constexpr double groundBorder = 52.0;  ///< px of the screen below a floor: scale and legends stand there
-constexpr double endlessBorder = 68.0; ///< likewise, of an endless ground: distances stand there too
-constexpr double endlessShare = 0.12;  ///< of the view's height, if that is more
-constexpr double largestRoom = 1.5;    ///< the most that a room or a tree is enlarged at first
-constexpr double largestWalk = 1.8;    ///< the most that who walks is enlarged at first
-constexpr double followEdge = 0.2; ///< of the view's width, at either side, that what walks is kept out of
-
-QRectF around(QPointF centre, double half)
-{
-    return {centre.x() - half, centre.y() - half, 2.0 * half, 2.0 * half};
-}
-
-/// Floor, walls and what is between them.
-QRectF roomArea(const sim::Room &room, QRectF stage)
-{
-    return QRectF(QPointF(room.left - solidSide, std::min(stage.top(), room.floor - 1.0)),
-                  QPointF(room.right + solidSide, room.floor));
-}
-
-/// Bodies and places that a step is about, with room to move.
-QRectF creatureArea(const Picture &picture)
-{
-    QRectF area;
-    for (int i = 0; i < picture.state.points(); ++i) {
-        const sim::Vec2 at = picture.state.at(i);
-        const double half = picture.look->bodies[static_cast<std::size_t>(i)].radius + creatureRoom;
-        area = area.united(around({at.x, at.y}, half));
-    }
-    for (const lessons::Guide &guide : picture.guides)
-        area = area.united(around({guide.a.x, guide.a.y}, std::max(guide.size, creatureRoom)));
-    return area.united(around(area.center(), creatureReach));
-}
-
-/// All branches of a tree, as they are now.
-QRectF treeArea(const lessons::TreeLook &tree, const sim::State &state)
-{
-    QRectF area;
-    const int count = std::min(static_cast<int>(tree.length.size()), static_cast<int>(state.angle.rows()));
-    for (int i = 0; i < count; ++i) {
-        const double angle = state.angle[i] * std::numbers::pi / 180.0;
-        const double length = tree.length[static_cast<std::size_t>(i)];
-        const QPointF from(state.position(i, 0), state.position(i, 1));
-        const QPointF to = from + length * QPointF(std::cos(angle), std::sin(angle));
-        area = area.united(QRectF(from, to).normalized().adjusted(-2, -2, 2, 2));
-    }
-    return area;
-}
-
-/// Whether there is ground without walls: it is endless.
-bool standsOnGround(const lessons::Look &look)
-{
-    return !look.room && (look.ground || look.sky != lessons::Look::Sky::paper);
-}
-
-/// px of the screen that stay free below what is shown, in a view of this height.
-double belowArea(const lessons::Look &look, double height)
-{
-    if (standsOnGround(look))
-        return std::max(endlessBorder, endlessShare * height);
-    return look.room ? groundBorder : border;
-}
-
-/// The stage of a figure and that of its companion.
-QRectF bothStages(const lessons::Look &look, const Shown &beside)
-{
-    return look.stage.united(look.stage.translated(beside.shift.x, beside.shift.y));
-}
-
-/// What a step shows first.
-QRectF homeOf(const Picture &picture, const Shown &beside)
-{
-    const lessons::Look &look = *picture.look;
-    if (!beside.name.isEmpty())
-        return bothStages(look, beside);
-    if (look.room)
-        return roomArea(*look.room, look.stage);
-    if (look.tree || look.sky != lessons::Look::Sky::paper)
-        return look.tree ? look.stage.united(treeArea(*look.tree, picture.state)) : look.stage;
-    QRectF area = creatureArea(picture);
-    if (look.ground)
-        area.setBottom(*look.ground);
-    const bool isSmall = area.width() < look.stage.width() && area.height() < look.stage.height();
-    return isSmall ? area : look.stage.united(area);
-}
+constexpr double walkerFrom =
+    0.4; ///< of the view's width, where the body that it follows is kept: the view looks
+constexpr double walkerTo = 0.5;           ///< ahead, as they walk to the right
+constexpr double mostWidened = 4.0;        ///< how many times as wide the view gets by itself
+constexpr double inSightBorder = 16.0;     ///< px of the screen: what is nearer to the edge is not in sight
+constexpr double nearer = 1.3;             ///< a closer look that enlarges less than that is not worth a jump
+constexpr std::int64_t mostMeasured = 200; ///< frames of which the motion is shown from the start
+constexpr std::int64_t measuredPoints = 200'000; ///< points times frames, if that is less
+constexpr qint64 measuredMilliseconds = 60;      ///< if that is less
 
 /// Whether walls and floor are where they were in what was shown before.
 bool hasSameRoom(const lessons::Look &look, QRectF home, QRectF before)
@@ -116,12 +40,10 @@ bool hasSameRoom(const lessons::Look &look, QRectF home, QRectF before)
                            home.bottom() == before.bottom()));
 }
 
-/// The most that what a step shows first is enlarged.
-double mostAtHome(const lessons::Look &look)
+bool isNowhere(const QRectF &box)
 {
-    if (look.ground && !look.room)
-        return largestWalk;
-    return look.room || look.tree || look.sky != lessons::Look::Sky::paper ? largestRoom : pleasant;
+    const QRectF world(-worldReach, -worldReach, 2.0 * worldReach, 2.0 * worldReach);
+    return box.isNull() || !world.contains(box);
 }
 
 }
@@ -131,45 +53,94 @@ double SceneView::zoom() const
     return 100.0 * transform().m11();
 }
 
-void SceneView::showHome()
+const QRectF &SceneView::motion()
 {
-    const QRectF before = m_atHome ? m_home : QRectF();
-    m_home = homeOf(m_shown.picture, m_beside);
-    m_stage = m_shown.look().stage;
-    m_atHome = true;
-    // Whoever puts one part after the other goes on where the last one was: the picture moves only for what is not seen.
-    const QRectF seen = viewportTransform().inverted().mapRect(viewRect());
-    const bool stays = m_session.isWorkshop() && hasSameRoom(m_shown.look(), m_home, before) &&
-                       seen.contains(creatureArea(m_shown.picture));
-    if (!stays)
-        showArea(m_home, mostAtHome(m_shown.look()));
-    follow();
+    if (m_motion)
+        return *m_motion;
+    const std::int64_t frames =
+        std::min(mostMeasured, measuredPoints / std::max<std::int64_t>(1, m_shown.points()));
+    MotionArea measured(m_session.timeline().script(), m_shown.picture.look, 0, frames);
+    measured.goOn(measuredMilliseconds);
+    m_motion = measured.area();
+    return *m_motion;
 }
 
-void SceneView::showArea(QRectF area, double most)
+QRectF SceneView::motionHere()
 {
-    const double below = belowArea(m_shown.look(), viewRect().height());
-    const double across = (viewRect().width() - 2.0 * border) / area.width();
-    const double down = (viewRect().height() - border - below) / area.height();
-    const double zoom = std::clamp(std::min({across, down, most}), leastZoom, mostZoom);
-    setTransform(QTransform::fromScale(zoom, zoom));
-    QPointF middle = area.center() + QPointF(0.0, (below - border) / 2.0 / zoom);
-    if (standsOnGround(m_shown.look())) // the ground lies low, however much room there is above
-        middle.setY(area.bottom() + (below - viewRect().height() / 2.0) / zoom);
-    centerOn(middle);
-    emit zoomChanged(this->zoom());
+    return motion().translated(followedX(m_shown.look(), m_shown.state()), 0.0);
+}
+
+void SceneView::showHome()
+{
+    const QRectF before = m_atHome && !m_isFitted ? m_home : QRectF();
+    const QRectF seen = viewportTransform().inverted().mapRect(viewRect());
+    m_home = homeArea(m_shown.picture, m_beside, motionHere());
+    m_stage = m_shown.look().stage;
+    m_atHome = true;
+    m_isFitted = false;
+    // While a learner puts one part after the other, the picture moves only for what is not seen.
+    const bool stays = m_session.isWorkshop() && hasSameRoom(m_shown.look(), m_home, before) &&
+                       seen.contains(creatureArea(m_shown.picture));
+    if (stays)
+        m_narrow.reset();
+    else
+        frameHome();
+}
+
+void SceneView::frameHome()
+{
+    const QSizeF size = viewRect().size();
+    const double most = m_isFitted ? mostZoom : mostAtHome(m_shown.look(), size);
+    frame(framingOf(m_shown.look(), m_home, size, most));
+    m_narrow.reset();
+    m_isClose = false;
+    m_seenAt = m_session.shown().at();
+    followWithin(walkerFrom, walkerFrom);
+}
+
+void SceneView::frame(const Framing &framing)
+{
+    setTransform(QTransform::fromScale(framing.zoom, framing.zoom));
+    centerOn(framing.middle);
+    emit zoomChanged(zoom());
+}
+
+Framing SceneView::framing() const
+{
+    return {transform().m11(), viewportTransform().inverted().map(viewRect().center())};
 }
 
 void SceneView::fit()
 {
-    QRectF area = bothStages(m_shown.look(), m_beside);
-    if (m_shown.look().room)
-        area = area.united(roomArea(*m_shown.look().room, area));
-    if (m_shown.look().tree)
-        area = area.united(treeArea(*m_shown.look().tree, m_shown.state()));
-    m_atHome = false;
+    m_home = wholeArea(m_shown.picture, m_beside, motionHere());
+    m_atHome = true;
+    m_isFitted = true;
     m_follows = true;
-    showArea(area, mostZoom);
+    frameHome();
+}
+
+void SceneView::showSpan(const QRectF &motion)
+{
+    const lessons::Look &look = m_shown.look();
+    const QSizeF size = viewRect().size();
+    const auto zoomOf = [&](const QRectF &area) {
+        return framingOf(look, area, size, mostAtHome(look, size)).zoom;
+    };
+    const QRectF span = motion.translated(followedX(look, m_shown.state()), 0.0);
+    const QRectF all = m_home.united(span);
+    if (zoomOf(all) * 2.0 >= zoomOf(m_home))
+        m_home = all;
+    else if (zoomOf(span) * mostWidened >= zoomOf(m_home))
+        m_home = span;
+    frameHome();
+}
+
+void SceneView::returnHome()
+{
+    if (m_atHome && m_narrow)
+        frame(*m_narrow);
+    m_narrow.reset();
+    m_isClose = false;
     follow();
 }
 
@@ -200,17 +171,25 @@ void SceneView::setZoom(double zoom, QPointF keep)
 void SceneView::pan(QPointF by)
 {
     m_follows = false;
+    const bool wasInSight = isSubjectInSight();
     movePicture(by);
+    if (wasInSight && !isSubjectInSight()) // it cannot be moved away from all that there is
+        movePicture(wayToSubject());
 }
 
 void SceneView::movePicture(QPointF by)
 {
     m_atHome = false;
+    shiftBy(by);
+}
+
+void SceneView::shiftBy(QPointF by)
+{
     horizontalScrollBar()->setValue(horizontalScrollBar()->value() - static_cast<int>(std::lround(by.x())));
     verticalScrollBar()->setValue(verticalScrollBar()->value() - static_cast<int>(std::lround(by.y())));
 }
 
-void SceneView::follow()
+void SceneView::followWithin(double from, double to)
 {
     const int point = m_shown.look().follow;
     const double width = viewRect().width();
@@ -218,12 +197,146 @@ void SceneView::follow()
     if (point < 0 || !m_follows || m_hand.isDown() || width <= 0.0)
         return;
     const double x = camera().at(m_shown.state().at(point)).x();
-    const double kept = std::clamp(x, followEdge * width, (1.0 - followEdge) * width);
-    if (std::abs(kept - x) < 0.5)
+    const double kept = std::clamp(x, from * width, to * width);
+    if (std::abs(kept - x) >= 0.5)
+        shiftBy({kept - x, 0.0});
+}
+
+void SceneView::follow()
+{
+    followWithin(walkerFrom, walkerTo);
+}
+
+void SceneView::keepSubject()
+{
+    follow();
+    const sim::Cursor at = m_session.shown().at();
+    const bool hasMoved = at != m_seenAt;
+    m_seenAt = at;
+    if (m_session.isGlancing() || m_hand.isDown() || viewRect().isEmpty() || m_shown.points() == 0)
         return;
-    const bool wasAtHome = m_atHome;
-    movePicture({kept - x, 0.0});
-    m_atHome = wasAtHome;
+    if (m_narrow && (at == sim::Cursor{} || (m_isClose && m_session.isPlaying())))
+        returnHome();
+    const bool isBuilding = m_session.isWorkshop() && at == sim::Cursor{};
+    if (m_atHome && !isBuilding) {
+        lookClosely();
+        widen();
+    } else if (!m_atHome && hasMoved && !isSubjectInSight()) {
+        bringSubjectBack();
+    }
+}
+
+QRectF SceneView::subject() const
+{
+    QRectF box = subjectBox(m_shown.look(), m_shown.state());
+    if (m_beside.points() > 0)
+        box |= subjectBox(m_beside.look(), m_beside.state()).translated(m_beside.shift.x, m_beside.shift.y);
+    return box;
+}
+
+QRectF SceneView::subjectWithin(const QRectF &area) const
+{
+    QRectF box;
+    for (int i = 0; i < m_shown.points(); ++i) {
+        const sim::Vec2 at = m_shown.state().at(i);
+        const double radius = m_shown.radius(i);
+        const QRectF body = QRectF(at.x, at.y, 0.0, 0.0).adjusted(-radius, -radius, radius, radius);
+        if (area.contains(body))
+            box |= body;
+    }
+    return box;
+}
+
+bool SceneView::isSubjectInSight() const
+{
+    const QRectF sight = viewRect().adjusted(inSightBorder, inSightBorder, -inSightBorder, -inSightBorder);
+    const Camera camera = this->camera();
+    for (int i = 0; i < m_shown.points(); ++i) {
+        if (sight.contains(camera.at(m_shown.state().at(i))))
+            return true;
+    }
+    return false;
+}
+
+QPointF SceneView::wayToSubject() const
+{
+    const QRectF inside = viewRect().adjusted(2.0 * inSightBorder, 2.0 * inSightBorder, -2.0 * inSightBorder,
+                                              -2.0 * inSightBorder);
+    const Camera camera = this->camera();
+    QPointF shortest;
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < m_shown.points(); ++i) {
+        const sim::Vec2 place = m_shown.state().at(i);
+        if (std::max(std::abs(place.x), std::abs(place.y)) > worldReach)
+            continue; // no picture goes there
+        const QPointF at = camera.at(place);
+        const QPointF way(std::clamp(at.x(), inside.left(), inside.right()) - at.x(),
+                          std::clamp(at.y(), inside.top(), inside.bottom()) - at.y());
+        const double length = QPointF::dotProduct(way, way);
+        if (length < least) {
+            least = length;
+            shortest = way;
+        }
+    }
+    return shortest;
+}
+
+void SceneView::bringSubjectBack()
+{
+    const QRectF box = subject();
+    const QRectF there = viewportTransform().mapRect(box);
+    if (there.width() < viewRect().width() && there.height() < viewRect().height() && !isNowhere(box))
+        centerOn(box.center());
+    else
+        shiftBy(wayToSubject());
+}
+
+void SceneView::widen()
+{
+    const QRectF inside = viewRect().adjusted(frameBorder, frameBorder, -frameBorder, -frameBorder);
+    if (inside.isEmpty())
+        return;
+    QRectF box = subject();
+    if (m_shown.look().follow >= 0 &&
+        m_follows) { // it may stand left of the middle, with others on either side
+        const double x = followedX(m_shown.look(), m_shown.state());
+        const double side = std::max(x - box.left(), box.right() - x) / (2.0 * walkerFrom);
+        box |= QRectF(QPointF(x - side, box.top()), QPointF(x + side, box.bottom()));
+    }
+    const QRectF now = viewportTransform().inverted().mapRect(inside);
+    if (now.adjusted(-0.5, -0.5, 0.5, 0.5).contains(box))
+        return;
+    m_narrow = m_narrow.value_or(framing());
+    const double least = m_narrow->zoom / mostWidened;
+    std::optional<Framing> wide;
+    if (!isNowhere(box))
+        wide = widened(m_shown.look(), now, box, viewRect().size(), least);
+    if (!wide) { // some fly off: the others are shown
+        const QSizeF size = viewRect().size() / least;
+        const QPointF corner = m_narrow->middle - QPointF(size.width() / 2.0, size.height() / 2.0);
+        const QRectF others = subjectWithin({corner, size});
+        if (!others.isNull())
+            wide = widened(m_shown.look(), now, others, viewRect().size(), least);
+    }
+    if (wide)
+        frame(*wide);
+    follow();
+    if (!isSubjectInSight())
+        bringSubjectBack();
+}
+
+void SceneView::lookClosely()
+{
+    const bool isInside = m_session.shown().at().phase > 0 && !m_session.isPlaying();
+    if (!isInside || m_isClose || m_shown.isCrowd() || m_shown.look().tree || m_beside.points() > 0)
+        return;
+    const QRectF area = creatureArea(m_shown.picture);
+    const Framing close = closeUp(m_shown.look(), area, viewRect().size());
+    if (close.zoom < nearer * transform().m11() || isNowhere(area))
+        return;
+    m_narrow = m_narrow.value_or(framing());
+    m_isClose = true;
+    frame(close);
 }
 
 void SceneView::bringBack(const QString &body)
@@ -242,9 +355,9 @@ void SceneView::resizeEvent(QResizeEvent *event)
 {
     QGraphicsView::resizeEvent(event);
     if (m_atHome && !m_home.isEmpty())
-        showArea(m_home, mostAtHome(m_shown.look()));
+        frameHome();
     if (m_shown.points() > 0)
-        follow();
+        keepSubject();
 }
 
 }

@@ -65,7 +65,10 @@ SceneView::SceneView(Session &session, const Theme &theme, QWidget *parent)
     connect(&session, &Session::stepOpened, this, &SceneView::open);
     connect(&session, &Session::moved, this, &SceneView::refresh);
     connect(&session, &Session::glanceChanged, this, &SceneView::followGlance);
-    connect(&session, &Session::runChanged, this, &SceneView::refresh);
+    connect(&session, &Session::runChanged, this, [this] {
+        m_motion.reset();
+        refresh();
+    });
     connect(&session, &Session::selectionChanged, this, &SceneView::refresh);
     connect(&session, &Session::playingChanged, this, &SceneView::refresh);
     connect(&theme, &Theme::changed, this, &SceneView::readTheme);
@@ -95,6 +98,7 @@ void SceneView::open()
     m_shown.trail.clear();
     m_follows = true;
     m_atHome = false; // another scene is shown as a whole
+    m_motion.reset();
     refresh();
     takeExtrasOfStep();
     showHome();
@@ -115,7 +119,7 @@ void SceneView::refresh()
     measureArrows(m_shown, m_session.isPlaying());
     if (!m_session.isPlaying())
         describe();
-    follow();
+    keepSubject();
     updateCursor();
     viewport()->update();
 }

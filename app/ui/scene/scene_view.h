@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/model/session.h"
+#include "app/ui/scene/framing.h"
 #include "app/ui/scene/hand.h"
 #include "app/ui/scene/overlay.h"
 #include "app/ui/scene/shown.h"
@@ -37,6 +38,8 @@ public:
     const Shown &beside() const { return m_beside; }
     /// What differs from what was shown is the learner's choice from then on, in every step.
     void setExtras(const Extras &extras);
+    /// Shows what the step shows first together with `motion`, the box of a span of the run: see MotionArea::area().
+    void showSpan(const QRectF &motion);
     /// Moves the picture so that the body is in the middle.
     void bringBack(const QString &body);
     /// The scene as it is shown, without legends and captions; each px of the screen is `scale` of the picture's.
@@ -50,8 +53,12 @@ public slots:
     void zoomIn();
     void zoomOut();
     void zoomTo100();
-    /// Shows the whole stage.
+    /// Shows the whole stage with all bodies, and stays with them from then on.
     void fit();
+    /// Shows what it showed before it zoomed by itself.
+    void returnHome();
+    /// Selects the next of the bodies outside of the picture, and moves the picture to it.
+    void showNextOutside();
     void selectNext() { selectBeside(1); }
     void selectPrevious() { selectBeside(-1); }
 
@@ -99,13 +106,34 @@ private:
     QRectF viewRect() const { return QRectF(viewport()->rect()); }
     QString nameOf(int point) const;
 
+    /// Where the run goes from its start if nobody touches it, measured once a run; see MotionArea::area().
+    const QRectF &motion();
+    /// The same in px of the scene, now.
+    QRectF motionHere();
     void showHome();
-    void showArea(QRectF area, double mostZoom);
+    void frameHome();
+    void frame(const Framing &framing);
+    Framing framing() const;
     void setZoom(double zoom, QPointF keep);
     void pan(QPointF by);
     void movePicture(QPointF by);
-    /// Moves the picture sideways when the point that the look follows is about to leave it.
+    void shiftBy(QPointF by);
+    /// Moves the picture sideways when the point that the look follows leaves its place, shares of the view's width.
+    void followWithin(double from, double to);
     void follow();
+    /// After a change: follows, zooms out or comes back, so that there is always something to see.
+    void keepSubject();
+    /// The box of all bodies, px of the scene.
+    QRectF subject() const;
+    /// The box of those bodies of the run that are within `area`.
+    QRectF subjectWithin(const QRectF &area) const;
+    bool isSubjectInSight() const;
+    /// The shortest move, px of the screen, that brings a body into sight.
+    QPointF wayToSubject() const;
+    void bringSubjectBack();
+    void widen();
+    /// Inside a frame: enlarges a small creature, so that its arrows can be read.
+    void lookClosely();
     void updateCursor();
     const EdgeMarker *markerAt(QPointF place);
     QString tipAt(QPointF place);
@@ -129,6 +157,11 @@ private:
     QRectF m_home;                     ///< what a step shows first, px
     QRectF m_stage;                    ///< of the look that this is from
     bool m_atHome = true;              ///< nobody has zoomed or moved the picture yet
+    bool m_isFitted = false;           ///< `m_home` is all that there is to show
+    bool m_isClose = false;            ///< it looks closer, inside a frame
+    std::optional<Framing> m_narrow;   ///< before the picture zoomed by itself
+    std::optional<QRectF> m_motion;    ///< of the run in use, if it is measured
+    sim::Cursor m_seenAt;              ///< the moment that was in the picture last
     bool m_follows = true;             ///< nobody has moved the picture away from what walks
     Sky m_sky;
     std::optional<bool> m_wantsVelocities; ///< as the learner chose; a step's look decides before

@@ -1,0 +1,97 @@
+#include "app/model/motion_area.h"
+
+#include <QElapsedTimer>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace app {
+
+namespace {
+
+constexpr int mostTurned =
+    2000; ///< branches whose ends are computed; of larger trees their beginnings must do
+constexpr double branchWidth = 2.0; ///< px round a branch
+
+/// Of many points, without looking at each one's radius.
+QRectF boxOfPlaces(const sim::State &state, double radius)
+{
+    const auto x = state.position.col(0);
+    const auto y = state.position.col(1);
+    return QRectF(QPointF(x.minCoeff(), y.minCoeff()), QPointF(x.maxCoeff(), y.maxCoeff()))
+        .adjusted(-radius, -radius, radius, radius);
+}
+
+QRectF boxOfTree(const lessons::TreeLook &tree, const sim::State &state)
+{
+    const int count = std::min(static_cast<int>(tree.length.size()), static_cast<int>(state.angle.rows()));
+    if (count > mostTurned)
+        return boxOfPlaces(state, branchWidth);
+    QRectF area;
+    for (int i = 0; i < count; ++i) {
+        const double angle = state.angle[i] * std::numbers::pi / 180.0;
+        const double length = tree.length[static_cast<std::size_t>(i)];
+        const QPointF from(state.position(i, 0), state.position(i, 1));
+        const QPointF to = from + length * QPointF(std::cos(angle), std::sin(angle));
+        area |= QRectF(from, to).normalized().adjusted(-branchWidth, -branchWidth, branchWidth, branchWidth);
+    }
+    return area;
+}
+
+}
+
+QRectF subjectBox(const lessons::Look &look, const sim::State &state)
+{
+    if (state.points() == 0)
+        return {};
+    if (look.tree)
+        return boxOfTree(*look.tree, state);
+    QRectF box;
+    for (int i = 0; i < state.points(); ++i) {
+        const double radius = look.bodies[static_cast<std::size_t>(i)].radius;
+        const QPointF at(state.position(i, 0), state.position(i, 1));
+        box |= QRectF(at, at).adjusted(-radius, -radius, radius, radius);
+    }
+    return box;
+}
+
+double followedX(const lessons::Look &look, const sim::State &state)
+{
+    return look.follow >= 0 && look.follow < state.points() ? state.at(look.follow).x : 0.0;
+}
+
+MotionArea::MotionArea(const sim::Script &script, std::shared_ptr<const lessons::Look> look,
+                       std::int64_t from, std::int64_t to)
+    : m_track(script, 0), m_look(std::move(look)), m_from(from), m_to(to)
+{
+    add();
+}
+
+bool MotionArea::goOn(qint64 milliseconds)
+{
+    QElapsedTimer clock;
+    clock.start();
+    do {
+        if (m_track.isOver() &&
+            m_area.isNull()) // it rests before the first frame that counts: as it does there
+            m_from = m_track.at().frame;
+        if (m_track.isOver() || m_track.at().frame + m_track.rowFrames() > m_to) {
+            add();
+            return true;
+        }
+        m_track.seek({m_track.at().frame + m_track.rowFrames(), 0});
+        add();
+    } while (clock.elapsed() < milliseconds);
+    return false;
+}
+
+void MotionArea::add()
+{
+    const sim::State &state = m_track.now();
+    if (m_track.at().frame < m_from || state.points() != static_cast<int>(m_look->bodies.size()))
+        return;
+    m_area |= subjectBox(*m_look, state).translated(-followedX(*m_look, state), 0.0);
+}
+
+}
