@@ -121,4 +121,17 @@ std::vector<Guide> gustFromPointer(const sim::Scene &scene, const sim::State &st
     return guides;
 }
 
+QString noteOfGround(const sim::Track &run)
+{
+    constexpr double deep = 10.0; // px: less is not seen
+    const sim::Scene &scene = run.shown().scene;
+    const sim::State &state = run.now();
+    if (largestBend(scene, state) < 1.0)
+        return {};
+    // A branch begins where its parent ends.
+    if (!(state.position.col(1) > state.at(0).y + deep).any())
+        return {};
+    return Text::tr("Part of the tree is below the ground: the rule turns angles, and knows no ground.");
+}
+
 }

@@ -2,6 +2,7 @@
 
 #include "lessons/api/look.h"
 #include "sim/scene.h"
+#include "sim/track.h"
 #include "sim/values.h"
 
 #include <vector>
@@ -24,5 +25,8 @@ std::vector<lessons::Guide> aimByBothFormulas(const sim::Scene &scene, const sim
 /// The wind, and how far its front and its end have come.
 std::vector<lessons::Guide> gustFromPointer(const sim::Scene &scene, const sim::State &state,
                                             const sim::Values &values);
+
+/// Returns why branches are below the ground, while bent ones are; else nothing.
+QString noteOfGround(const sim::Track &run);
 
 }

@@ -24,6 +24,10 @@
         <translation>Ende</translation>
     </message>
     <message>
+        <source>Part of the tree is below the ground: the rule turns angles, and knows no ground.</source>
+        <translation>Ein Teil des Baums liegt unter dem Boden: Die Regel dreht Winkel und kennt keinen Boden.</translation>
+    </message>
+    <message>
         <source>Branches</source>
         <translation>Zweige</translation>
     </message>

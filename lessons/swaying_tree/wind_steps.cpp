@@ -28,6 +28,7 @@ Step bentStep(const char *id, const QString &title, const std::vector<Parameter>
     step.addParameters({jitter(), spread(), slope(), minScale(), baseLength()});
     step.measures = {bendMeasure()};
     step.guides = windByBothFormulas;
+    step.note = noteOfGround;
     step.presetGallery = galleryFor(step);
     return step;
 }

@@ -1,10 +1,12 @@
 // What is solid, and what lies below an open sky.
 
+#include "app/model/motion_area.h"
 #include "app/ui/scene/layers.h"
 #include "app/ui/scene/sky.h"
 #include "sim/effects/ramp.h"
 
 #include <QCoreApplication>
+#include <QPainterPath>
 
 #include <array>
 #include <cmath>
@@ -22,6 +24,8 @@ constexpr double hatchStep = 12.0;   ///< px of the screen
 constexpr double tickLength = 14.0;  ///< px of the screen
 constexpr double leastTicks = 70.0;  ///< px of the screen between two distances
 constexpr double finestTicks = 100.; ///< px between two distances
+constexpr double bottomLines = 32.0; ///< px of the screen at the bottom of the view for scale and legends
+constexpr double leastBuried = 8.0;  ///< px below the ground, from which on a branch shows through it
 
 double firstHatch(double from, double anchor)
 {
@@ -63,10 +67,14 @@ void drawDistances(const Canvas &canvas, double y)
     QPainter &p = canvas.painter;
     p.setFont(canvas.shown.text);
     const QFontMetricsF metrics(canvas.shown.text);
+    // Where the scale and the legends stand, a second row of numbers could not be read.
+    const bool hasRoom = y + tickLength + metrics.height() <= canvas.area.bottom() - bottomLines;
     QList<QLineF> ticks;
     for (double at = std::floor(left / step) * step; at <= right + step; at += step) {
         const double x = std::round(canvas.camera.at({home + at, 0.0}).x());
         ticks << QLineF(x, y, x, y + tickLength);
+        if (!hasRoom)
+            continue;
         const QString number = QString::number(std::abs(at), 'f', 0);
         const QString text = Text::tr("%1\u202fpx").arg(at < 0.0 ? QChar(0x2212) + number : number);
         p.setPen(canvas.tokens().ink3);
@@ -172,8 +180,21 @@ void GroundLayer::draw(const Canvas &canvas) const
 
 void MeadowLayer::draw(const Canvas &canvas) const
 {
-    if (canvas.shown.look().sky == lessons::Look::Sky::dusk)
-        drawMeadow(canvas, skyColors(canvas.theme.scheme()));
+    const lessons::Look &look = canvas.shown.look();
+    if (look.sky != lessons::Look::Sky::dusk)
+        return;
+    const SkyColors colors = skyColors(canvas.theme.scheme());
+    const QPolygonF meadow = drawMeadow(canvas, colors);
+    const sim::State &state = canvas.shown.state();
+    if (!look.tree || subjectBox(look, state).bottom() < horizonOf(canvas.shown) + leastBuried)
+        return;
+    // Nothing keeps a branch above the ground. The meadow must not hide it: it is as if it were cut open there.
+    QPainterPath outline;
+    outline.addPolygon(meadow);
+    canvas.painter.save();
+    canvas.painter.setClipPath(outline, Qt::IntersectClip);
+    m_tree.draw(canvas, canvas.shown.picture.look, state, colors.buried);
+    canvas.painter.restore();
 }
 
 }

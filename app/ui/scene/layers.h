@@ -129,7 +129,7 @@ private:
     mutable TreePainter m_tree; ///< keeps what painting needs from one time to the next
 };
 
-/// The near ground below an open sky.
+/// The near ground below an open sky. Branches that are below it show through.
 class MeadowLayer : public Layer
 {
 public:
@@ -137,6 +137,9 @@ public:
 
 protected:
     void draw(const Canvas &canvas) const override;
+
+private:
+    mutable TreePainter m_tree; ///< keeps what painting needs from one time to the next
 };
 
 /// Flesh round sticks.

@@ -109,7 +109,8 @@ SkyColors skyColors(Scheme scheme)
             QColor("#2A2A2A"),
             QColor("#FFFFFF"),
             QColor("#FFFFFF"),
-            {QColor("#FFFFFF"), QColor("#E0E0E0"), QColor("#BFBFBF")}};
+            {QColor("#FFFFFF"), QColor("#E0E0E0"), QColor("#BFBFBF")},
+            QColor("#FFFFFF")};
     if (scheme == Scheme::dark)
         return {
             {QColor("#161B33"), QColor("#3A3760"), QColor("#8A5578"), QColor("#D67F73"), QColor("#F0AE7C")},
@@ -119,7 +120,8 @@ SkyColors skyColors(Scheme scheme)
             QColor("#1B1724"),
             QColor("#14121C"),
             QColor("#22182A"),
-            {QColor("#F2B38A"), QColor("#F5C6A1"), QColor("#F7D9B8")}};
+            {QColor("#F2B38A"), QColor("#F5C6A1"), QColor("#F7D9B8")},
+            QColor("#8F7F95")};
     return {{QColor("#BBD8EC"), QColor("#D9E9F0"), QColor("#F1EEE2"), QColor("#FBE6CC"), QColor("#FBDDBE")},
             QColor(0, 0, 0, 0),
             QColor(0xFF, 0xF6, 0xDC, 235),
@@ -127,7 +129,8 @@ SkyColors skyColors(Scheme scheme)
             QColor("#EFEEDF"),
             QColor("#2E2630"),
             QColor("#4A3A44"),
-            {QColor("#DE7F6A"), QColor("#E8997F"), QColor("#D56B6B")}};
+            {QColor("#DE7F6A"), QColor("#E8997F"), QColor("#D56B6B")},
+            QColor("#6F6068")};
 }
 
 double horizonOf(const Shown &shown)
@@ -150,7 +153,7 @@ void Sky::draw(QPainter &painter, QRectF view, double horizon, Scheme scheme)
     painter.drawPixmap(QPointF(0.0, 0.0), m_painted);
 }
 
-void drawMeadow(const Canvas &canvas, const SkyColors &colors)
+QPolygonF drawMeadow(const Canvas &canvas, const SkyColors &colors)
 {
     const Camera &camera = canvas.camera;
     const QRectF area = canvas.area;
@@ -167,6 +170,7 @@ void drawMeadow(const Canvas &canvas, const SkyColors &colors)
     canvas.painter.setBrush(colors.meadow);
     canvas.painter.drawPolygon(edge);
     canvas.painter.setBrush(Qt::NoBrush);
+    return edge;
 }
 
 }

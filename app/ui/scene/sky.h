@@ -19,6 +19,7 @@ struct SkyColors
     QColor bark;  ///< thick branches
     QColor twigs; ///< thin branches
     std::array<QColor, 3> blossoms;
+    QColor buried; ///< branches below the ground, where they lie over the meadow
 };
 
 SkyColors skyColors(Scheme scheme);
@@ -40,7 +41,7 @@ private:
     Scheme m_scheme = Scheme::light;
 };
 
-/// The near ground: it hides the foot of what stands on it, and moves with the picture.
-void drawMeadow(const Canvas &canvas, const SkyColors &colors);
+/// Paints the near ground, which hides the foot of what stands on it and moves with the picture. Returns its outline.
+QPolygonF drawMeadow(const Canvas &canvas, const SkyColors &colors);
 
 }

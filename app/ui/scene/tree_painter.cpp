@@ -142,7 +142,7 @@ void TreePainter::addBlossom(const Branch &branch, double size)
 }
 
 void TreePainter::draw(const Canvas &canvas, const std::shared_ptr<const lessons::Look> &look,
-                       const sim::State &state)
+                       const sim::State &state, const std::optional<QColor> &bark)
 {
     plan(look);
     // What is far is small; what is near is not all that large.
@@ -150,7 +150,7 @@ void TreePainter::draw(const Canvas &canvas, const std::shared_ptr<const lessons
     const bool isOpen = look->sky == lessons::Look::Sky::dusk;
     const SkyColors colors = skyColors(canvas.theme.scheme());
     canvas.painter.setPen(Qt::NoPen);
-    canvas.painter.setBrush(isOpen ? colors.bark : canvas.tokens().body);
+    canvas.painter.setBrush(bark.value_or(isOpen ? colors.bark : canvas.tokens().body));
     begin(m_thin, canvas);
     visitBranches(canvas, state, 0.0, [&](const Branch &branch, const Thinning &thinning) {
         if (branch.width >= thick)
@@ -160,7 +160,7 @@ void TreePainter::draw(const Canvas &canvas, const std::shared_ptr<const lessons
         if (m_isTip[static_cast<std::size_t>(branch.number)])
             addBlossom(branch, size);
     });
-    m_thin.paint(canvas.painter, isOpen ? colors.twigs : canvas.tokens().body);
+    m_thin.paint(canvas.painter, bark.value_or(isOpen ? colors.twigs : canvas.tokens().body));
     drawBlossoms(canvas.painter, colors);
 }
 

@@ -30,9 +30,9 @@ bool isDrawn(int branch, int every);
 class TreePainter
 {
 public:
-    /// Branches, and blossoms on their tips.
-    void draw(const Canvas &canvas, const std::shared_ptr<const lessons::Look> &look,
-              const sim::State &state);
+    /// Branches, in the colour `bark` where it is given, and blossoms on their tips.
+    void draw(const Canvas &canvas, const std::shared_ptr<const lessons::Look> &look, const sim::State &state,
+              const std::optional<QColor> &bark = {});
     /// Thin lines: of thick branches the edges, of others the middle.
     void drawOutline(const Canvas &canvas, const std::shared_ptr<const lessons::Look> &look,
                      const sim::State &state, const QColor &color);
