@@ -58,6 +58,8 @@ private slots:
     void aNameThatIsNoFilmsIsRefused();
     void filesInTheWayAreThoseThatWouldBeWrittenOver();
     void makingAFilmGetsNothingDone();
+    void aFilmKeepsItsSubject_data();
+    void aFilmKeepsItsSubject();
 
 private:
     QTemporaryDir m_folder;
@@ -281,6 +283,53 @@ void FilmTest::makingAFilmGetsNothingDone()
         make(plan, bench.library);
     }
     QVERIFY(QSettings().value("progress/done").toStringList().isEmpty());
+}
+
+void FilmTest::aFilmKeepsItsSubject_data()
+{
+    QTest::addColumn<QString>("file");
+    QTest::addColumn<QSize>("size");
+    for (const QSize size : {QSize(640, 480), QSize(640, 360), QSize(300, 300)}) {
+        for (const char *name : {"chain", "ragdoll", "jelly", "wheel"})
+            QTest::addRow("%s, %d x %d", name, size.width(), size.height())
+                << QStringLiteral(":/examples/sandbox/%1.json").arg(name) << size;
+    }
+}
+
+/// The truth: in a film with nothing but bodies, sticks and springs, no picture has ink at its sides or its top, and the
+/// largest body of the first picture has about its area in all of them.
+void FilmTest::aFilmKeepsItsSubject()
+{
+    QFETCH(QString, file);
+    QFETCH(QSize, size);
+    Bench bench;
+    FilmPlan plan;
+    plan.experiment = readExperiment(file, bench.library);
+    plan.out = m_folder.filePath("subject_%d.png");
+    plan.size = size;
+    plan.to = 84;
+    plan.extras = Extras{false, false, false, false, false};
+    make(plan, bench.library);
+    const QRgb ink = bench.theme.tokens().body.rgb();
+    int first = 0;
+    for (int frame = 0; frame <= plan.to; ++frame) {
+        const QImage picture = QImage(pictureName(plan.out, frame)).convertToFormat(QImage::Format_RGB32);
+        int count = 0;
+        for (int y = 0; y < picture.height(); ++y) {
+            for (int x = 0; x < picture.width(); ++x) {
+                if (picture.pixel(x, y) != ink)
+                    continue;
+                ++count;
+                QVERIFY2(x > 4 && x < picture.width() - 5 && y > 4 && y < picture.height() - 5,
+                         qPrintable(QString("frame %1: %2, %3").arg(frame).arg(x).arg(y)));
+            }
+        }
+        if (frame == 0)
+            first = count;
+        QVERIFY(first > 20);
+        QVERIFY2(count > 0.8 * first,
+                 qPrintable(QString("frame %1: %2 of %3").arg(frame).arg(count).arg(first)));
+    }
 }
 
 QTEST_MAIN(FilmTest)

@@ -17,7 +17,8 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(Film)
 };
 
-constexpr int mostSamples = 24; ///< pictures, evenly over the film, whose colours are the film's
+constexpr qint64 sliceMilliseconds = 15; ///< of measuring
+constexpr int mostSamples = 24;          ///< pictures, evenly over the film, whose colours are the film's
 
 /// The experiment's step alone, with nothing to try: making a film gets nothing done.
 LessonLibrary libraryOf(const Experiment &experiment, const LessonLibrary &library)
@@ -75,10 +76,7 @@ Film::Film(const FilmPlan &plan, const LessonLibrary &library)
     if (filmKind(plan.out) == FilmKind::gif)
         m_samples = static_cast<int>(std::min<std::int64_t>(mostSamples, pictures));
     m_total = m_samples + pictures;
-    if (m_samples > 0)
-        m_session.goTo({sampleFrame(0), 0});
-    else
-        begin();
+    m_motion.emplace(m_session.timeline().script(), m_view.shown().picture.look, plan.from, plan.to);
 }
 
 std::int64_t Film::sampleFrame(int number) const
@@ -86,14 +84,35 @@ std::int64_t Film::sampleFrame(int number) const
     return m_plan.from + (m_plan.to - m_plan.from) * number / std::max(1, m_samples - 1);
 }
 
+std::int64_t Film::frame() const
+{
+    return m_motion ? m_motion->frame() : m_session.timeline().at().frame;
+}
+
 bool Film::goOn()
 {
+    if (m_motion) {
+        frameSpan();
+        return true;
+    }
     if (m_session.goingTo() || m_session.isCompanionComing())
         return true;
     if (m_file)
         return shoot();
     lookAtColors();
     return true;
+}
+
+void Film::frameSpan()
+{
+    if (!m_motion->goOn(sliceMilliseconds))
+        return;
+    m_view.showSpan(m_motion->area());
+    m_motion.reset();
+    if (m_samples > 0)
+        m_session.goTo({sampleFrame(0), 0});
+    else
+        begin();
 }
 
 void Film::lookAtColors()
@@ -112,6 +131,7 @@ void Film::begin()
     if (m_samples > 0)
         palette = paletteOf(m_colors, inksOf(m_theme.tokens()), GifFile::mostColors);
     m_file = beginFilm(m_plan.out, m_view.viewport()->size(), std::move(palette));
+    m_view.returnHome();
     // Far enough before the first picture for the trail that it shows.
     m_session.goTo({std::max<std::int64_t>(0, m_plan.from - Trail::length), 0});
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/model/film_file.h"
+#include "app/model/motion_area.h"
 #include "app/model/palette.h"
 #include "app/ui/scene/scene_view.h"
 
@@ -34,11 +35,13 @@ public:
     std::int64_t done() const { return m_done; }
     std::int64_t total() const { return m_total; }
     /// The frame that it has come to.
-    std::int64_t frame() const { return m_session.timeline().at().frame; }
+    std::int64_t frame() const;
     /// Why the film ends before the frame that was asked for.
     const std::optional<sim::Stop> &stop() const { return m_stop; }
 
 private:
+    /// Measures how far the bodies go in the film, and then shows all of that.
+    void frameSpan();
     void lookAtColors();
     bool shoot();
     std::int64_t sampleFrame(int number) const;
@@ -49,7 +52,8 @@ private:
     Session m_session;
     Theme m_theme;
     SceneView m_view;
-    int m_samples = 0; ///< pictures that are looked at for their colours first
+    std::optional<MotionArea> m_motion; ///< while it measures
+    int m_samples = 0;                  ///< pictures that are looked at for their colours first
     int m_sampled = 0;
     ColorCount m_colors;
     std::unique_ptr<FilmFile> m_file; ///< from when the colours are known
