@@ -1783,6 +1783,14 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>die Szene verschieben</translation>
     </message>
     <message>
+        <source>Click an arrow at the edge</source>
+        <translation>Auf einen Pfeil am Rand klicken</translation>
+    </message>
+    <message>
+        <source>go to the body outside that it points to</source>
+        <translation>zu dem Körper außerhalb gehen, auf den er zeigt</translation>
+    </message>
+    <message>
         <source>Wheel</source>
         <translation>Mausrad</translation>
     </message>
@@ -4889,6 +4897,18 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>Szene ein&amp;passen</translation>
     </message>
     <message>
+        <source>Show the whole stage with all bodies, and stay with them (Ctrl+0)</source>
+        <translation>Die ganze Bühne mit allen Körpern zeigen und bei ihnen bleiben (Strg+0)</translation>
+    </message>
+    <message>
+        <source>Next &amp;body outside</source>
+        <translation>Nächster Körper a&amp;ußerhalb</translation>
+    </message>
+    <message>
+        <source>Bring a body that is outside of the picture into view (O)</source>
+        <translation>Einen Körper, der außerhalb des Bildes ist, ins Bild holen (O)</translation>
+    </message>
+    <message>
         <source>&amp;Lessons</source>
         <translation>&amp;Lektionen</translation>
     </message>
@@ -5976,8 +5996,8 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>Auf 100&#x2009;% zoomen</translation>
     </message>
     <message>
-        <source>Show the whole stage (Ctrl+0)</source>
-        <translation>Die ganze Bühne zeigen (Strg+0)</translation>
+        <source>Show the whole stage with all bodies, and stay with them (Ctrl+0)</source>
+        <translation>Die ganze Bühne mit allen Körpern zeigen und bei ihnen bleiben (Strg+0)</translation>
     </message>
     <message>
         <source>Show</source>
@@ -6093,8 +6113,8 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
 <context>
     <name>app::SceneView</name>
     <message>
-        <source>Outside of the picture: click to bring it back into view</source>
-        <translation>Außerhalb der Szene: Ein Klick holt es wieder ins Blickfeld</translation>
+        <source>%1: outside of the picture. Click, or press O, to bring it into view.</source>
+        <translation>%1: außerhalb des Bildes. Ein Klick oder die Taste O holt es ins Bild.</translation>
     </message>
     <message>
         <source>Scene</source>

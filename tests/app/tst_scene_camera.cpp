@@ -2,8 +2,10 @@
 
 #include "scene_bench.h"
 
+#include <QHelpEvent>
 #include <QSignalSpy>
 #include <QTemporaryDir>
+#include <QToolTip>
 #include <QtTest>
 
 using namespace app;
@@ -22,7 +24,13 @@ private slots:
     void fitShowsTheWholeStage();
     void aStepBeginsWithItsCreatureOrItsRoom_data();
     void aStepBeginsWithItsCreatureOrItsRoom();
+    void thePictureCannotBeMovedAwayFromAllBodies_data();
+    void thePictureCannotBeMovedAwayFromAllBodies();
+    void aSignAtTheEdgeIsAnArrowThatSaysWhatAClickDoes();
+    void aSignAtTheEdgeBringsABodyBack_data();
     void aSignAtTheEdgeBringsABodyBack();
+    void aRoomStandsAtTheBottomOfItsView();
+    void insideAFrameASmallCreatureIsEnlarged();
 
 private:
     QTemporaryDir m_settings;
@@ -125,31 +133,129 @@ void SceneCameraTest::aStepBeginsWithItsCreatureOrItsRoom()
     QVERIFY(bench.view.zoom() >= least && bench.view.zoom() <= most + 1e-9);
 }
 
-void SceneCameraTest::aSignAtTheEdgeBringsABodyBack()
+void SceneCameraTest::thePictureCannotBeMovedAwayFromAllBodies_data()
 {
+    QTest::addColumn<QPoint>("by");
+    for (const QPoint by : {QPoint(-4000, 0), QPoint(4000, 0), QPoint(0, 3000), QPoint(-900, -900)})
+        QTest::addRow("%d, %d", by.x(), by.y()) << by;
+}
+
+void SceneCameraTest::thePictureCannotBeMovedAwayFromAllBodies()
+{
+    QFETCH(QPoint, by);
     SceneBench bench;
-    bench.session.select("foot1");
-    bench.view.zoomTo100();
+    bench.press({500, 60});
+    bench.move(QPoint(500, 60) + by / 2);
+    bench.move(QPoint(500, 60) + by);
+    bench.release(QPoint(500, 60) + by);
     const QRect view = bench.view.viewport()->rect();
-    // Everything goes out of view, to the left.
-    bench.press({500, 60}, Qt::MiddleButton);
-    bench.move({500 - 2000, 60}, Qt::MiddleButton);
-    bench.release({500 - 2000, 60}, Qt::MiddleButton);
-    QVERIFY(!view.contains(bench.onScreen("body")));
-    const QColor body = bench.theme.tokens().body;
+    int seen = 0;
+    for (const char *body : {"foot0", "foot1", "body"})
+        seen += view.contains(bench.onScreen(body)) ? 1 : 0;
+    QVERIFY(seen > 0);
+    bench.view.fit();
+    for (const char *body : {"foot0", "foot1", "body"})
+        QVERIFY(view.contains(bench.onScreen(body)));
+}
+
+namespace {
+
+/// Enlarges `bench` until foot1 is alone in the picture. Returns where the sign is that points to foot0, at the right.
+QRect signOfFoot0(SceneBench &bench)
+{
+    while (bench.view.zoom() < 800.0)
+        bench.view.zoomIn();
+    bench.view.bringBack("foot1");
     const QImage picture = bench.image();
-    QPoint sign(-1, -1);
-    for (int y = 40; y < 420 && sign.x() < 0; ++y) {
-        for (int x = 0; x < 60; ++x) {
-            if (picture.pixel(x, y) == body.rgb())
-                sign = {x, y};
+    QRect sign;
+    for (int y = 40; y < 420; ++y) {
+        for (int x = 540; x < 600; ++x) {
+            if (picture.pixel(x, y) == bench.theme.tokens().body.rgb())
+                sign |= QRect(x, y, 1, 1);
         }
     }
-    QVERIFY2(sign.x() >= 0, "no sign at the left edge");
-    bench.press(sign);
-    bench.release(sign);
-    QVERIFY(view.contains(bench.onScreen(qPrintable(bench.session.selected()))));
+    return sign;
+}
+
+}
+
+void SceneCameraTest::aSignAtTheEdgeIsAnArrowThatSaysWhatAClickDoes()
+{
+    SceneBench bench;
+    const QRect sign = signOfFoot0(bench);
+    QVERIFY2(sign.width() > 1.5 * sign.height(), "no arrow to the right");
+    bench.move(sign.center(), Qt::NoButton);
+    QCOMPARE(bench.view.viewport()->cursor().shape(), Qt::PointingHandCursor);
+    QHelpEvent help(QEvent::ToolTip, sign.center(), bench.view.viewport()->mapToGlobal(sign.center()));
+    QApplication::sendEvent(bench.view.viewport(), &help);
+    QVERIFY2(QToolTip::text().startsWith("foot 0, "), qPrintable(QToolTip::text()));
+    QVERIFY(QToolTip::text().contains("Click"));
+}
+
+void SceneCameraTest::aSignAtTheEdgeBringsABodyBack_data()
+{
+    QTest::addColumn<bool>("byKey");
+    QTest::newRow("by a click") << false;
+    QTest::newRow("without a mouse") << true;
+}
+
+void SceneCameraTest::aSignAtTheEdgeBringsABodyBack()
+{
+    QFETCH(bool, byKey);
+    SceneBench bench;
+    bench.session.select("foot1");
+    const QRect sign = signOfFoot0(bench);
+    QVERIFY(!sign.isEmpty());
+    const QRect view = bench.view.viewport()->rect();
+    QVERIFY(!view.contains(bench.onScreen("foot0")));
+    if (byKey) {
+        for (int i = 0; i < 2 && bench.session.selected() != "foot0"; ++i)
+            bench.view.showNextOutside();
+    } else {
+        bench.press(sign.center());
+        bench.release(sign.center());
+    }
+    QCOMPARE(bench.session.selected(), "foot0");
+    QVERIFY((bench.onScreen("foot0") - view.center()).manhattanLength() < 6);
     QVERIFY(bench.session.timeline().script().input.empty());
+}
+
+void SceneCameraTest::aRoomStandsAtTheBottomOfItsView()
+{
+    for (const QSize size : {QSize(600, 470), QSize(600, 900), QSize(1230, 830)}) {
+        SceneBench bench("room");
+        bench.view.resize(size);
+        const auto onScreen = [&](QPointF place) { return bench.view.viewportTransform().map(place); };
+        const double below = size.height() - onScreen({270, 400}).y();
+        QVERIFY2(below > 40.0 && below < 60.0, qPrintable(QString::number(below)));
+        QVERIFY(onScreen({270, 0}).y() >= 0.0); // all of its height
+        const double across = onScreen({520, 0}).x() - onScreen({20, 0}).x();
+        const double down = onScreen({0, 400}).y() - onScreen({0, 0}).y();
+        QVERIFY(across > 0.85 * size.width() || down > 0.85 * (size.height() - 52.0)); // it fills its view
+    }
+}
+
+void SceneCameraTest::insideAFrameASmallCreatureIsEnlarged()
+{
+    SceneBench bench("room");
+    const QRect view = bench.view.viewport()->rect();
+    const double home = bench.view.zoom();
+    bench.session.frameForward();
+    QCOMPARE(bench.view.zoom(), home);
+    bench.session.phaseForward();
+    const double close = bench.view.zoom();
+    QVERIFY2(close > 1.3 * home && close > 150.0, qPrintable(QString::number(close)));
+    for (const char *body : {"foot0", "foot1", "body"}) // with room for arrows
+        QVERIFY(view.adjusted(90, 90, -90, -90).contains(bench.onScreen(body)));
+    bench.session.phaseForward();
+    QCOMPARE(bench.view.zoom(), close);
+    bench.session.play();
+    QCOMPARE(bench.view.zoom(), home);
+    bench.session.pause();
+    bench.view.zoomIn(); // a zoom that a learner chose stays
+    const double chosen = bench.view.zoom();
+    bench.session.phaseForward();
+    QCOMPARE(bench.view.zoom(), chosen);
 }
 
 QTEST_MAIN(SceneCameraTest)

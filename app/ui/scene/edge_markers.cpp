@@ -19,8 +19,10 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(EdgeMarkers)
 };
 
-constexpr double headLength = 10.0;
-constexpr double headWidth = 12.0;
+constexpr double arrowLength = 24.0;
+constexpr double headLength = 12.0;
+constexpr double headWidth = 13.0;
+constexpr double shaftWidth = 4.0;
 constexpr double apart = 5.0;   ///< px between arrow and label
 constexpr double shared = 44.0; ///< px within which bodies share a marker
 
@@ -42,6 +44,15 @@ QString distanceText(double px)
     return Text::tr("%1\u2009px").arg(static_cast<qint64>(std::llround(px)));
 }
 
+/// An arrow with its tip at `tip`: much longer than wide, so that its direction is seen at once.
+QPolygonF arrowTo(QPointF tip, QPointF u)
+{
+    const QPointF n(-u.y(), u.x());
+    const QPointF tail = tip - arrowLength * u, neck = tip - headLength * u;
+    const QPointF half = shaftWidth / 2.0 * n, wing = headWidth / 2.0 * n;
+    return {tip, neck + wing, neck + half, tail + half, tail - half, neck - half, neck - wing};
+}
+
 void placeLabel(EdgeMarker &marker, const Shown &shown, QRectF free, LabelPlaces &places)
 {
     const auto &names = shown.picture.segment->scene.names;
@@ -50,10 +61,10 @@ void placeLabel(EdgeMarker &marker, const Shown &shown, QRectF free, LabelPlaces
                           : bodyTitle(QString::fromStdString(names[static_cast<std::size_t>(marker.point)]));
     marker.text = Text::tr("%1, %2").arg(name, distanceText(marker.away));
     const QFontMetricsF metrics(shown.text);
-    const double w = metrics.horizontalAdvance(marker.text) + 6.0;
-    const double h = metrics.height();
+    const double w = std::ceil(metrics.horizontalAdvance(marker.text)) + 14.0;
+    const double h = std::ceil(metrics.height()) + 5.0;
     // The label lies on the inner side of the arrow, and touches it with the side that looks there.
-    const QPointF inner = marker.at - (headLength + apart) * marker.direction;
+    const QPointF inner = marker.at - (arrowLength + apart) * marker.direction;
     const QPointF back(marker.direction.x() * w / 2, marker.direction.y() * h / 2);
     marker.label = places.within(free, inner - QPointF(w / 2, h / 2) - back, {w, h});
 }
@@ -62,7 +73,7 @@ void placeLabel(EdgeMarker &marker, const Shown &shown, QRectF free, LabelPlaces
 
 QRectF EdgeMarker::head() const
 {
-    return QRectF(at, at - headLength * direction).normalized().adjusted(-7, -7, 7, 7);
+    return QRectF(at, at - arrowLength * direction).normalized().adjusted(-7, -7, 7, 7);
 }
 
 std::vector<EdgeMarker> edgeMarkers(const Shown &shown, const Camera &camera, QRectF view, QRectF free,
@@ -107,19 +118,23 @@ std::vector<EdgeMarker> edgeMarkers(const Shown &shown, const Camera &camera, QR
 void drawEdgeMarkers(QPainter &painter, const Shown &shown, const Theme &theme,
                      const std::vector<EdgeMarker> &markers)
 {
+    const Tokens &t = theme.tokens();
     painter.setFont(shown.text);
     for (const EdgeMarker &marker : markers) {
-        const QPointF u = marker.direction;
-        const QPointF n(-u.y(), u.x());
-        const QPointF tail = marker.at - headLength * u;
+        const QPolygonF arrow = arrowTo(marker.at, marker.direction);
+        painter.setBrush(t.body);
+        painter.setPen(solid(t.scene, 3.0)); // stands out from what it lies on
+        painter.drawPolygon(arrow);
         painter.setPen(Qt::NoPen);
-        painter.setBrush(theme.tokens().body);
-        painter.drawPolygon(QPolygonF{marker.at, tail + headWidth / 2 * n, tail - headWidth / 2 * n});
-        painter.setBrush(faded(theme.tokens().scene, 0.85));
-        painter.drawRoundedRect(marker.label, 4, 4);
-        painter.setPen(theme.tokens().ink2);
+        painter.drawPolygon(arrow);
+        const bool isPointedAt = marker.point == shown.outsidePointedAt;
+        painter.setPen(QPen(isPointedAt ? t.ink : t.line2, isPointedAt ? 1.5 : 1.0));
+        painter.setBrush(t.scene);
+        painter.drawRoundedRect(marker.label.adjusted(0.5, 0.5, -0.5, -0.5), 6, 6);
+        painter.setPen(isPointedAt ? t.ink : t.ink2);
         painter.drawText(marker.label, Qt::AlignCenter | Qt::TextDontClip, marker.text);
     }
+    painter.setBrush(Qt::NoBrush);
 }
 
 }

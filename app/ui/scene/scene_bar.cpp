@@ -31,7 +31,7 @@ SceneBar::SceneBar(Session &session, const Theme &theme, QWidget *parent)
     m_step = button({});
     m_show = button(tr("What the picture shows besides the creature"));
     m_zoom = button(tr("Zoom to 100\u2009%"));
-    m_fit = button(tr("Show the whole stage (Ctrl+0)"));
+    m_fit = button(tr("Show the whole stage with all bodies, and stay with them (Ctrl+0)"));
     m_show->setIconName("show");
     m_show->setTexts({}, tr("Show"));
     m_fit->setIconName("fit");

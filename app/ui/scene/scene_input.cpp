@@ -12,7 +12,9 @@
 #include <QToolTip>
 #include <QWheelEvent>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace app {
 
@@ -44,14 +46,15 @@ void SceneView::mousePressEvent(QMouseEvent *event)
         const bool pointed = point >= 0 && point == m_shown.picture.look->pointed;
         if (pointed)
             m_session.select(nameOf(point));
-        if ((point < 0 || pointed) && m_tools.press(camera().back(m_pointer))) {
+        const EdgeMarker *outside = point < 0 ? markerAt(m_pointer) : nullptr;
+        if (outside) {
+            const QString body = nameOf(outside->point);
+            m_session.select(body);
+            bringBack(body);
+        } else if ((point < 0 || pointed) && m_tools.press(camera().back(m_pointer))) {
             setFocus(Qt::MouseFocusReason);
         } else if (point >= 0) {
             m_hand.press(nameOf(point), m_shown.state().at(point), camera().back(m_pointer), m_pointer);
-        } else if (const EdgeMarker *marker = markerAt(m_pointer)) {
-            const QString body = nameOf(marker->point);
-            m_session.select(body);
-            bringBack(body);
         } else {
             m_panFrom = m_pointer;
         }
@@ -258,14 +261,28 @@ QString SceneView::tipAt(QPointF place)
     const int point = Hand::bodyAt(m_shown, camera(), place);
     if (point >= 0)
         return bodySentence(nameOf(point), m_shown.state().at(point), m_shown.state().speed(point));
-    if (markerAt(place))
-        return tr("Outside of the picture: click to bring it back into view");
+    if (const EdgeMarker *marker = markerAt(place))
+        return tr("%1: outside of the picture. Click, or press O, to bring it into view.").arg(marker->text);
     return {};
+}
+
+void SceneView::showNextOutside()
+{
+    markerAt({});
+    if (m_markers.empty())
+        return;
+    const auto next = std::find_if(m_markers.begin(), m_markers.end(), [this](const EdgeMarker &marker) {
+        return marker.point > m_shown.selected;
+    });
+    const QString body = nameOf((next == m_markers.end() ? m_markers.front() : *next).point);
+    m_session.select(body);
+    bringBack(body);
 }
 
 void SceneView::updateCursor()
 {
     Qt::CursorShape shape = Qt::ArrowCursor;
+    int outside = -1;
     if (m_hand.isDown() || m_ruled)
         shape = Qt::ClosedHandCursor;
     else if (m_shown.extras.ruler && m_shown.ruler.endAt(camera(), m_pointer))
@@ -276,10 +293,13 @@ void SceneView::updateCursor()
         shape = Qt::CrossCursor;
     else if (viewRect().contains(m_pointer) && Hand::bodyAt(m_shown, camera(), m_pointer) >= 0)
         shape = Qt::OpenHandCursor;
-    else if (viewRect().contains(m_pointer) && markerAt(m_pointer))
+    else if (const EdgeMarker *marker = viewRect().contains(m_pointer) ? markerAt(m_pointer) : nullptr) {
         shape = Qt::PointingHandCursor;
-    else if (viewRect().contains(m_pointer) && m_tools.any())
+        outside = marker->point;
+    } else if (viewRect().contains(m_pointer) && m_tools.any())
         shape = Qt::CrossCursor;
+    if (std::exchange(m_shown.outsidePointedAt, outside) != outside)
+        viewport()->update();
     if (viewport()->cursor().shape() != shape)
         viewport()->setCursor(shape);
 }

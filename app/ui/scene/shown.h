@@ -70,6 +70,7 @@ struct Shown
     bool hasPulls = false;     ///< whether any arrow in px/frame^2 is drawn
     bool pullsAreAll =
         false; ///< `gathered` is all that pulls, not what a frame under way has gathered so far
+    int outsidePointedAt = -1; ///< the point whose marker at the edge the mouse is on, or -1
     bool focusVisible = false; ///< the keyboard is here
     QFont text;                ///< captions and labels
     QFont figures;             ///< numbers that matter

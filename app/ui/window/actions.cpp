@@ -153,7 +153,12 @@ void MainWindow::makeViewActions()
     add(tr("Zoom &in"), {QKeySequence("Ctrl++"), QKeySequence("Ctrl+=")}, picture,
         [this] { m_scene->zoomIn(); });
     add(tr("Zoom &out"), {QKeySequence("Ctrl+-")}, picture, [this] { m_scene->zoomOut(); });
-    add(tr("&Fit the scene"), {QKeySequence("Ctrl+0")}, picture, [this] { m_scene->fit(); });
+    add(tr("&Fit the scene"), {QKeySequence("Ctrl+0"), QKeySequence("0")}, picture, [this] {
+        m_scene->fit();
+    })->setToolTip(tr("Show the whole stage with all bodies, and stay with them (Ctrl+0)"));
+    add(tr("Next &body outside"), {QKeySequence("O")}, picture, [this] {
+        m_scene->showNextOutside();
+    })->setToolTip(tr("Bring a body that is outside of the picture into view (O)"));
     m_view->addSeparator();
     const KeyGroup window = KeyGroup::window;
     const auto toggle = [&](const QString &text, const char *key, std::vector<QDockWidget *> docks) {

@@ -20,6 +20,8 @@ public:
     {
         add(KeyGroup::picture, tr("Drag a body"), tr("grab it; let go while moving to throw it"));
         add(KeyGroup::picture, tr("Drag the background"), tr("move the picture"));
+        add(KeyGroup::picture, tr("Click an arrow at the edge"),
+            tr("go to the body outside that it points to"));
         add(KeyGroup::picture, tr("Wheel"), tr("zoom where the pointer is"));
         add(KeyGroup::picture, tr("[ and ]"), tr("choose the body before or after"));
         add(KeyGroup::picture, tr("Alt and an arrow key"), tr("carry the chosen body 10 px"));
