@@ -44,6 +44,16 @@ BodyLook bodyLook(const sim::BuiltPoint &point, Part part)
     return look;
 }
 
+/// A foot's place is its lowest point, and the disc that is drawn has its middle there. So the ground is drawn where the
+/// discs of the feet end.
+double footRadius(const Look &look, const sim::Blueprint &plan)
+{
+    double radius = 0.0;
+    for (const sim::BuiltFoot &foot : plan.feet)
+        radius = std::max(radius, look.bodies[static_cast<std::size_t>(foot.foot)].radius);
+    return radius;
+}
+
 QRectF stageOf(const sim::Blueprint &plan, QRectF least)
 {
     for (const sim::BuiltPoint &point : plan.points) {
@@ -74,7 +84,7 @@ Look builtLook(const sim::Scene &scene, const sim::Values &values)
     if (effectOf<sim::Walls>(scene) || effectOf<sim::RoomLimits>(scene))
         look.room = roomOf(values);
     if (effectOf<sim::Ground>(scene))
-        look.ground = values["ground"];
+        look.ground = values["ground"] + footRadius(look, plan);
     const auto walker = std::find(parts.begin(), parts.end(), Part::body);
     if (look.ground && !look.room && walker != parts.end()) // an endless ground, to walk along
         look.follow = static_cast<int>(walker - parts.begin());

@@ -25,6 +25,7 @@ struct Text
 
 constexpr double margin = 20.0;
 constexpr double lowest = 20.0;        ///< of the bottom lines' marks, above the edge
+constexpr double scaleHeight = 36.0;   ///< of the line in which the scale stands
 constexpr double longestScale = 150.0; ///< px of the screen
 constexpr double legendRow = 20.0;
 constexpr double legendGap = 24.0;
@@ -112,10 +113,12 @@ void Overlay::draw(QPainter &painter, const Camera &camera, QRectF view) const
                        std::move(taken));
     drawCaption(painter, camera, view);
     drawClock(painter, view);
-    if (m_shown.extras.ruler)
-        drawRuler({painter, m_shown, m_theme, camera, view}, m_shown.ruler);
     const double end = drawScale(painter, camera, view);
     drawLegend(painter, view, end);
+    if (m_shown.extras.ruler) {
+        const QRectF scale(view.left(), view.bottom() - scaleHeight, end, scaleHeight);
+        drawRuler({painter, m_shown, m_theme, camera, view}, m_shown.ruler, scale);
+    }
     if (m_shown.focusVisible)
         drawFocus(painter, view);
 }

@@ -64,7 +64,7 @@ std::optional<Ruler::End> Ruler::endAt(const Camera &camera, QPointF place) cons
     return std::nullopt;
 }
 
-void drawRuler(const Canvas &canvas, const Ruler &ruler)
+void drawRuler(const Canvas &canvas, const Ruler &ruler, const QRectF &scale)
 {
     const Tokens &t = canvas.tokens();
     QPainter &painter = canvas.painter;
@@ -78,7 +78,12 @@ void drawRuler(const Canvas &canvas, const Ruler &ruler)
     for (const QPointF &end : {from, to})
         painter.drawEllipse(end, endRadius, endRadius);
     painter.setBrush(Qt::NoBrush);
-    drawWords(canvas, {(from + to) / 2.0 + QPointF(8.0, -10.0), wordsOf(ruler), canvas.shown.text, t.ink});
+    const QString words = wordsOf(ruler);
+    QPointF at = (from + to) / 2.0 + QPointF(8.0, -10.0);
+    const QRectF box = QFontMetricsF(canvas.shown.text).boundingRect(words).translated(at);
+    if (box.intersects(scale))
+        at.ry() -= box.bottom() - scale.top();
+    drawWords(canvas, {at, words, canvas.shown.text, t.ink});
 }
 
 }

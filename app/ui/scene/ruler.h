@@ -3,6 +3,7 @@
 #include "sim/direction.h"
 
 #include <QPointF>
+#include <QRectF>
 
 #include <optional>
 
@@ -27,7 +28,8 @@ struct Ruler
     std::optional<End> endAt(const Camera &camera, QPointF place) const;
 };
 
-/// The line with a tick every 10 px, its ends, and in words how long it is and which way it points.
-void drawRuler(const Canvas &canvas, const Ruler &ruler);
+/// Draws the line with a tick every 10 px, its ends, and in words how long it is and which way it points. The words keep
+/// off `scale`, px of the screen.
+void drawRuler(const Canvas &canvas, const Ruler &ruler, const QRectF &scale);
 
 }
