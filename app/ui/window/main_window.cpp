@@ -142,7 +142,7 @@ void MainWindow::restore()
     m_firstDocks = saveState();
     m_layoutKey = layoutKey(m_mode);
     useKeptForm();
-    m_docksKnown = restorePanels(m_layouts.kept(m_layoutKey));
+    restorePanels(m_layouts.kept(m_layoutKey));
     m_accuracyDock->hide(); // the window opens for learning
     m_energyDock->hide();
     m_branchesDock->hide();
@@ -153,9 +153,13 @@ void MainWindow::restore()
 
 bool MainWindow::event(QEvent *event)
 {
+    if (event->type() == QEvent::MouseButtonPress)
+        noteSeparator(*static_cast<QMouseEvent *>(event));
     const bool isDone = QMainWindow::event(event);
     if (event->type() == QEvent::LayoutRequest && isVisible())
         m_room->share(); // a panel may want more than before
+    else if (event->type() == QEvent::MouseButtonRelease)
+        keepSides();
     return isDone;
 }
 
@@ -168,16 +172,8 @@ void MainWindow::fitInto(QSize room)
 void MainWindow::showEvent(QShowEvent *event)
 {
     QMainWindow::showEvent(event);
-    if (!m_docksKnown)
-        placeSides();
-    m_docksKnown = true;
+    placeSides();
     fitParameters();
-}
-
-void MainWindow::placeSides()
-{
-    resizeDocks({m_left, m_codeDock}, width() < wideWindow ? QList{280, 400} : QList{320, 480},
-                Qt::Horizontal);
 }
 
 void MainWindow::closeEvent(QCloseEvent *event)

@@ -18,6 +18,7 @@
 
 class QActionGroup;
 class QDockWidget;
+class QMouseEvent;
 
 namespace app {
 
@@ -121,6 +122,8 @@ protected:
     void resizeEvent(QResizeEvent *event) override;
 
 private:
+    static constexpr const char *heightOfParameters = "parameters"; ///< where the learner chose it
+
     void makeActions();
     void makeFileActions();
     void makeEditActions();
@@ -140,6 +143,7 @@ private:
     void leaveFocus();
     /// Where the arrangement for `mode` is kept in the settings.
     QString layoutKey(Mode mode) const;
+    static QString layoutKey(Mode mode, bool isWide);
     void keepLayout();
     /// As restoreState(), also while the window is still to be laid out.
     bool restorePanels(const QByteArray &state);
@@ -151,8 +155,22 @@ private:
     void chooseForm(bool isRail);
     void useKeptForm();
     void placeRail();
-    /// How wide the panels beside the scene are at first.
+    /// A column of panels beside the scene.
+    struct Side
+    {
+        QDockWidget *dock; ///< one of its panels
+        const char *name;  ///< for the settings
+        int width;         ///< px that it is to have
+        int least;         ///< px, where the scene needs the room
+    };
+    bool isBeside(const QDockWidget &dock, Qt::DockWidgetArea area) const;
+    std::vector<Side> sides() const;
+    /// Gives the panels beside the scene their widths: those that the learner chose, else those that suit the window.
     void placeSides();
+    /// The mouse is pressed: remembers what is beside the separator there, if one is there.
+    void noteSeparator(const QMouseEvent &event);
+    /// Keeps the lengths that a separator was dragged to.
+    void keepSides();
     /// Changes to a preset, without what belongs to it besides its panels.
     void arrangeFor(Mode mode);
     void makeLanguageMenu();
@@ -266,8 +284,9 @@ private:
     QDockWidget *m_plotsDock = nullptr;
     QDockWidget *m_parameterDock = nullptr;
     QDockWidget *m_stabilityDock = nullptr;
-    QDockWidget *m_replaced = nullptr; ///< what stands aside while stability is shown
-    bool m_docksKnown = false;         ///< docks have the sizes that the learner left or that fit the window
+    QDockWidget *m_replaced = nullptr;   ///< what stands aside while stability is shown
+    std::vector<Side> m_besideSeparator; ///< that is dragged
+    int m_heightBefore = 0;              ///< of the parameters
 };
 
 }
