@@ -137,7 +137,7 @@ void MainWindow::keepScenesIn(const QString &folder, int within)
 void MainWindow::restore()
 {
     const QSettings settings;
-    if (!restoreGeometry(settings.value("window/geometry").toByteArray()))
+    if (!m_place.restore())
         resize(1280, 800);
     m_firstDocks = saveState();
     m_layoutKey = layoutKey(m_mode);
@@ -178,11 +178,11 @@ void MainWindow::showEvent(QShowEvent *event)
 
 void MainWindow::closeEvent(QCloseEvent *event)
 {
-    if (!m_files->mayClose()) {
+    if (!m_leaves && !m_files->mayClose()) {
         event->ignore();
         return;
     }
-    QSettings().setValue("window/geometry", saveGeometry());
+    m_place.keep();
     showStability(false);
     saveLayouts();
     QMainWindow::closeEvent(event);

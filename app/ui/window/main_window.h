@@ -9,6 +9,7 @@
 #include "app/ui/theme/theme.h"
 #include "app/ui/window/layout_store.h"
 #include "app/ui/window/left.h"
+#include "app/ui/window/place_keeper.h"
 
 #include <QMainWindow>
 
@@ -106,12 +107,12 @@ public:
 
     /// Opens the step that was open last, in this program or one before; nothing where there is none.
     void openLast();
-    /// Closes the window so that another one can go on with what is in it: see left(). Where it is not closed, as there is
-    /// something to save first, nothing happens.
+    /// Closes the window so that another one can go on with what is in it: see left(). Nothing is lost, so nothing is asked.
     void startAgain();
     /// What another window is to go on with; empty where this one is simply closed.
     const std::optional<Left> &left() const { return m_leaves; }
-    /// Goes on with what a window before left, in place of offering it in keepScenesIn(), which is to be called after it.
+    /// Goes on with what a window before left on the same session. keepScenesIn() is to be called after it, and does not offer
+    /// what is open.
     void goOn(const Left &from);
 
 protected:
@@ -207,8 +208,8 @@ private:
     /// they went, would be pressed by whoever means to play.
     void catchFocus(const QWidget *before, const QWidget *now);
     void rememberStep();
-    /// Says what comes with the next start, and offers that.
-    void offerNewStart(const QString &sentence);
+    /// Starts again, unless that would stop a film: then it says what comes with the next start, and offers that.
+    void startAgainFor(const QString &sentence);
     void makeExportActions();
     void copyPicture();
     void askPicture();
@@ -224,6 +225,7 @@ private:
     std::unique_ptr<Commands> m_commands;
     std::unique_ptr<Room> m_room;
     std::optional<Left> m_leaves;
+    PlaceKeeper m_place{*this};
     Course *m_course; ///< what the steps measure
     AccuracyStudy *m_study;
     StabilityWatch *m_stability;
