@@ -23,6 +23,7 @@ class QMouseEvent;
 
 namespace app {
 
+class AboutPage;
 class AccuracyPanel;
 class BranchesPanel;
 class BuildPanel;
@@ -267,6 +268,7 @@ private:
     HelpPage *m_helpPage = nullptr;
     FilmDialog *m_film = nullptr;
     GlossaryPage *m_glossaryPage = nullptr;
+    AboutPage *m_about = nullptr;
     Tour *m_tour = nullptr;
     AccuracyPanel *m_accuracy = nullptr;
     BranchesPanel *m_branches = nullptr;
