@@ -66,12 +66,15 @@ int start(int argc, char **argv, const QString &file)
                                   .arg(app::verbs().join(", ")));
     qInstallMessageHandler(nullptr);
     const bool isScaled = !qEnvironmentVariableIsEmpty(scaleFactor);
+    app::Work work;
     app::WindowEnd end = {};
     do {
         if (!isScaled)
             scaleBy(app::keptSize());
         QApplication application(argc, argv);
-        end = app::runWindow(application, file, end.left);
+        end = app::runWindow(application, work, file, end.left);
+        if (!end.left)
+            work.session.reset(); // while there is an application
     } while (end.left);
     return end.code;
 }

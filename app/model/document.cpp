@@ -2,6 +2,8 @@
 
 #include "app/model/same_run.h"
 
+#include <utility>
+
 namespace app {
 
 Document::Document(Session &session, QObject *parent) : QObject(parent), m_session(session)
@@ -18,8 +20,8 @@ StepName Document::name() const
 
 QString Document::pathOf(const StepName &name) const
 {
-    const auto found = m_kept.find(name);
-    return found == m_kept.end() ? QString() : found->second.path;
+    const auto found = m_saved.find(name);
+    return found == m_saved.end() ? QString() : found->second.path;
 }
 
 std::optional<Experiment> Document::experimentOf(const StepName &which) const
@@ -29,8 +31,8 @@ std::optional<Experiment> Document::experimentOf(const StepName &which) const
 
 bool Document::isChanged(const StepName &which) const
 {
-    const auto found = m_kept.find(which);
-    if (found == m_kept.end())
+    const auto found = m_saved.find(which);
+    if (found == m_saved.end())
         return false;
     const auto differs = [&](const sim::Script &script, const Branches &branches) {
         return !sameScript(found->second.script, script) || !sameMarked(found->second.branches, branches);
@@ -44,16 +46,22 @@ bool Document::isChanged(const StepName &which) const
 std::vector<StepName> Document::changed() const
 {
     std::vector<StepName> names;
-    for (const auto &[which, kept] : m_kept) {
+    for (const auto &[which, kept] : m_saved) {
         if (isChanged(which))
             names.push_back(which);
     }
     return names;
 }
 
+void Document::setSaved(std::map<StepName, Saved> saved)
+{
+    m_saved = std::move(saved);
+    follow();
+}
+
 void Document::follow()
 {
-    m_kept.try_emplace(name(), Kept{{}, m_session.step().script()});
+    m_saved.try_emplace(name(), Saved{{}, m_session.step().script()});
     tell();
 }
 
@@ -68,7 +76,8 @@ void Document::tell()
 
 void Document::keep(const QString &path)
 {
-    m_kept.insert_or_assign(name(), Kept{path, m_session.timeline().script(), m_session.branches().marked()});
+    m_saved.insert_or_assign(name(),
+                             Saved{path, m_session.timeline().script(), m_session.branches().marked()});
     tell();
 }
 
@@ -81,7 +90,7 @@ void Document::open(const QString &path)
 void Document::open(const Experiment &experiment)
 {
     m_session.open(experiment);
-    m_kept.insert_or_assign(name(), Kept{{}, m_session.step().script()});
+    m_saved.insert_or_assign(name(), Saved{{}, m_session.step().script()});
     tell();
 }
 
@@ -97,15 +106,15 @@ void Document::save(const StepName &which, const QString &path)
     if (!experiment)
         return;
     writeExperiment(path, *experiment, m_session.library());
-    m_kept.insert_or_assign(which, Kept{path, experiment->script, experiment->branches});
+    m_saved.insert_or_assign(which, Saved{path, experiment->script, experiment->branches});
     tell();
 }
 
 void Document::giveUp(const StepName &which)
 {
     const std::optional<Experiment> experiment = experimentOf(which);
-    const auto found = m_kept.find(which);
-    if (!experiment || found == m_kept.end())
+    const auto found = m_saved.find(which);
+    if (!experiment || found == m_saved.end())
         return;
     found->second.script = experiment->script;
     found->second.branches = experiment->branches;

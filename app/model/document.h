@@ -31,6 +31,18 @@ public:
     /// `session` must outlive it.
     explicit Document(Session &session, QObject *parent = nullptr);
 
+    /// What the file of a step's run has.
+    struct Saved
+    {
+        QString path;       ///< empty: no file
+        sim::Script script; ///< as in the file, or as published
+        Branches branches = {};
+    };
+    /// Of every step that was open.
+    const std::map<StepName, Saved> &saved() const { return m_saved; }
+    /// Goes on with what the document of another window knew.
+    void setSaved(std::map<StepName, Saved> saved);
+
     /// The open step.
     StepName name() const;
     /// The file of its experiment; empty: it has none.
@@ -61,19 +73,12 @@ signals:
     void stateChanged();
 
 private:
-    struct Kept
-    {
-        QString path;
-        sim::Script script; ///< as in the file, or as published
-        Branches branches = {};
-    };
-
     void follow();
     void keep(const QString &path);
     void tell();
 
     Session &m_session;
-    std::map<StepName, Kept> m_kept; ///< of every step that was open
+    std::map<StepName, Saved> m_saved;
     QString m_toldPath;
     bool m_toldChanged = false;
 };

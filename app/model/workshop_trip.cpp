@@ -12,6 +12,12 @@ void WorkshopTrip::note()
     m_step = m_session.step().id;
 }
 
+void WorkshopTrip::comeBackTo(const QString &lesson, const QString &step)
+{
+    m_lesson = lesson;
+    m_step = step;
+}
+
 void WorkshopTrip::go()
 {
     const LessonEntry *workshop = workshopOf(m_session.library());

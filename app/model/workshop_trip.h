@@ -15,6 +15,8 @@ public:
 
     /// Remembers the open step as the one to come back to, unless it is the workshop.
     void note();
+    /// Remembers this step as the one to come back to.
+    void comeBackTo(const QString &lesson, const QString &step);
     /// Opens the workshop, if one is installed.
     void go();
     /// Leaves the workshop for the step that was open before, or for the first one of all.

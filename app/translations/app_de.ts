@@ -3246,6 +3246,77 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     </message>
 </context>
 <context>
+    <name>app::AboutPage</name>
+    <message>
+        <source>windows and files</source>
+        <translation>Fenster und Dateien</translation>
+    </message>
+    <message>
+        <source>plots</source>
+        <translation>Diagramme</translation>
+    </message>
+    <message>
+        <source>the code panel</source>
+        <translation>Codebereich</translation>
+    </message>
+    <message>
+        <source>arrays of numbers</source>
+        <translation>Zahlenfelder</translation>
+    </message>
+    <message>
+        <source>reading experiments</source>
+        <translation>Lesen von Experimenten</translation>
+    </message>
+    <message>
+        <source>films as GIF</source>
+        <translation>Filme als GIF</translation>
+    </message>
+    <message>
+        <source>experiments as short text</source>
+        <translation>Experimente als kurzer Text</translation>
+    </message>
+    <message>
+        <source>typeface of the window</source>
+        <translation>Schrift des Fensters</translation>
+    </message>
+    <message>
+        <source>typeface of code and numbers</source>
+        <translation>Schrift für Code und Zahlen</translation>
+    </message>
+    <message>
+        <source>About Springstep</source>
+        <translation>Über Springstep</translation>
+    </message>
+    <message>
+        <source>Version %1</source>
+        <translation>Version %1</translation>
+    </message>
+    <message>
+        <source>Teaches physically based animation step by step, from one spring to creatures that walk.</source>
+        <translation>Lehrt physikbasierte Animation Schritt für Schritt, von einer Feder bis zu Wesen, die laufen.</translation>
+    </message>
+    <message>
+        <source>You may use, change and share it under the &lt;a href=&quot;%1&quot;&gt;GNU General Public License, version 3&lt;/a&gt;. It comes without any warranty.</source>
+        <translation>Du darfst es nutzen, ändern und weitergeben, nach der &lt;a href=&quot;%1&quot;&gt;GNU General Public License, Version 3&lt;/a&gt;. Es kommt ohne jede Gewährleistung.</translation>
+    </message>
+    <message>
+        <source>Built with</source>
+        <translation>Gebaut mit</translation>
+    </message>
+    <message>
+        <source>%1: %2. Licence: %3</source>
+        <translation>%1: %2. Lizenz: %3</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Close this page (Esc)</source>
+        <translation>Diese Seite schließen (Esc)</translation>
+    </message>
+</context>
+<context>
     <name>app::AccuracyPanel</name>
     <message>
         <source>Accuracy</source>
@@ -4720,6 +4791,18 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <source>Fold the lessons to a narrow strip</source>
         <translation>Die Lektionen zu einem schmalen Streifen falten</translation>
     </message>
+    <message>
+        <source>All lessons</source>
+        <translation>Alle Lektionen</translation>
+    </message>
+    <message>
+        <source>Back to the text (Esc)</source>
+        <translation>Zurück zum Text (Esc)</translation>
+    </message>
+    <message>
+        <source>Show all lessons in place of the text</source>
+        <translation>Alle Lektionen statt des Textes zeigen</translation>
+    </message>
 </context>
 <context>
     <name>app::LessonList</name>
@@ -5049,10 +5132,6 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>%1&#x2009;%</translation>
     </message>
     <message>
-        <source>Text, buttons and the picture, from the next start on</source>
-        <translation>Text, Knöpfe und Szene, ab dem nächsten Start</translation>
-    </message>
-    <message>
         <source>This screen is too small for the scene with its time at that size</source>
         <translation>Für die Szene mit ihrer Zeit ist dieser Bildschirm bei dieser Größe zu klein</translation>
     </message>
@@ -5373,8 +5452,24 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>Jetzt neu starten</translation>
     </message>
     <message>
-        <source>Closes the window and opens it again with this scene. Undo begins anew.</source>
-        <translation>Schließt das Fenster und öffnet es wieder mit dieser Szene. Rückgängig beginnt von vorn.</translation>
+        <source>Text, buttons and the picture; the window opens again with all that is in it</source>
+        <translation>Text, Knöpfe und Szene; das Fenster öffnet sich neu mit allem, was darin ist</translation>
+    </message>
+    <message>
+        <source>%1 A film is being made.</source>
+        <translation>%1 Gerade entsteht ein Film.</translation>
+    </message>
+    <message>
+        <source>Stops the film; everything else stays</source>
+        <translation>Bricht den Film ab; alles andere bleibt</translation>
+    </message>
+    <message>
+        <source>&amp;About Springstep</source>
+        <translation>Ü&amp;ber Springstep</translation>
+    </message>
+    <message>
+        <source>Version, licence, and what it is built with</source>
+        <translation>Version, Lizenz und verwendete Bibliotheken</translation>
     </message>
     <message>
         <source>Reco&amp;ver scenes…</source>

@@ -99,6 +99,20 @@ private slots:
         QVERIFY(!card.isVisible());
     }
 
+    void aCardHasNoTransparentCorners()
+    {
+        Steered shown;
+        shown.session.frameForward();
+        shown.hover(shown.middleOf("pull = k * d", "pull"));
+        CodeCard &card = const_cast<CodeCard &>(shown.panel->card());
+        QImage image(card.size(), QImage::Format_ARGB32_Premultiplied);
+        image.fill(Qt::transparent);
+        card.render(&image, {}, {}, {}); // what the card itself paints
+        for (const QPoint corner : {QPoint(0, 0), QPoint(card.width() - 1, 0), QPoint(0, card.height() - 1),
+                                    QPoint(card.width() - 1, card.height() - 1)})
+            QCOMPARE(image.pixelColor(corner).alpha(), 255);
+    }
+
     void theKeyboardAsksForACard()
     {
         Steered shown;

@@ -30,6 +30,31 @@ private slots:
         QCOMPARE(bench.panel.remark(), spring.saving); // of the costliest one
     }
 
+    void theLastRowIsWholeAndTheFootIsInLineWithTheRest()
+    {
+        Bench bench;
+        auto *list = bench.panel.findChild<EffectList *>();
+        for (int height = 240; height < 300; height += 7) {
+            bench.panel.resize(560, height);
+            QCoreApplication::processEvents();
+            int whole = 0;
+            for (int row = 0; row < list->model()->rowCount(); ++row) {
+                const QRect place = list->visualRect(list->model()->index(row, 0));
+                if (place.top() < list->viewport()->height()) {
+                    QVERIFY2(place.bottom() < list->viewport()->height(),
+                             qPrintable(QString::number(height)));
+                    ++whole;
+                }
+            }
+            QVERIFY(whole >= 2);
+        }
+        bench.panel.setStyleSheet("* { color: red; }"); // as when the colours change
+        for (const QLabel *label : bench.panel.findChildren<QLabel *>()) {
+            if (label->text() == bench.panel.remark())
+                QCOMPARE(label->mapTo(&bench.panel, label->contentsRect().topLeft()).x(), 16);
+        }
+    }
+
     void figuresAreRoundedToWhatCanBeRead_data()
     {
         QTest::addColumn<double>("ns");

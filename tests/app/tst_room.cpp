@@ -2,6 +2,8 @@
 
 #include "app/ui/panels/learn_panel.h"
 #include "app/ui/panels/lesson_list.h"
+#include "app/ui/panels/narration.h"
+#include "app/ui/panels/narration_text.h"
 #include "app/ui/scene/scene_view.h"
 #include "app/ui/window/main_window.h"
 #include "panels_bench.h"
@@ -11,6 +13,7 @@
 #include <QAction>
 #include <QDockWidget>
 #include <QHelpEvent>
+#include <QLabel>
 #include <QLayout>
 #include <QScrollArea>
 #include <QSettings>
@@ -47,6 +50,47 @@ struct Bench
         }
         QTest::qWait(20);
     }
+    /// Drags the line between two panels.
+    void dragSeparator(QPoint from, QPoint by)
+    {
+        QTest::mousePress(&window, Qt::LeftButton, {}, from);
+        QMouseEvent move(QEvent::MouseMove, from + by, window.mapToGlobal(from + by), Qt::NoButton,
+                         Qt::LeftButton, {});
+        QApplication::sendEvent(&window, &move);
+        QTest::qWait(50); // the main window moves its separators by a timer
+        QTest::mouseRelease(&window, Qt::LeftButton, {}, from + by);
+    }
+    /// px between the title of the step and its text.
+    int gapUnderTitle()
+    {
+        auto *text = window.findChild<Narration *>()->findChild<NarrationText *>();
+        auto *title = window.findChild<Narration *>()->findChild<QLabel *>("stepTitle");
+        return text->y() - title->geometry().bottom() - 1;
+    }
+    /// Where everything stands that the size of the window moves.
+    QString places() const
+    {
+        QStringList all;
+        const auto add = [&](const QString &name, const QWidget &widget) {
+            const QRect place(widget.mapTo(&window, QPoint()), widget.size());
+            all << QString("%1 %2,%3 %4x%5")
+                       .arg(name)
+                       .arg(place.x())
+                       .arg(place.y())
+                       .arg(place.width())
+                       .arg(place.height());
+        };
+        for (const QDockWidget *one : window.findChildren<QDockWidget *>()) {
+            if (one->isVisible() && !one->visibleRegion().isEmpty())
+                add(one->objectName(), *one);
+        }
+        add("centre", *window.centralWidget());
+        add("list", *window.findChild<LessonList *>());
+        if (!isRail())
+            add("text", *window.findChild<Narration *>()->findChild<NarrationText *>());
+        all.sort();
+        return all.join(" | ");
+    }
     QString shown() const
     {
         QStringList names;
@@ -62,6 +106,15 @@ struct Bench
     MainWindow window{world.session, world.theme, noStudy, noCost};
     Session &session = world.session;
 };
+
+/// Logical px of windows: screens of 1024 x 768 to 2560 x 1440 px at 100, 150 and 200 %.
+constexpr QSize sizes[] = {{1280, 800},  {1024, 768}, {1280, 720}, {1600, 900}, {1920, 1080},
+                           {2560, 1440}, {1707, 960}, {1067, 600}, {960, 540},  {800, 600}};
+
+QString nameOf(QSize size)
+{
+    return QString("%1 x %2").arg(size.width()).arg(size.height());
+}
 
 /// The panels that are seen, and the scene's part: none of them may lie over another, or outside of the window.
 QString overlaps(const MainWindow &window)
@@ -179,6 +232,69 @@ private slots:
         QTRY_VERIFY(isAsBefore());
         QTRY_VERIFY(isCodeInFront());
         QVERIFY(isAsBefore());
+    }
+
+    void aWindowThatComesBackToItsSizeIsAsItWas_data()
+    {
+        QTest::addColumn<QSize>("size");
+        for (const QSize size : sizes)
+            QTest::newRow(qPrintable(nameOf(size))) << size;
+    }
+
+    void aWindowThatComesBackToItsSizeIsAsItWas()
+    {
+        QFETCH(const QSize, size);
+        Bench bench(size, "single_spring", "fixed_centre");
+        QTest::qWait(50);
+        const QString before = bench.places();
+        QCOMPARE(bench.gapUnderTitle(), 5);
+        for (const QSize other : sizes) {
+            bench.force(other);
+            QCOMPARE(overlaps(bench.window), QString());
+            QTRY_VERIFY2(bench.isRail() || bench.gapUnderTitle() == 5, qPrintable(nameOf(other)));
+            bench.force(size);
+            QTRY_COMPARE(bench.places(), before);
+        }
+    }
+
+    void panelsAreWiderInAWideWindow()
+    {
+        Bench bench({1280, 800});
+        QCOMPARE(bench.dock("lessons").width(), 280);
+        QCOMPARE(bench.dock("code").width(), 400);
+        bench.force({1920, 1080});
+        QTRY_COMPARE(bench.dock("lessons").width(), 320);
+        QTRY_COMPARE(bench.dock("code").width(), 480);
+        bench.force({1280, 800});
+        QTRY_COMPARE(bench.dock("lessons").width(), 280);
+        QTRY_COMPARE(bench.dock("code").width(), 400);
+    }
+
+    void panelsAreAsTheLearnerLeftThemInAnyWindow()
+    {
+        int code = 0, parameters = 0;
+        {
+            Bench bench({1280, 800});
+            bench.dragSeparator(bench.dock("code").geometry().topLeft() + QPoint(-3, 200), {-30, 0});
+            QCOMPARE(bench.dock("code").width(), 430);
+            bench.dragSeparator(bench.dock("parameters").geometry().topLeft() + QPoint(100, -3), {0, -40});
+            code = bench.dock("code").width();
+            parameters = bench.dock("parameters").height();
+            bench.force({1920, 1080});
+            QTRY_COMPARE(bench.dock("code").width(), code);
+            QTRY_COMPARE(bench.dock("lessons").width(), 320);
+            bench.force({800, 700});
+            bench.force({1280, 800});
+            QTRY_COMPARE(bench.dock("code").width(), code);
+            QTRY_COMPARE(bench.dock("parameters").height(), parameters);
+            QVERIFY(bench.window.close());
+        }
+        Bench bench({1280, 800});
+        QCOMPARE(bench.dock("code").width(), code);
+        QCOMPARE(bench.dock("parameters").height(), parameters);
+        bench.action("resetLayout").trigger();
+        QTRY_COMPARE(bench.dock("code").width(), 400);
+        QVERIFY(bench.dock("parameters").height() != parameters);
     }
 
     void whatIsAskedForInASmallWindowMakesOthersStepAside()

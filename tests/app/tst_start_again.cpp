@@ -3,7 +3,11 @@
 #include "window_bench.h"
 
 #include "app/model/scene_keeper.h"
+#include "app/ui/film/film_dialog.h"
+#include "app/ui/film/film_name.h"
 
+#include <QDir>
+#include <QLineEdit>
 #include <QTemporaryDir>
 
 using namespace app;
@@ -22,6 +26,25 @@ QAction *sizeOf(MainWindow &window, int percent)
     }
     return nullptr;
 }
+
+/// A session on which one window opens after the other.
+struct Desk
+{
+    void open()
+    {
+        window.reset();
+        window.emplace(session, theme);
+        window->resize(1280, 800);
+        window->show();
+        QCoreApplication::processEvents();
+    }
+    QString sentence() const { return window->findChild<Notice *>()->sentence(); }
+
+    LessonLibrary library = LessonLibrary::load({LESSON_DIR});
+    Theme theme{Scheme::light};
+    Session session{library};
+    std::optional<MainWindow> window;
+};
 
 }
 
@@ -80,7 +103,7 @@ private slots:
         QCOMPARE(bench.session.step().id, QString("mutual"));
     }
 
-    void anotherSizeOffersANewStartThatKeepsTheScene_data()
+    void anotherSizeKeepsTheSceneAndWhatIsNotSaved_data()
     {
         QTest::addColumn<QString>("lesson");
         QTest::addColumn<QString>("step");
@@ -92,94 +115,110 @@ private slots:
         QTest::newRow("building") << "sandbox"
                                   << "build" << int(MainWindow::Mode::build);
     }
-    void anotherSizeOffersANewStartThatKeepsTheScene()
+    void anotherSizeKeepsTheSceneAndWhatIsNotSaved()
     {
         QFETCH(QString, lesson);
         QFETCH(QString, step);
         QFETCH(int, mode);
         const QTemporaryDir folder;
-        std::optional<Left> left;
-        std::optional<sim::State> state;
-        double damp = 0.0;
-        {
-            Bench bench(qPrintable(lesson), qPrintable(step));
-            bench.window.setMode(MainWindow::Mode(mode));
-            bench.window.keepScenesIn(folder.path(), soon);
-            bench.session.goTo({30, 0});
-            bench.session.setParameter("damp", 0.7);
-            bench.session.goTo({70, 0});
-            bench.session.goTo({40, 0});
-            damp = bench.session.parameter("damp");
-            QAction *size = sizeOf(bench.window, 125);
-            QVERIFY(size);
-            size->trigger();
-            QVERIFY(bench.notice.sentence().contains("125"));
-            state = bench.session.timeline().now();
-            QVERIFY(bench.answer("Start again now"));
-            QVERIFY(!bench.window.isVisible());
-            left = bench.window.left();
-            QVERIFY(left);
-        }
-        Bench next;
-        next.window.goOn(*left);
-        next.window.keepScenesIn(folder.path(), soon);
-        QCOMPARE(next.session.lesson().id, lesson);
-        QCOMPARE(next.session.step().id, step);
-        QCOMPARE(int(next.window.mode()), mode);
-        QCOMPARE(next.session.timeline().at().frame, 40);
-        QVERIFY(sim::sameBits(next.session.timeline().now(), *state));
-        QCOMPARE(next.session.parameter("damp"), damp);
-        QVERIFY2(next.notice.sentence().isEmpty(), qPrintable(next.notice.sentence()));
-        QVERIFY(next.isMarked());
+        Desk desk;
+        Session &session = desk.session;
+        session.openStep(lesson, step);
+        desk.open();
+        desk.window->setMode(MainWindow::Mode(mode));
+        desk.window->keepScenesIn(folder.path(), soon);
+        session.goTo({30, 0});
+        session.setParameter("damp", 0.7);
+        session.goTo({70, 0});
+        session.goTo({40, 0});
+        const double damp = session.parameter("damp");
+        QAction *size = sizeOf(*desk.window, 125);
+        QVERIFY(size);
+        const sim::State state = session.timeline().now();
+        size->trigger(); // nothing is asked: nothing is lost
+        QVERIFY(!desk.window->isVisible());
+        const std::optional<Left> left = desk.window->left();
+        QVERIFY(left);
+        desk.open();
+        desk.window->goOn(*left);
+        desk.window->keepScenesIn(folder.path(), soon);
+        QCOMPARE(session.lesson().id, lesson);
+        QCOMPARE(session.step().id, step);
+        QCOMPARE(int(desk.window->mode()), mode);
+        QCOMPARE(session.timeline().at().frame, 40);
+        QCOMPARE(session.timeline().computed(), 70);
+        QVERIFY(sim::sameBits(session.timeline().now(), state));
+        QCOMPARE(session.parameter("damp"), damp);
+        QVERIFY2(desk.sentence().isEmpty(),
+                 qPrintable(desk.sentence())); // the run that is open is not offered
+        QVERIFY(desk.window->isWindowModified());
+        // It is kept against a crash again.
+        const std::vector<KeptScene> kept = keptScenes(folder.path());
+        QVERIFY(kept.empty()); // none without a program that runs
+        QCOMPARE(QDir(folder.path()).entryList(QDir::Dirs | QDir::NoDotAndDotDot).size(), 1);
     }
 
     void whatTheHandDidBeforeTheNextFrameIsStillSeen()
     {
-        const QTemporaryDir folder;
-        std::optional<Left> left;
-        sim::Vec2 place;
-        const auto placeIn = [](Session &session) { return session.picture().state.at(0); };
-        {
-            Bench bench;
-            bench.window.keepScenesIn(folder.path(), soon);
-            const sim::Vec2 before = placeIn(bench.session);
-            bench.drag("foot", {-60, 40});
-            place = placeIn(bench.session);
-            QVERIFY(place != before);
-            QCOMPARE(bench.session.timeline().at().frame, 0);
-            bench.window.startAgain();
-            left = bench.window.left();
-            QVERIFY(left);
-        }
-        Bench next;
-        next.window.goOn(*left);
-        next.window.keepScenesIn(folder.path(), soon);
-        QCOMPARE(next.session.timeline().at().frame, 0);
-        QVERIFY(placeIn(next.session) == place);
+        Desk desk;
+        desk.open();
+        const auto place = [&] { return desk.session.picture().state.at(0); };
+        const sim::Vec2 before = place();
+        desk.session.grab("foot");
+        desk.session.moveHand({before.x - 60.0, before.y + 40.0});
+        const sim::Vec2 moved = place();
+        QVERIFY(moved != before);
+        desk.window->startAgain();
+        QVERIFY(!desk.session.isHolding());
+        const std::optional<Left> left = desk.window->left();
+        desk.open();
+        desk.window->goOn(*left);
+        QCOMPARE(desk.session.timeline().at().frame, 0);
+        QVERIFY(place() == moved);
     }
 
-    void aSavedFileIsOpenAgain()
+    void aSavedFileStaysTheFileOfItsStep()
     {
         const QTemporaryDir folder;
-        const QString file = folder.path() + "/mine.json";
-        std::optional<Left> left;
-        {
-            Bench bench("two_body", "mutual");
-            bench.session.setParameter("k", 0.15);
-            bench.session.goTo({25, 0});
-            QVERIFY(bench.window.saveFile(file));
-            bench.window.startAgain();
-            left = bench.window.left();
-            QVERIFY(left);
+        Desk desk;
+        desk.session.openStep("two_body", "mutual");
+        desk.open();
+        desk.session.setParameter("k", 0.15);
+        desk.session.goTo({25, 0});
+        QVERIFY(desk.window->saveFile(folder.path() + "/mine.json"));
+        desk.session.openStep("single_spring", "offset"); // and back later
+        desk.window->startAgain();
+        const std::optional<Left> left = desk.window->left();
+        desk.open();
+        desk.window->goOn(*left);
+        desk.session.openStep("two_body", "mutual");
+        QCOMPARE(desk.session.parameter("k"), 0.15);
+        QVERIFY(desk.window->windowTitle().contains("mine"));
+        QVERIFY(!desk.window->isWindowModified());
+    }
+
+    void aFilmThatIsBeingMadeIsNotStoppedUnasked()
+    {
+        const QTemporaryDir folder;
+        Bench bench;
+        bench.session.goTo({30, 0});
+        for (QAction *one : bench.window.findChildren<QAction *>()) {
+            if (one->text() == "&Film of the run…")
+                one->trigger();
         }
-        Bench next;
-        next.window.goOn(*left);
-        next.window.keepScenesIn(folder.path() + "/scenes", soon);
-        QCOMPARE(next.session.step().id, QString("mutual"));
-        QCOMPARE(next.session.parameter("k"), 0.15);
-        QCOMPARE(next.session.timeline().at().frame, 25);
-        QVERIFY(next.window.windowTitle().contains("mine"));
-        QVERIFY(!next.isMarked());
+        auto *film = bench.window.findChild<FilmDialog *>();
+        QVERIFY(film);
+        film->findChild<FilmName *>()->field().setText(folder.path() + "/run.gif");
+        for (QPushButton *button : film->findChildren<QPushButton *>()) {
+            if (button->isDefault())
+                QTest::mouseClick(button, Qt::LeftButton);
+        }
+        QVERIFY2(film->isMaking(), qPrintable(film->said()));
+        sizeOf(bench.window, 125)->trigger();
+        QVERIFY(bench.window.isVisible() && film->isMaking());
+        QVERIFY(bench.notice.sentence().contains("125"));
+        QVERIFY(bench.answer("Start again now"));
+        QVERIFY(bench.window.left());
     }
 
     void aWindowThatIsOnlyClosedDoesNotComeBack()

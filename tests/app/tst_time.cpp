@@ -1,3 +1,4 @@
+#include "app/ui/time/timeline_painter.h"
 #include "tests/app/time_bench.h"
 
 #include <QAccessible>
@@ -49,6 +50,10 @@ private slots:
     void whilePlayingThePhaseStripIsNotPainted();
     void onlyThePhaseThatJustRanIsAmber();
     void namesThatDoNotFitBecomeMarks();
+    void theCurrentPhaseAlwaysHasItsName_data();
+    void theCurrentPhaseAlwaysHasItsName();
+    void namesComeBackWhereThereIsRoomAgain();
+    void theNameOfTheOldRunIsWholeWhileThatRunGrows();
     void screenReadersHearFrameAndPhase();
     void nothingRunsWhileNothingMoves();
 };
@@ -270,6 +275,70 @@ void TestTime::namesThatDoNotFitBecomeMarks()
             QString("%1: phase %2 of %3").arg(phases.titleOf(i)).arg(i + 1).arg(phases.count())));
     }
     QVERIFY(end <= 420 - 16);
+}
+
+void TestTime::theCurrentPhaseAlwaysHasItsName_data()
+{
+    QTest::addColumn<int>("width");
+    for (const int width : {400, 420, 460, 500, 600, 700, 900, 1200})
+        QTest::newRow(qPrintable(QString("%1 px").arg(width))) << width;
+}
+
+void TestTime::theCurrentPhaseAlwaysHasItsName()
+{
+    QFETCH(const int, width);
+    TimeBench bench("grouped", width);
+    bench.goTo(41);
+    const PhaseStrip &phases = bench.strip->phases();
+    const QFontMetricsF metrics(bench.theme.ui(12.5, QFont::DemiBold));
+    for (int now = 0; now + 1 < phases.count(); ++now) {
+        bench.session.phaseForward();
+        QVERIFY(phases.showsName(now));
+        double end = 16.0;
+        for (int i = 0; i < phases.count(); ++i) {
+            const QRectF area = phases.areaOf(i);
+            QVERIFY(area.left() >= end - 1e-6 && area.width() >= 23.9); // each can be clicked
+            end = area.right();
+            const double name = metrics.horizontalAdvance(phases.titleOf(i)) + 14.0; // with its mark
+            QVERIFY2(!phases.showsName(i) || name <= area.width(), qPrintable(phases.titleOf(i)));
+        }
+        QVERIFY(end <= bench.strip->width() - 16 + 1e-6);
+    }
+}
+
+void TestTime::namesComeBackWhereThereIsRoomAgain()
+{
+    TimeBench bench("grouped", 1200);
+    const QImage before = bench.strip->grab().toImage();
+    bench.window.resize(420, bench.window.height());
+    QTRY_COMPARE(bench.strip->width(), 420);
+    QVERIFY(!bench.strip->phases().showsNames());
+    bench.window.resize(1200, bench.window.height());
+    QTRY_COMPARE(bench.strip->width(), 1200);
+    QVERIFY(bench.strip->phases().showsNames());
+    QCOMPARE(bench.strip->grab().toImage(), before);
+}
+
+void TestTime::theNameOfTheOldRunIsWholeWhileThatRunGrows()
+{
+    const Theme theme{Scheme::light};
+    TimelineAxis axis;
+    axis.setWidth(600);
+    RunView was;
+    was.at = was.computed = 50;
+    was.old = OldRun{20, 50, "before: damp 0.85", 1, false};
+    RunView is = was;
+    is.at = is.computed = is.old->end = 53;
+    const auto paint = [&](const RunView &view, QImage image, const QRegion &region) {
+        QPainter painter(&image);
+        painter.setClipRegion(region);
+        painter.fillRect(image.rect(), theme.tokens().panel);
+        paintTimeline(painter, axis, view, theme, Below::fan);
+        return image;
+    };
+    const QImage empty(600, TimelinePlaces::height, QImage::Format_RGB32);
+    const QImage before = paint(was, empty, empty.rect());
+    QCOMPARE(paint(is, before, changedByMove(axis, was, is, theme)), paint(is, empty, empty.rect()));
 }
 
 void TestTime::screenReadersHearFrameAndPhase()

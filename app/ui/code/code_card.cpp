@@ -22,7 +22,6 @@ constexpr int headHeight = 20;
 constexpr int gap = 8;
 constexpr int plotHeight = 56;
 constexpr int axisHeight = 16;
-constexpr double radius = 10.0;
 
 double partOf(const std::variant<double, sim::Vec2> &value, int part)
 {
@@ -38,7 +37,6 @@ CodeCard::CodeCard(const Theme &theme, QWidget *parent) : QWidget(parent, Qt::To
 {
     setAttribute(Qt::WA_TransparentForMouseEvents);
     setAttribute(Qt::WA_ShowWithoutActivating);
-    setAttribute(Qt::WA_TranslucentBackground);
     setFocusPolicy(Qt::NoFocus);
     connect(&theme, &Theme::changed, this, qOverload<>(&QWidget::update));
 }
@@ -96,7 +94,8 @@ void CodeCard::paintEvent(QPaintEvent *)
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(t.line2);
     painter.setBrush(t.panel);
-    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), radius, radius);
+    // Square, like the other cards: without a compositor, rounded corners would be black.
+    painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
     const QRect inside = rect().adjusted(padding, padding, -padding, -padding);
     painter.setFont(m_theme.mono(12));
     painter.setPen(t.ink);

@@ -244,7 +244,25 @@ EffectList::EffectList(const Theme &theme, QWidget *parent)
     setEditTriggers(QAbstractItemView::NoEditTriggers);
     setMouseTracking(true);
     connect(this, &QListView::entered, this, &EffectList::currentChangedTo);
+    connect(m_model, &QAbstractItemModel::layoutChanged, this, &EffectList::showWholeRows);
     connect(&theme, &Theme::changed, viewport(), qOverload<>(&QWidget::update));
+}
+
+void EffectList::resizeEvent(QResizeEvent *event)
+{
+    QListView::resizeEvent(event);
+    showWholeRows();
+}
+
+void EffectList::showWholeRows()
+{
+    const int room = contentsRect().height();
+    int whole = 0;
+    for (int row = 0; row < m_model->rowCount() && whole + sizeHintForRow(row) <= room; ++row)
+        whole += sizeHintForRow(row);
+    const QMargins spare(0, 0, 0, whole > 0 ? room - whole : 0);
+    if (viewportMargins() != spare)
+        setViewportMargins(spare);
 }
 
 void EffectList::currentChanged(const QModelIndex &current, const QModelIndex &previous)

@@ -100,8 +100,12 @@ signals:
 
 protected:
     void currentChanged(const QModelIndex &current, const QModelIndex &previous) override;
+    void resizeEvent(QResizeEvent *event) override;
 
 private:
+    /// Leaves room free below the last row that fits whole.
+    void showWholeRows();
+
     EffectListModel *m_model;
 };
 

@@ -36,12 +36,15 @@ EffectsPanel::EffectsPanel(Session &session, const Theme &theme, CostFunction fu
     again->setToolTip(m_again->toolTip());
     again->setFocusPolicy(Qt::TabFocus);
     m_title->addAction(again);
-    m_remark->setObjectName("caption");
-    m_remark->setContentsMargins(16, 5, 16, 3);
-    m_remark->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    m_rest->setObjectName("caption");
-    m_rest->setContentsMargins(16, 0, 16, 5);
-    m_rest->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    // The margins are the layout's: a label loses its own when the style sheet changes.
+    auto *foot = new QVBoxLayout;
+    foot->setContentsMargins(16, 5, 16, 5);
+    foot->setSpacing(3);
+    for (QLabel *label : {m_remark, m_rest}) {
+        label->setObjectName("caption");
+        label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+        foot->addWidget(label);
+    }
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 4);
     column->setSpacing(0);
@@ -52,8 +55,7 @@ EffectsPanel::EffectsPanel(Session &session, const Theme &theme, CostFunction fu
     line->setObjectName("divider");
     line->setFixedHeight(1);
     column->addWidget(line);
-    column->addWidget(m_remark);
-    column->addWidget(m_rest);
+    column->addLayout(foot);
     m_later.setSingleShot(true);
     connect(&m_later, &QTimer::timeout, this, &EffectsPanel::refreshNow);
     connect(again, &QToolButton::clicked, m_again, &QAction::trigger);

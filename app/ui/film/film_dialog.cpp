@@ -5,6 +5,7 @@
 #include "app/model/words.h"
 #include "app/ui/film/film_name.h"
 #include "app/ui/film/film_size.h"
+#include "app/ui/panels/dialog_place.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -158,6 +159,7 @@ void FilmDialog::offer()
         m_name->forbidReplacing();
         askAgain();
     }
+    placeOverParent(*this);
     show();
     raise();
     activateWindow();

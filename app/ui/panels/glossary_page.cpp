@@ -1,5 +1,6 @@
 #include "app/ui/panels/glossary_page.h"
 
+#include "app/ui/panels/dialog_place.h"
 #include "app/ui/panels/prose.h"
 
 #include <QLabel>
@@ -67,6 +68,7 @@ GlossaryPage::GlossaryPage(const Glossary &glossary, const Theme &theme, QWidget
 void GlossaryPage::search(const QString &typed)
 {
     m_search->setText(typed);
+    placeOverParent(*this);
     show();
     raise();
     activateWindow();

@@ -1,5 +1,6 @@
 #include "app/ui/panels/help_page.h"
 
+#include "app/ui/panels/dialog_place.h"
 #include "app/ui/panels/key_caps.h"
 
 #include <QAction>
@@ -158,8 +159,10 @@ void HelpPage::makeRoom()
 
 void HelpPage::setVisible(bool visible)
 {
-    if (visible && !isVisible())
+    if (visible && !isVisible()) {
         arrange();
+        placeOverParent(*this);
+    }
     QDialog::setVisible(visible);
     if (!visible)
         return;

@@ -11,6 +11,7 @@
 
 #include <QEvent>
 #include <QFrame>
+#include <QKeyEvent>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -20,9 +21,7 @@ namespace app {
 
 namespace {
 
-constexpr int leastRows = 4;   ///< of the list that stay while the text wants more: the open step among them
-constexpr int lowWindow = 740; ///< px; up to here they are as few as
-constexpr int lowRows = 2;     ///< these
+constexpr int leastRows = 2; ///< of the list that stay while the text wants more: the open step among them
 constexpr int summaryHeight = 400; ///< px, that a summary would like to have; it scrolls
 constexpr int topMargin = 4;
 constexpr int listMargin = 8;
@@ -35,12 +34,14 @@ LearnPanel::LearnPanel(Session &session, const Theme &theme, QWidget *parent)
       m_list(new LessonList(session, theme, this)),
       m_narration(new Narration(session, m_glossary, theme, this)),
       m_summary(new SummaryPage(session, theme, this)), m_rail(new LessonRail(theme, this)),
-      m_divider(new QFrame(this)), m_card(new WordCard(m_glossary, theme, this))
+      m_unfold(new QToolButton(m_title)), m_divider(new QFrame(this)),
+      m_card(new WordCard(m_glossary, theme, this))
 {
     setObjectName("panel");
     setAttribute(Qt::WA_StyledBackground);
     m_divider->setObjectName("divider");
     m_divider->setFixedHeight(1);
+    m_title->addAction(m_unfold);
     m_title->addAction(foldButton());
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, topMargin, 0, 0);
@@ -57,6 +58,7 @@ LearnPanel::LearnPanel(Session &session, const Theme &theme, QWidget *parent)
     column->addWidget(&m_rail->foot());
     m_summary->hide();
     m_rail->setVisible(false);
+    makeUnfold();
     connect(&session, &Session::stepOpened, this, [this] { showSummary(false); });
     connect(m_list, &LessonList::contentHeightChanged, this, &LearnPanel::shareHeight);
     connect(m_list->model(), &QAbstractItemModel::dataChanged, this, &LearnPanel::showCount);
@@ -84,11 +86,38 @@ QWidget *LearnPanel::foldButton()
     return fold;
 }
 
+void LearnPanel::makeUnfold()
+{
+    m_unfold->setObjectName("allLessons");
+    m_unfold->setFixedSize(28, 28);
+    m_unfold->setIconSize({16, 16});
+    m_unfold->setCheckable(true);
+    m_unfold->setFocusPolicy(Qt::TabFocus);
+    m_unfold->setAccessibleName(tr("All lessons"));
+    const auto dress = [this] { m_unfold->setIcon(m_theme.icon("down")); };
+    connect(&m_theme, &Theme::changed, m_unfold, dress);
+    dress();
+    connect(m_unfold, &QToolButton::toggled, this, [this](bool on) {
+        m_unfold->setToolTip(on ? tr("Back to the text (Esc)") : tr("Show all lessons in place of the text"));
+        showPages();
+    });
+    m_unfold->setToolTip(tr("Show all lessons in place of the text"));
+}
+
+void LearnPanel::keyPressEvent(QKeyEvent *event)
+{
+    if (event->key() == Qt::Key_Escape && m_unfold->isChecked())
+        m_unfold->setChecked(false);
+    else
+        QWidget::keyPressEvent(event);
+}
+
 void LearnPanel::setForm(Form form)
 {
     if (form == m_form)
         return;
     m_form = form;
+    m_unfold->setChecked(false);
     m_title->setVisible(form == Form::whole);
     m_divider->setVisible(form == Form::whole);
     m_rail->setVisible(form == Form::rail);
@@ -126,16 +155,23 @@ void LearnPanel::listen()
 void LearnPanel::showSummary(bool shown)
 {
     m_isSummary = shown;
-    m_narration->setVisible(m_form == Form::whole && !shown);
-    m_summary->setVisible(m_form == Form::whole && shown);
+    m_unfold->setChecked(false);
     m_list->markSummary(shown);
+    showPages();
+}
+
+void LearnPanel::showPages()
+{
+    const bool hasPage = m_form == Form::whole && !m_unfold->isChecked();
+    m_narration->setVisible(hasPage && !m_isSummary);
+    m_summary->setVisible(hasPage && m_isSummary);
     shareHeight();
 }
 
 void LearnPanel::goOn()
 {
     const bool isLast = &m_session.step() == &m_session.lesson().steps.back();
-    if (isVisible() && isLast && m_summary->isHidden()) {
+    if (isVisible() && isLast && !m_isSummary) {
         setForm(Form::whole);
         showSummary(true);
     } else {
@@ -145,7 +181,7 @@ void LearnPanel::goOn()
 
 void LearnPanel::goBack()
 {
-    if (isVisible() && !m_summary->isHidden())
+    if (isVisible() && m_isSummary)
         showSummary(false);
     else
         m_session.openPreceding();
@@ -166,10 +202,14 @@ void LearnPanel::shareHeight()
     }
     m_narration->fitText();
     const int all = m_list->contentHeight();
-    const int rows = window()->height() <= lowWindow ? lowRows : leastRows;
-    const int least = std::min(all, rows * LessonDelegate::lessonHeight);
+    const int least = std::min(all, leastRows * LessonDelegate::lessonHeight);
     const int room = height() - topMargin - PanelTitle::height - listMargin - 1;
-    const bool isSummary = !m_summary->isHidden();
+    if (m_unfold->isChecked()) {
+        m_list->setFixedHeight(std::min(room, all));
+        m_list->showOpen();
+        return;
+    }
+    const bool isSummary = m_isSummary;
     const int full = isSummary ? summaryHeight : m_narration->fullHeight();
     const int fewest = isSummary
                            ? m_summary->minimumSizeHint().height()
@@ -177,6 +217,7 @@ void LearnPanel::shareHeight()
     const int wanted = std::clamp(room - full, least, all);
     const int most = room - fewest;
     m_list->setFixedHeight(std::max(m_list->minimumSizeHint().height(), std::min(wanted, most)));
+    m_unfold->setVisible(m_list->height() < all);
     m_list->showOpen();
 }
 

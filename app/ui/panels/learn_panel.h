@@ -6,6 +6,8 @@
 
 #include <QWidget>
 
+class QToolButton;
+
 namespace app {
 
 class LessonList;
@@ -50,6 +52,7 @@ signals:
 
 protected:
     bool event(QEvent *event) override;
+    void keyPressEvent(QKeyEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
 
 private:
@@ -57,6 +60,9 @@ private:
     void shareRail();
     void dressRail();
     QWidget *foldButton();
+    void makeUnfold();
+    /// Shows the text, the summary, or all of the list in their place.
+    void showPages();
     void showCount();
     void listen();
 
@@ -70,6 +76,7 @@ private:
     Narration *m_narration;
     SummaryPage *m_summary;
     LessonRail *m_rail;
+    QToolButton *m_unfold; ///< on: all of the list in place of the text
     QWidget *m_divider;
     WordCard *m_card;
 };

@@ -16,6 +16,7 @@ namespace {
 constexpr double tip = 7.0;           ///< how far the present phase points into the next
 constexpr double markAndGap = 14.0;   ///< the square or tick before a name
 constexpr double leastPadding = 12.0; ///< of a name, both sides together
+constexpr double leastMark = 24.0;    ///< the width of a phase without its name: it can still be clicked
 constexpr double captionLead = 10.0;
 constexpr double corner = 7.0;
 
@@ -73,27 +74,87 @@ void PhaseStrip::setContent(const sim::Segment &segment, const Position &positio
 void PhaseStrip::measureCaptions(const Theme &theme)
 {
     const QFontMetricsF metrics(theme.ui(11.5));
-    for (Caption &caption : m_captions)
+    for (Caption &caption : m_captions) {
+        caption.isShown = true;
         caption.width = captionLead + metrics.horizontalAdvance(caption.widest);
+    }
     if (m_hasStep)
         m_captions.front().width += captionLead;
 }
 
+/// As if every phase were the current one: where all have room, their places stay as that moves on.
+double PhaseStrip::wantedWidth(const Cell &cell, const Theme &theme)
+{
+    return QFontMetricsF(theme.ui(12.5, QFont::DemiBold)).horizontalAdvance(cell.title) + markAndGap +
+           leastPadding;
+}
+
+double PhaseStrip::roomBesideCaptions(double width, const Theme &theme)
+{
+    measureCaptions(theme);
+    double needed = 0.0;
+    for (const Cell &cell : m_cells)
+        needed += cell.state == State::now ? std::max(leastMark, wantedWidth(cell, theme)) : leastMark;
+    double room = width;
+    for (const Caption &caption : m_captions)
+        room -= caption.width;
+    // From the right: where the step has a number, that caption is the first.
+    for (auto caption = m_captions.rbegin(); caption != m_captions.rend() && room < needed; ++caption) {
+        room += caption->width;
+        caption->width = 0.0;
+        caption->isShown = false;
+    }
+    return room;
+}
+
+bool PhaseStrip::showsNames() const
+{
+    return std::all_of(m_cells.begin(), m_cells.end(), [](const Cell &cell) { return cell.isNamed; });
+}
+
 std::vector<double> PhaseStrip::widths(double available, const Theme &theme)
 {
-    const QFontMetricsF metrics(theme.ui(12.5, QFont::Medium));
     std::vector<double> wanted;
     for (const Cell &cell : m_cells)
-        wanted.push_back(metrics.horizontalAdvance(cell.title) + markAndGap + leastPadding);
+        wanted.push_back(wantedWidth(cell, theme));
     const double count = static_cast<double>(m_cells.size());
     const double even = available / count;
     const double sum = std::accumulate(wanted.begin(), wanted.end(), 0.0);
-    m_names = sum <= available;
-    if (!m_names || *std::max_element(wanted.begin(), wanted.end()) <= even)
+    for (Cell &cell : m_cells)
+        cell.isNamed = true;
+    if (sum > available)
+        return crowdedWidths(available, wanted);
+    if (*std::max_element(wanted.begin(), wanted.end()) <= even)
         return std::vector<double>(m_cells.size(), even);
     for (double &width : wanted)
         width += (available - sum) / count;
     return wanted;
+}
+
+std::vector<double> PhaseStrip::crowdedWidths(double available, const std::vector<double> &wanted)
+{
+    std::vector<std::size_t> order(m_cells.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    // The current phase first, then the shortest names: so as many as possible are read.
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        const bool isNowA = m_cells[a].state == State::now, isNowB = m_cells[b].state == State::now;
+        return isNowA != isNowB ? isNowA : wanted[a] < wanted[b];
+    });
+    std::vector<double> widths(m_cells.size(),
+                               std::min(leastMark, available / static_cast<double>(m_cells.size())));
+    double spare = available - std::accumulate(widths.begin(), widths.end(), 0.0);
+    for (const std::size_t i : order) {
+        const double more = wanted[i] - widths[i];
+        const bool isNow = m_cells[i].state == State::now;
+        m_cells[i].isNamed = more <= spare || isNow;
+        if (!m_cells[i].isNamed)
+            continue;
+        widths[i] += std::min(more, spare);
+        spare -= std::min(more, spare);
+    }
+    for (double &width : widths)
+        width += spare / static_cast<double>(widths.size());
+    return widths;
 }
 
 void PhaseStrip::arrange(const QRectF &area, const Theme &theme)
@@ -101,11 +162,7 @@ void PhaseStrip::arrange(const QRectF &area, const Theme &theme)
     m_area = area;
     if (m_cells.empty())
         return;
-    measureCaptions(theme);
-    double available = area.width();
-    for (const Caption &caption : m_captions)
-        available -= caption.width;
-    const std::vector<double> width = widths(available, theme);
+    const std::vector<double> width = widths(roomBesideCaptions(area.width(), theme), theme);
     double x = area.left();
     auto caption = m_captions.begin();
     const auto place = [&] {
@@ -177,7 +234,11 @@ void PhaseStrip::paintCell(QPainter &painter, const Theme &theme, std::size_t in
     const Cell &cell = m_cells[index];
     const bool now = cell.state == State::now;
     const QFont font = theme.ui(12.5, now ? QFont::DemiBold : QFont::Medium);
-    const double nameWidth = m_names ? QFontMetricsF(font).horizontalAdvance(cell.title) : -6.0;
+    const QFontMetricsF metrics(font);
+    // Only the current one can have less room than it needs.
+    const QString name =
+        metrics.elidedText(cell.title, Qt::ElideRight, std::max(0.0, cell.area.width() - markAndGap));
+    const double nameWidth = cell.isNamed ? metrics.horizontalAdvance(name) : -6.0;
     const double aside = index == 0 && m_captions.empty() ? 0.0 : 3.0;
     const QPointF mark(cell.area.center().x() + aside - nameWidth / 2 - 3, cell.area.center().y() + 0.5);
     if (cell.state == State::done) {
@@ -192,11 +253,11 @@ void PhaseStrip::paintCell(QPainter &painter, const Theme &theme, std::size_t in
         painter.drawRoundedRect(QRectF(mark.x() - 4, mark.y() - 4, 8, 8), 2, 2);
         painter.setOpacity(1.0);
     }
-    if (!m_names)
+    if (!cell.isNamed)
         return;
     painter.setFont(font);
     painter.setPen(now ? t.nowText : cell.state == State::done ? t.ink : t.ink3);
-    painter.drawText(mark + QPointF(10, 4), cell.title);
+    painter.drawText(mark + QPointF(10, 4), name);
 }
 
 void PhaseStrip::paint(QPainter &painter, const Theme &theme, bool playing, int hovered) const
@@ -223,10 +284,12 @@ void PhaseStrip::paintCaptions(QPainter &painter, const Theme &theme) const
     for (const Caption &caption : m_captions) {
         if (caption.rule)
             rule(caption.x);
+        if (!caption.isShown)
+            continue;
         painter.setPen(t.ink3);
         painter.drawText(QPointF(caption.x + captionLead, m_area.top() + 17.5), caption.text);
     }
-    if (m_hasStep && m_captions.size() == 1)
+    if (m_hasStep && m_captions.size() == 1 && m_captions.front().isShown)
         rule(m_cells.front().area.left());
 }
 

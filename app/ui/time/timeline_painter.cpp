@@ -188,7 +188,7 @@ QRectF forkArea(const TimelineAxis &axis, const Fork &fork)
     return {axis.xOf(fork.at) - 6, top, bend + 12, Places::fan - top};
 }
 
-QRegion changedByMove(const TimelineAxis &axis, const RunView &was, const RunView &is)
+QRegion changedByMove(const TimelineAxis &axis, const RunView &was, const RunView &is, const Theme &theme)
 {
     constexpr int reach = 8; // half a head, and what rounded ends and smoothing add
     QRegion region(0, Places::fan, static_cast<int>(std::ceil(axis.right() + reach)),
@@ -203,6 +203,11 @@ QRegion changedByMove(const TimelineAxis &axis, const RunView &was, const RunVie
     add(is.at, is.at, track - 12, Places::fan);
     add(was.at, is.at, track - 4, track + 4);
     add(was.computed, is.computed, track - 4, track + 4);
+    // The old run grows with this one, and its name moves along.
+    if (was.old && is.old && was.old->end != is.old->end) {
+        for (const RunView *view : {&was, &is})
+            region += oldRunArea(axis, *view->old, theme).toAlignedRect();
+    }
     return region;
 }
 

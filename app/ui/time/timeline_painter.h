@@ -74,6 +74,6 @@ QRectF oldRunArea(const TimelineAxis &axis, const OldRun &old, const Theme &them
 QRectF forkArea(const TimelineAxis &axis, const Fork &fork);
 
 /// What looks different when nothing but the cursor and what is computed change from `was` to `is`.
-QRegion changedByMove(const TimelineAxis &axis, const RunView &was, const RunView &is);
+QRegion changedByMove(const TimelineAxis &axis, const RunView &was, const RunView &is, const Theme &theme);
 
 }

@@ -129,7 +129,7 @@ void TimelineStrip::follow()
     } else {
         m_position = now;
         // The strip looks the same between any two frames: while playing only the upper part changes.
-        update(changedByMove(m_axis, was, m_view));
+        update(changedByMove(m_axis, was, m_view, m_theme));
     }
     announce();
 }

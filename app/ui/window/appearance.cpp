@@ -140,16 +140,17 @@ void MainWindow::makeSizeActions()
         group->addAction(made);
         connect(menu, &QMenu::aboutToShow, made, [this, made, size, drawn] {
             made->setEnabled(hasRoomFor(size, screen()->availableSize() * drawn / 100));
-            made->setToolTip(made->isEnabled()
-                                 ? tr("Text, buttons and the picture, from the next start on")
-                                 : tr("This screen is too small for the scene with its time at that size"));
+            made->setToolTip(
+                made->isEnabled()
+                    ? tr("Text, buttons and the picture; the window opens again with all that is in it")
+                    : tr("This screen is too small for the scene with its time at that size"));
         });
         connect(made, &QAction::triggered, this, [this, size, drawn] {
             QSettings().setValue(sizeKey, size);
             if (size == drawn)
                 m_notice->say({}); // as it is
             else
-                offerNewStart(tr("At its next start, Springstep is drawn at %1\u2009%.").arg(size));
+                startAgainFor(tr("At its next start, Springstep is drawn at %1\u2009%.").arg(size));
         });
     }
 }

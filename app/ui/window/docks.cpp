@@ -79,9 +79,8 @@ void MainWindow::makeDocks(CostFunction cost)
     connect(m_measures, &MeasurePanel::contentChanged, this, &MainWindow::showMeasures);
     showMeasures();
     m_room = std::make_unique<Room>(*this, *m_learn, *m_scene, *m_left, *m_parameterDock);
-    connect(m_room.get(), &Room::sidesAreBack, this, [this] {
-        if (m_mode != Mode::measure)
-            placeSides();
+    connect(m_room.get(), &Room::sidesChanged, this, [this] {
+        placeSides();
         fitParameters();
     });
 }
@@ -139,6 +138,7 @@ void MainWindow::fitParameters()
         const int least = m_parameterDock->minimumSizeHint().height();
         wanted = std::clamp(all - readableAccuracy, least, std::max(least, wanted));
     }
+    wanted = m_layouts.length(m_layoutKey, heightOfParameters, wanted);
     QDockWidget *above = m_codeDock->isHidden() ? m_accuracyDock : m_codeDock;
     if (m_stabilityDock && !m_stabilityDock->isHidden())
         above = m_stabilityDock;

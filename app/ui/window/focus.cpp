@@ -77,6 +77,7 @@ void MainWindow::leaveFocus()
         ->activate(); // panels come back to the width that they had, beside a scene that needs no more than before
     layout()->activate();
     restorePanels(m_docksBeforeFocus);
+    placeSides();
     fitParameters();
 }
 

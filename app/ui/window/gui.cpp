@@ -17,6 +17,8 @@
 #include <QTextStream>
 #include <QTimer>
 
+#include <algorithm>
+
 namespace app {
 
 namespace {
@@ -37,18 +39,46 @@ QString noLessons()
 
 }
 
-WindowEnd runWindow(QApplication &application, const QString &file, const std::optional<Left> &from)
+void retranslate(LessonLibrary &library, LessonLibrary other)
+{
+    const auto replace = [](std::vector<LessonEntry> &all, std::vector<LessonEntry> &by) {
+        for (LessonEntry &one : all) {
+            const auto same = std::find_if(by.begin(), by.end(), [&](const LessonEntry &entry) {
+                return entry.id == one.id &&
+                       std::equal(entry.steps.begin(), entry.steps.end(), one.steps.begin(), one.steps.end(),
+                                  [](const auto &a, const auto &b) { return a.id == b.id; });
+            });
+            if (same == by.end())
+                continue;
+            one.title = same->title;
+            one.summary = same->summary;
+            // Each step stays where it is: the session looks at it.
+            std::move(same->steps.begin(), same->steps.end(), one.steps.begin());
+        }
+    };
+    replace(library.lessons, other.lessons);
+    replace(library.workshops, other.workshops);
+}
+
+WindowEnd runWindow(QApplication &application, Work &work, const QString &file,
+                    const std::optional<Left> &from)
 {
     Language language(Language::chosen(QSettings().value("window/language").toString()));
-    const LessonLibrary library = LessonLibrary::load(LessonLibrary::folders(), &language);
-    if (library.lessons.empty())
-        return {refuse(noLessons()), {}};
+    if (!work.session) {
+        work.library = LessonLibrary::load(LessonLibrary::folders(), &language);
+        if (work.library.lessons.empty())
+            return {refuse(noLessons()), {}};
+        work.session = std::make_unique<Session>(work.library);
+    } else if (work.language != language.code()) {
+        retranslate(work.library, LessonLibrary::load(LessonLibrary::folders(), &language));
+    }
+    work.language = language.code();
     Theme theme(keptScheme());
     theme.apply(application);
-    Session session(library);
-    MainWindow window(session, theme);
+    MainWindow window(*work.session, theme);
     window.fitInto(window.screen()->availableSize());
-    window.openLast();
+    if (!from)
+        window.openLast();
     window.show();
     if (from)
         window.goOn(*from);
@@ -58,6 +88,7 @@ WindowEnd runWindow(QApplication &application, const QString &file, const std::o
         QTimer::singleShot(0, &window, &MainWindow::startTour);
     window.keepScenesIn(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/scenes");
     const int code = QApplication::exec();
+    QApplication::processEvents(); // what the session has put off for a moment ends with this application
     return {code, window.left()};
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/model/map_plane.h"
+#include "app/model/session.h"
 #include "app/ui/theme/theme.h"
 #include "app/ui/window/left.h"
 
@@ -8,6 +9,7 @@
 #include <QString>
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 
 class QApplication;
@@ -39,9 +41,22 @@ struct WindowEnd
     std::optional<Left> left; ///< for another window that is to open at once
 };
 
+/// The lessons and what is open of them: stays while a window closes and the next one opens, each with an application of
+/// its own.
+struct Work
+{
+    LessonLibrary library;
+    std::unique_ptr<Session> session; ///< null before the first window
+    QString language;                 ///< of the library's texts
+};
+
 /// Shows the window, with the experiment `file` unless that is empty, or with what another one has left for it, and runs
 /// until it is closed.
-WindowEnd runWindow(QApplication &application, const QString &file, const std::optional<Left> &from = {});
+WindowEnd runWindow(QApplication &application, Work &work, const QString &file,
+                    const std::optional<Left> &from = {});
+
+/// Puts the texts of `other` in place of those of `library`, where lessons and steps are the same.
+void retranslate(LessonLibrary &library, LessonLibrary other);
 
 /// Draws the window without showing it. Returns the exit code; says on stderr what is wrong.
 int takeScreenshot(QApplication &application, const ScreenshotRequest &request);

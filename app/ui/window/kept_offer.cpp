@@ -1,8 +1,11 @@
 #include "app/ui/window/kept_offer.h"
 
+#include "app/model/refusal.h"
+#include "app/model/same_run.h"
 #include "app/ui/window/experiment_files.h"
 #include "app/ui/window/kept_list.h"
 #include "app/ui/window/notice.h"
+#include "sim/error.h"
 
 #include <QScopedValueRollback>
 
@@ -31,8 +34,7 @@ void KeptOffer::keepIn(const QString &folder, int within)
     m_keeper = std::make_unique<SceneKeeper>(m_session, m_files.document(), folder, within);
     connect(m_keeper.get(), &SceneKeeper::failed, &m_notice, &Notice::say);
     connect(&m_session, &Session::stepOpened, this, &KeptOffer::offerBuilt, Qt::UniqueConnection);
-    if (openWhatWasLeft())
-        return;
+    forgetWhatIsOpen();
     if (m_notice.sentence().isEmpty()) // else there is something to read first; they stay in the list
         offer();
 }
@@ -134,18 +136,31 @@ void KeptOffer::drop(const KeptScene &scene)
         m_list->list(m_scenes);
 }
 
-bool KeptOffer::openWhatWasLeft()
+bool KeptOffer::isOpen(const KeptScene &scene) const
 {
-    if (!m_from)
+    const Document &document = m_files.document();
+    if (scene.wasEnded || !document.isChanged(scene.name))
         return false;
-    const auto mine = std::find_if(m_scenes.begin(), m_scenes.end(), [&](const KeptScene &scene) {
-        return scene.name == m_files.document().name() && !scene.wasEnded;
+    try {
+        const Experiment kept = readExperiment(scene.file, m_session.library());
+        const std::optional<Experiment> mine = document.experimentOf(scene.name);
+        return mine && sameScript(kept.script, mine->script) && sameMarked(kept.branches, mine->branches);
+    } catch (const Refusal &) {
+        return false;
+    } catch (const sim::Error &) {
+        return false;
+    }
+}
+
+void KeptOffer::forgetWhatIsOpen()
+{
+    const auto open = std::stable_partition(m_scenes.begin(), m_scenes.end(),
+                                            [this](const KeptScene &scene) { return !isOpen(scene); });
+    std::for_each(open, m_scenes.end(), [this](const KeptScene &scene) {
+        m_keeper->takeOver(scene.name, scene.when); // it is never nowhere
+        forget(scene);
     });
-    if (mine == m_scenes.end())
-        return false;
-    open(KeptScene(*mine), m_from->computed);
-    m_session.goTo({m_from->frame, 0});
-    return true;
+    m_scenes.erase(open, m_scenes.end());
 }
 
 void KeptOffer::open(const KeptScene &scene, std::int64_t upTo)

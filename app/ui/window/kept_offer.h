@@ -2,13 +2,11 @@
 
 #include "app/model/scene_keeper.h"
 #include "app/ui/theme/theme.h"
-#include "app/ui/window/left.h"
 
 #include <QObject>
 #include <QPointer>
 
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace app {
@@ -27,9 +25,8 @@ public:
     /// All must outlive it.
     KeptOffer(Session &session, ExperimentFiles &files, Notice &notice, const Theme &theme);
 
-    /// What a window before left of the open step is opened by keepIn() in place of being offered.
-    void goOnWith(const Left &from) { m_from = from; }
-    /// Keeps in `folder` from now on, `within` ms, and offers what is there of programs before.
+    /// Keeps in `folder` from now on, `within` ms, and offers what is there of programs before. Runs that are open in this
+    /// session, as a window before has handed it over, are not offered.
     void keepIn(const QString &folder, int within);
     /// Shows all that is there of programs before, or says that nothing is.
     void showList();
@@ -41,8 +38,9 @@ private:
     void askAbout(const KeptScene &scene);
     void askAboutAll(const std::vector<KeptScene> &scenes);
     std::vector<KeptScene> installed() const;
-    /// Opens what the window before has left of the open step, when this one goes on with it. Returns whether it did.
-    bool openWhatWasLeft();
+    /// Whether the run that was kept is open here.
+    bool isOpen(const KeptScene &scene) const;
+    void forgetWhatIsOpen();
     void recover(const KeptScene &scene);
     void erase(const KeptScene &scene);
     /// Opens it, and goes to the end of its run, or to frame `upTo` if that is before it.
@@ -55,7 +53,6 @@ private:
     const Theme &m_theme;
     std::unique_ptr<SceneKeeper> m_keeper; ///< null: nothing is kept
     std::vector<KeptScene> m_scenes;       ///< by programs before, and neither opened nor deleted yet
-    std::optional<Left> m_from;
     QPointer<KeptList> m_list;
     bool m_hasOfferedBuilt = false;
     bool m_isOpening = false; ///< a kept scene: it is not offered meanwhile

@@ -39,7 +39,7 @@ void MainWindow::chooseLanguage(const QString &code, const QString &spoken)
     if (next == spoken)
         m_notice->say({}); // as it is
     else
-        offerNewStart(tr("Springstep speaks %1 from its next start on.").arg(Language::nameOf(next)));
+        startAgainFor(tr("Springstep speaks %1 from its next start on.").arg(Language::nameOf(next)));
 }
 
 }

@@ -11,6 +11,11 @@ QString railKey(const QString &key)
     return key + "Rail";
 }
 
+QString lengthKey(const QString &key, const QString &name)
+{
+    return key + "Length/" + name;
+}
+
 }
 
 QByteArray LayoutStore::kept(const QString &key) const
@@ -24,6 +29,7 @@ void LayoutStore::forget(const QString &key)
     m_kept.erase(key);
     QSettings().remove(key);
     QSettings().remove(railKey(key));
+    QSettings().remove(lengthKey(key, {}).chopped(1)); // all of them
 }
 
 void LayoutStore::save() const
@@ -36,6 +42,16 @@ void LayoutStore::save() const
 bool LayoutStore::hasRail(const QString &key, bool byItself) const
 {
     return QSettings().value(railKey(key), byItself).toBool();
+}
+
+int LayoutStore::length(const QString &key, const QString &name, int byItself) const
+{
+    return QSettings().value(lengthKey(key, name), byItself).toInt();
+}
+
+void LayoutStore::chooseLength(const QString &key, const QString &name, int px)
+{
+    QSettings().setValue(lengthKey(key, name), px);
 }
 
 void LayoutStore::chooseRail(const QString &key, bool rail)

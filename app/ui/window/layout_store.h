@@ -24,6 +24,10 @@ public:
     bool hasRail(const QString &key, bool byItself) const;
     void chooseRail(const QString &key, bool rail);
 
+    /// How many px the learner has made a panel there, by a name for it; `byItself` where nobody has.
+    int length(const QString &key, const QString &name, int byItself) const;
+    void chooseLength(const QString &key, const QString &name, int px);
+
 private:
     std::map<QString, QByteArray> m_kept;
 };

@@ -11,10 +11,14 @@ namespace app {
 
 QString MainWindow::layoutKey(Mode mode) const
 {
+    return layoutKey(mode, width() >= wideWindow);
+}
+
+QString MainWindow::layoutKey(Mode mode, bool isWide)
+{
     switch (mode) {
     case Mode::measure:
-        return width() >= wideWindow ? QStringLiteral("window/docksMeasureWide")
-                                     : QStringLiteral("window/docksMeasure");
+        return isWide ? QStringLiteral("window/docksMeasureWide") : QStringLiteral("window/docksMeasure");
     case Mode::build:
         return QStringLiteral("window/docksBuild");
     case Mode::learn:
@@ -70,12 +74,12 @@ void MainWindow::resetLayout()
     m_layoutKey = layoutKey(m_mode);
     useKeptForm();
     restorePanels(m_firstDocks);
-    placeSides();
     if (m_mode == Mode::measure) {
         removeDockWidget(m_plotsDock);
         arrangeForMeasuring();
     }
     arrangePlots();
+    placeSides();
     fitParameters();
     emit m_session.said(tr("The panels stand as they did at first."));
 }

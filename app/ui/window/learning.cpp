@@ -1,6 +1,7 @@
 // What helps to learn, besides the lessons: hints, the glossary, and the tour.
 
 #include "app/ui/code/code_panel.h"
+#include "app/ui/panels/about_page.h"
 #include "app/ui/panels/glossary_page.h"
 #include "app/ui/panels/learn_panel.h"
 #include "app/ui/panels/narration.h"
@@ -42,7 +43,17 @@ void MainWindow::makeLearning()
     QAction *tour = m_commands->add(tr("Take the &tour"), {}, KeyGroup::window);
     tour->setToolTip(tr("A minute with what there is in this window"));
     connect(tour, &QAction::triggered, this, &MainWindow::startTour);
+    QAction *about = m_commands->add(tr("&About Springstep"), {}, KeyGroup::window);
+    about->setMenuRole(QAction::AboutRole);
+    about->setToolTip(tr("Version, licence, and what it is built with"));
+    connect(about, &QAction::triggered, this, [this] {
+        if (!m_about)
+            m_about = new AboutPage(m_theme, this);
+        m_about->open();
+    });
     m_help->addActions({hint, glossary, tour});
+    m_help->addSeparator();
+    m_help->addAction(about);
     connect(m_learn, &LearnPanel::glossaryAsked, this, &MainWindow::showGlossary);
 }
 

@@ -1,23 +1,24 @@
 #pragma once
 
-#include <QString>
+#include "app/model/document.h"
 
 #include <cstdint>
+#include <map>
+#include <optional>
 
 namespace app {
 
 /// What the window is arranged for.
 enum class WindowMode { learn, measure, build };
 
-/// What a window that closes to open again leaves to the one that comes, besides the settings and what is kept.
+/// What a window that closes to open again leaves to the next one, besides the settings and the session, which stays.
 struct Left
 {
-    QString lesson; ///< ids of the open step
-    QString step;
-    QString file;              ///< of its experiment; empty: it has none
-    std::int64_t frame = 0;    ///< where its cursor stands
-    std::int64_t computed = 0; ///< the last frame that the run came to
+    std::map<StepName, Document::Saved> saved; ///< what the files of its steps have
     WindowMode mode = WindowMode::learn;
+    std::optional<std::int64_t> goal; ///< the frame that the run is on its way to
+    bool isPlaying = false;
+    bool isSceneOnly = false; ///< without panels
 };
 
 }

@@ -137,12 +137,12 @@ void MainWindow::keepScenesIn(const QString &folder, int within)
 void MainWindow::restore()
 {
     const QSettings settings;
-    if (!restoreGeometry(settings.value("window/geometry").toByteArray()))
+    if (!m_place.restore())
         resize(1280, 800);
     m_firstDocks = saveState();
     m_layoutKey = layoutKey(m_mode);
     useKeptForm();
-    m_docksKnown = restorePanels(m_layouts.kept(m_layoutKey));
+    restorePanels(m_layouts.kept(m_layoutKey));
     m_accuracyDock->hide(); // the window opens for learning
     m_energyDock->hide();
     m_branchesDock->hide();
@@ -153,9 +153,13 @@ void MainWindow::restore()
 
 bool MainWindow::event(QEvent *event)
 {
+    if (event->type() == QEvent::MouseButtonPress)
+        noteSeparator(*static_cast<QMouseEvent *>(event));
     const bool isDone = QMainWindow::event(event);
     if (event->type() == QEvent::LayoutRequest && isVisible())
         m_room->share(); // a panel may want more than before
+    else if (event->type() == QEvent::MouseButtonRelease)
+        keepSides();
     return isDone;
 }
 
@@ -168,25 +172,17 @@ void MainWindow::fitInto(QSize room)
 void MainWindow::showEvent(QShowEvent *event)
 {
     QMainWindow::showEvent(event);
-    if (!m_docksKnown)
-        placeSides();
-    m_docksKnown = true;
+    placeSides();
     fitParameters();
-}
-
-void MainWindow::placeSides()
-{
-    resizeDocks({m_left, m_codeDock}, width() < wideWindow ? QList{280, 400} : QList{320, 480},
-                Qt::Horizontal);
 }
 
 void MainWindow::closeEvent(QCloseEvent *event)
 {
-    if (!m_files->mayClose()) {
+    if (!m_leaves && !m_files->mayClose()) {
         event->ignore();
         return;
     }
-    QSettings().setValue("window/geometry", saveGeometry());
+    m_place.keep();
     showStability(false);
     saveLayouts();
     QMainWindow::closeEvent(event);

@@ -9,6 +9,7 @@
 #include "app/ui/theme/theme.h"
 #include "app/ui/window/layout_store.h"
 #include "app/ui/window/left.h"
+#include "app/ui/window/place_keeper.h"
 
 #include <QMainWindow>
 
@@ -18,9 +19,11 @@
 
 class QActionGroup;
 class QDockWidget;
+class QMouseEvent;
 
 namespace app {
 
+class AboutPage;
 class AccuracyPanel;
 class BranchesPanel;
 class BuildPanel;
@@ -105,12 +108,12 @@ public:
 
     /// Opens the step that was open last, in this program or one before; nothing where there is none.
     void openLast();
-    /// Closes the window so that another one can go on with what is in it: see left(). Where it is not closed, as there is
-    /// something to save first, nothing happens.
+    /// Closes the window so that another one can go on with what is in it: see left(). Nothing is lost, so nothing is asked.
     void startAgain();
     /// What another window is to go on with; empty where this one is simply closed.
     const std::optional<Left> &left() const { return m_leaves; }
-    /// Goes on with what a window before left, in place of offering it in keepScenesIn(), which is to be called after it.
+    /// Goes on with what a window before left on the same session. keepScenesIn() is to be called after it, and does not offer
+    /// what is open.
     void goOn(const Left &from);
 
 protected:
@@ -121,6 +124,8 @@ protected:
     void resizeEvent(QResizeEvent *event) override;
 
 private:
+    static constexpr const char *heightOfParameters = "parameters"; ///< where the learner chose it
+
     void makeActions();
     void makeFileActions();
     void makeEditActions();
@@ -140,6 +145,7 @@ private:
     void leaveFocus();
     /// Where the arrangement for `mode` is kept in the settings.
     QString layoutKey(Mode mode) const;
+    static QString layoutKey(Mode mode, bool isWide);
     void keepLayout();
     /// As restoreState(), also while the window is still to be laid out.
     bool restorePanels(const QByteArray &state);
@@ -151,8 +157,22 @@ private:
     void chooseForm(bool isRail);
     void useKeptForm();
     void placeRail();
-    /// How wide the panels beside the scene are at first.
+    /// A column of panels beside the scene.
+    struct Side
+    {
+        QDockWidget *dock; ///< one of its panels
+        const char *name;  ///< for the settings
+        int width;         ///< px that it is to have
+        int least;         ///< px, where the scene needs the room
+    };
+    bool isBeside(const QDockWidget &dock, Qt::DockWidgetArea area) const;
+    std::vector<Side> sides() const;
+    /// Gives the panels beside the scene their widths: those that the learner chose, else those that suit the window.
     void placeSides();
+    /// The mouse is pressed: remembers what is beside the separator there, if one is there.
+    void noteSeparator(const QMouseEvent &event);
+    /// Keeps the lengths that a separator was dragged to.
+    void keepSides();
     /// Changes to a preset, without what belongs to it besides its panels.
     void arrangeFor(Mode mode);
     void makeLanguageMenu();
@@ -189,8 +209,8 @@ private:
     /// they went, would be pressed by whoever means to play.
     void catchFocus(const QWidget *before, const QWidget *now);
     void rememberStep();
-    /// Says what comes with the next start, and offers that.
-    void offerNewStart(const QString &sentence);
+    /// Starts again, unless that would stop a film: then it says what comes with the next start, and offers that.
+    void startAgainFor(const QString &sentence);
     void makeExportActions();
     void copyPicture();
     void askPicture();
@@ -206,6 +226,7 @@ private:
     std::unique_ptr<Commands> m_commands;
     std::unique_ptr<Room> m_room;
     std::optional<Left> m_leaves;
+    PlaceKeeper m_place{*this};
     Course *m_course; ///< what the steps measure
     AccuracyStudy *m_study;
     StabilityWatch *m_stability;
@@ -247,6 +268,7 @@ private:
     HelpPage *m_helpPage = nullptr;
     FilmDialog *m_film = nullptr;
     GlossaryPage *m_glossaryPage = nullptr;
+    AboutPage *m_about = nullptr;
     Tour *m_tour = nullptr;
     AccuracyPanel *m_accuracy = nullptr;
     BranchesPanel *m_branches = nullptr;
@@ -266,8 +288,9 @@ private:
     QDockWidget *m_plotsDock = nullptr;
     QDockWidget *m_parameterDock = nullptr;
     QDockWidget *m_stabilityDock = nullptr;
-    QDockWidget *m_replaced = nullptr; ///< what stands aside while stability is shown
-    bool m_docksKnown = false;         ///< docks have the sizes that the learner left or that fit the window
+    QDockWidget *m_replaced = nullptr;   ///< what stands aside while stability is shown
+    std::vector<Side> m_besideSeparator; ///< that is dragged
+    int m_heightBefore = 0;              ///< of the parameters
 };
 
 }

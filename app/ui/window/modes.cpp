@@ -83,6 +83,7 @@ void MainWindow::arrangeFor(Mode mode)
     m_modes->actions().at(static_cast<int>(mode))->setChecked(true);
     useLayout(before);
     arrangePlots();
+    placeSides();
 }
 
 void MainWindow::showEnergy(bool shown)
@@ -104,7 +105,6 @@ void MainWindow::arrangeForMeasuring()
         splitDockWidget(m_codeDock, m_parameterDock, Qt::Vertical);
         splitDockWidget(m_accuracyDock, m_effectsDock, Qt::Vertical);
         m_effectsDock->show();
-        resizeDocks({m_left, m_accuracyDock, m_codeDock}, {272, 616, 371}, Qt::Horizontal);
         resizeDocks({m_energyDock}, {300}, Qt::Vertical);
         resizeDocks({m_effectsDock}, {300}, Qt::Vertical);
         return;
@@ -117,7 +117,6 @@ void MainWindow::arrangeForMeasuring()
         tab->show();
     }
     m_accuracyDock->raise();
-    resizeDocks({m_accuracyDock}, {560}, Qt::Horizontal);
 }
 
 }

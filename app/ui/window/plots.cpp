@@ -123,9 +123,10 @@ void MainWindow::resizeEvent(QResizeEvent *event)
     if (isVisible())
         m_room->share();
     const auto hasRoom = [](QSize size) { return size.width() >= wideWindow && size.height() >= high; };
-    if (event->oldSize().isValid() && hasRoom(event->oldSize()) == hasRoom(event->size()))
-        return;
-    arrangePlots();
+    if (!event->oldSize().isValid() || hasRoom(event->oldSize()) != hasRoom(event->size()))
+        arrangePlots();
+    // Panels that gave way to a smaller window come back to the lengths that they had.
+    placeSides();
     fitParameters();
 }
 

@@ -11,13 +11,6 @@
 
 namespace app {
 
-namespace {
-
-constexpr int listWidth = 280;     ///< px
-constexpr int wideListWidth = 320; ///< px
-
-}
-
 void MainWindow::makeRailAction()
 {
     m_railAction =
@@ -60,7 +53,7 @@ void MainWindow::placeRail()
     } else if (wasNarrow) {
         pages.setMinimumWidth(0);
         pages.setMaximumWidth(QWIDGETSIZE_MAX);
-        resizeDocks({m_left}, {width() < wideWindow ? listWidth : wideListWidth}, Qt::Horizontal);
+        placeSides();
     }
 }
 

@@ -45,17 +45,19 @@ bool Room::isShort()
     return least.width() > m_window.width() || least.height() > m_window.height();
 }
 
-bool Room::areSidesAside() const
-{
-    return std::any_of(m_aside.begin(), m_aside.end(), [](const Aside &aside) {
-        return aside.way == Way::numbers || aside.way == Way::right || aside.way == Way::left;
-    });
-}
-
 void Room::share()
 {
+    const std::size_t before = m_aside.size();
     const std::vector<QDockWidget *> asked = takeAsked();
     bringBackWhatFits();
+    letStepAside(asked);
+    // Later: what has just come back has no size yet.
+    if (m_aside.size() != before)
+        QTimer::singleShot(0, this, &Room::sidesChanged);
+}
+
+void Room::letStepAside(const std::vector<QDockWidget *> &asked)
+{
     // What the learner has just asked for stays, if others can make room for it.
     for (const std::vector<QDockWidget *> &spared : {asked, std::vector<QDockWidget *>()}) {
         for (const Way way : {Way::rail, Way::below, Way::smallScene, Way::numbers, Way::right, Way::left}) {
@@ -68,7 +70,6 @@ void Room::share()
 
 void Room::bringBackWhatFits()
 {
-    const bool wereSidesAside = areSidesAside();
     while (!m_aside.empty() && m_aside.back().least.width() <= m_window.width() &&
            m_aside.back().least.height() <= m_window.height()) {
         const Aside last = m_aside.back();
@@ -80,9 +81,6 @@ void Room::bringBackWhatFits()
                 panel->raise();
         });
     }
-    // They were as narrow as they can be before they went. Later: what has just come back has no size yet.
-    if (wereSidesAside && !areSidesAside())
-        QTimer::singleShot(0, this, &Room::sidesAreBack);
 }
 
 bool Room::stepAside(Way way, const std::vector<QDockWidget *> &asked)

@@ -39,8 +39,8 @@ public:
     void bringAllBack();
 
 signals:
-    /// Panels beside the scene are back; they have no width of their own yet.
-    void sidesAreBack();
+    /// Panels stepped aside or came back: the others have other lengths to share.
+    void sidesChanged();
 
 private:
     /// What steps aside while the window is too small for all of it, in this order.
@@ -56,8 +56,8 @@ private:
 
     QSize leastSize();
     bool isShort();
-    bool areSidesAside() const;
     void bringBackWhatFits();
+    void letStepAside(const std::vector<QDockWidget *> &asked);
     /// Lets what is `way` step aside, but for what was `asked` for. Returns whether that helps.
     bool stepAside(Way way, const std::vector<QDockWidget *> &asked);
     /// The panels that go with `way`, but for those that were `asked` for; the one in front comes last.

@@ -1,10 +1,11 @@
-// Starting again: with the step that was open last, and at once where a choice needs a new start.
+// Starting again: with the step that was open last, and at once where a choice needs a new window.
 
+#include "app/ui/film/film_dialog.h"
 #include "app/ui/window/experiment_files.h"
-#include "app/ui/window/kept_offer.h"
 #include "app/ui/window/main_window.h"
 #include "app/ui/window/notice.h"
 
+#include <QAction>
 #include <QSettings>
 
 namespace app {
@@ -32,30 +33,41 @@ void MainWindow::openLast()
         m_session.openStep(lesson->id, settings.value(stepKey).toString());
 }
 
-void MainWindow::offerNewStart(const QString &sentence)
+void MainWindow::startAgainFor(const QString &sentence)
 {
-    m_notice->ask(sentence, {{tr("Start again now"),
-                              tr("Closes the window and opens it again with this scene. Undo begins anew."),
-                              [this] { startAgain(); }}});
+    if (!m_film || !m_film->isMaking()) {
+        startAgain();
+        return;
+    }
+    m_notice->ask(
+        tr("%1 A film is being made.").arg(sentence),
+        {{tr("Start again now"), tr("Stops the film; everything else stays"), [this] { startAgain(); }}});
 }
 
 void MainWindow::startAgain()
 {
-    const sim::Timeline &timeline = m_session.timeline();
-    m_leaves = Left{m_session.lesson().id, m_session.step().id, m_files->document().path(),
-                    timeline.at().frame,   timeline.computed(), m_mode};
-    if (!close())
-        m_leaves.reset(); // there is something to save first
+    const bool isPlaying = m_session.isPlaying();
+    const auto goal = m_session.goingTo();
+    m_session.letGo();
+    m_session.letUp();
+    m_session.endGlance();
+    m_session.stopGoing(); // no time passes between two windows
+    m_leaves = Left{m_files->document().saved(), m_mode, goal, isPlaying, m_focusAction->isChecked()};
+    close();
 }
 
 void MainWindow::goOn(const Left &from)
 {
-    m_session.openStep(from.lesson, from.step);
-    setMode(from.mode);
-    if (!from.file.isEmpty())
-        openFile(from.file);
-    m_session.goTo({from.frame, 0});
-    m_kept->goOnWith(from);
+    const QSettings settings;
+    m_trip.comeBackTo(settings.value(lessonKey).toString(), settings.value(stepKey).toString());
+    m_files->document().setSaved(from.saved);
+    arrangeFor(from.mode); // the session is there already
+    fitParameters();
+    m_focusAction->setChecked(from.isSceneOnly);
+    if (from.goal)
+        m_session.goTo({*from.goal, 0});
+    if (from.isPlaying)
+        m_session.play();
 }
 
 }
