@@ -20,13 +20,11 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <set>
 
 namespace app {
 
 namespace {
 
-const char *const allKey = "measure/allMethods";
 constexpr int margin = 16;
 constexpr int leastPlot = 150;   ///< px; below that a plot tells nothing
 constexpr int leastRemarks = 36; ///< px: two lines; what does not fit is scrolled to
@@ -61,7 +59,7 @@ AccuracyPanel::AccuracyPanel(AccuracyStudy &study, const Theme &theme, QWidget *
     m_export->setNumbersAsText([seen] { return seen()->numbers(); });
     for (int i = 0; i < m_views->count(); ++i)
         m_export->addContextMenu(*m_views->widget(i));
-    m_showsAll = QSettings().value(allKey, false).toBool();
+    m_showsAll = QSettings().value(showsAllKey, false).toBool();
     m_tabRow = tabs();
     m_title->addAction(m_tabRow);
     m_all = choiceButton("allMethods", tr("Show all methods"),
@@ -70,15 +68,7 @@ AccuracyPanel::AccuracyPanel(AccuracyStudy &study, const Theme &theme, QWidget *
     m_title->addAction(m_export->makeButton(this));
     m_unstable = textLabel("failure", Qt::PlainText, this);
     m_views->setMinimumHeight(leastPlot);
-    m_remarks = textLabel("caption", Qt::PlainText, this);
-    m_remarks->setAlignment(Qt::AlignTop);
-    m_remarksArea = new QScrollArea(this);
-    m_remarksArea->setWidget(m_remarks);
-    m_remarks->setAutoFillBackground(false);
-    m_remarksArea->viewport()->setAutoFillBackground(false);
-    m_remarksArea->setWidgetResizable(true);
-    m_remarksArea->setFrameShape(QFrame::NoFrame);
-    m_remarksArea->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    makeRemarks();
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 12);
     column->setSpacing(8);
@@ -93,6 +83,19 @@ AccuracyPanel::AccuracyPanel(AccuracyStudy &study, const Theme &theme, QWidget *
     connect(&theme, &Theme::changed, this, &AccuracyPanel::dress);
     dress();
     refresh();
+}
+
+void AccuracyPanel::makeRemarks()
+{
+    m_remarks = textLabel("caption", Qt::PlainText, this);
+    m_remarks->setAlignment(Qt::AlignTop);
+    m_remarksArea = new QScrollArea(this);
+    m_remarksArea->setWidget(m_remarks);
+    m_remarks->setAutoFillBackground(false);
+    m_remarksArea->viewport()->setAutoFillBackground(false);
+    m_remarksArea->setWidgetResizable(true);
+    m_remarksArea->setFrameShape(QFrame::NoFrame);
+    m_remarksArea->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
 }
 
 QWidget *AccuracyPanel::tabs()
@@ -148,22 +151,6 @@ QWidget *AccuracyPanel::stateRow()
     connect(m_measure, &QPushButton::clicked, this, &AccuracyPanel::measureOrCancel);
     m_stateRow = row;
     return row;
-}
-
-QPushButton *AccuracyPanel::choiceButton(const char *name, const QString &text, const QString &tip, bool all)
-{
-    auto *button = new QPushButton(text, this);
-    button->setObjectName(name);
-    button->setAutoDefault(false);
-    button->setToolTip(tip);
-    connect(button, &QPushButton::clicked, this, [this, all] {
-        const bool hadFocus = m_all->hasFocus() || m_fewer->hasFocus();
-        QSettings().setValue(allKey, all);
-        setShowsAll(all);
-        if (hadFocus) // the button is gone, the other one is there
-            (all ? m_fewer : m_all)->setFocus(Qt::OtherFocusReason);
-    });
-    return button;
 }
 
 QWidget *AccuracyPanel::card()
@@ -232,6 +219,8 @@ void AccuracyPanel::refresh()
 {
     const sim::Accuracy *accuracy = m_study.accuracy();
     chooseMethods();
+    refreshState();
+    m_title->layout()->activate(); // the buttons in it are others, perhaps: the caption has what room is left
     m_title->setCaption(accuracy ? captionOf(*accuracy) : QString());
     const QString unstable = accuracy ? unstableWords(*accuracy) : QString();
     m_unstable->setText(unstable.isEmpty() ? QString() : QStringLiteral("✕ ") + unstable);
@@ -240,54 +229,7 @@ void AccuracyPanel::refresh()
     m_remarks->setText(remarks);
     m_remarksArea->setVisible(showsAll() && !remarks.isEmpty());
     fitRemarks();
-    refreshState();
     refreshCard();
-}
-
-QString AccuracyPanel::captionOf(const sim::Accuracy &accuracy) const
-{
-    if (accuracy.previewed > 0)
-        return tr("first %1 frames of %2").arg(accuracy.previewed).arg(accuracy.span);
-    std::set<std::string> methods, shown;
-    for (const sim::AccuracyRow &row : accuracy.rows) {
-        methods.insert(row.way.method->id());
-        if (m_workPrecision->shown().has(*row.way.method))
-            shown.insert(row.way.method->id());
-    }
-    const auto frames = accuracy.horizon > 0 ? accuracy.horizon : accuracy.span;
-    return shown.size() == methods.size()
-               ? tr("%1 frames, %2 methods").arg(frames).arg(methods.size())
-               : tr("%1 frames, %2 of %3 methods").arg(frames).arg(shown.size()).arg(methods.size());
-}
-
-void AccuracyPanel::setShowsAll(bool all)
-{
-    if (all == m_showsAll)
-        return;
-    m_showsAll = all;
-    if (!all)
-        setView(errorAgainstTime);
-    refresh();
-}
-
-/// The step's own method and the most telling others. Before there are times nobody knows which those are: until then the
-/// plot is of the step's own.
-void AccuracyPanel::chooseMethods()
-{
-    ShownMethods shown{showsAll()};
-    const sim::Accuracy *accuracy = m_study.accuracy();
-    if (!shown.areAll && accuracy) {
-        const Session &session = m_study.session();
-        const std::string own = session.step().script().method->id();
-        const bool isEarly = m_study.stage() == AccuracyStudy::Stage::measuring;
-        const std::vector<std::string> telling =
-            isEarly ? std::vector<std::string>{own}
-                    : tellingMethods(*accuracy, own, m_workPrecision->target());
-        shown.ids = {telling.begin(), telling.end()};
-        shown.ids.insert(session.timeline().script().method->id());
-    }
-    for (int i = 0; i < m_views->count(); ++i)
-        static_cast<SpotPlot *>(m_views->widget(i))->setShown(shown);
 }
 
 void AccuracyPanel::refreshState()

@@ -37,6 +37,7 @@ public:
     /// remembered.
     bool showsAll() const { return m_showsAll; }
     void setShowsAll(bool all);
+    static constexpr const char *showsAllKey = "measure/allMethods"; ///< of the settings
     /// Of the plot that is seen.
     PlotExport &exports() const { return *m_export; }
     /// What the card says, without its marks.
@@ -62,6 +63,7 @@ private:
     QPushButton *choiceButton(const char *name, const QString &text, const QString &tip, bool all);
     QWidget *card();
     void refresh();
+    void makeRemarks();
     void chooseMethods();
     QString captionOf(const sim::Accuracy &accuracy) const;
     void fitRemarks();

@@ -27,7 +27,7 @@ SpotPlot::SpotPlot(AccuracyStudy &study, const Theme &theme, QWidget *parent)
     m_errorTicks = makeLogarithmic(*yAxis, PowerTicker::Writing::plain);
     setErrors({});
     axisRect()->setAutoMargins(QCP::msNone);
-    axisRect()->setMargins({58, 12, 16, 44});
+    axisRect()->setMargins({66, 12, 16, 44});
     connect(&study, &AccuracyStudy::changed, this, &SpotPlot::refresh);
     connect(&theme, &Theme::changed, this, &SpotPlot::dress);
     dress();

@@ -278,7 +278,7 @@ QRectF WorkPrecisionPlot::hereTag() const
         return std::count_if(spots().begin(), spots().end(),
                              [&](const Spot &one) { return tag.contains(onScreen(one)); });
     };
-    return above.top() >= area.top() && covered(above) < covered(below) ? above : below;
+    return above.top() >= 2.0 && covered(above) < covered(below) ? above : below;
 }
 
 void WorkPrecisionPlot::drawHere(QPainter &painter) const
