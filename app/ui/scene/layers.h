@@ -160,6 +160,16 @@ protected:
     void draw(const Canvas &canvas) const override;
 };
 
+/// Soft matter between springs.
+class SheetLayer : public Layer
+{
+public:
+    SheetLayer(const Shown &shown, const Theme &theme) : Layer(shown, theme, Height::skins) {}
+
+protected:
+    void draw(const Canvas &canvas) const override;
+};
+
 /// Springs as coils.
 class SpringLayer : public Layer
 {

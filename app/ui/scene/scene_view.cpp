@@ -57,8 +57,8 @@ SceneView::SceneView(Session &session, const Theme &theme, QWidget *parent)
     m_scene.setItemIndexMethod(QGraphicsScene::NoIndex);
     m_scene.setSceneRect(-worldReach, -worldReach, 2.0 * worldReach, 2.0 * worldReach);
     addLayers<RoomLayer, RampLayer, GroundLayer, ShadowLayer, GhostLayer, OnionLayer, TrailLayer, TreeLayer,
-              MeadowLayer, LimbLayer, SkinLayer, ChainLayer, LegLayer, SpringLayer, StickLayer, BodyLayer,
-              RestLayer, ReferenceLayer, GuideLayer, ArrowLayer>(m_scene, m_shown, theme);
+              MeadowLayer, LimbLayer, SkinLayer, SheetLayer, ChainLayer, LegLayer, SpringLayer, StickLayer,
+              BodyLayer, RestLayer, ReferenceLayer, GuideLayer, ArrowLayer>(m_scene, m_shown, theme);
     addLayers<RoomLayer, ShadowLayer, LimbLayer, SkinLayer, ChainLayer, LegLayer, SpringLayer, StickLayer,
               BodyLayer, RestLayer, GuideLayer, NameLayer>(m_scene, m_beside, theme);
     m_scene.addItem(new NameLayer(m_shown, theme));
