@@ -5,6 +5,7 @@
 #include "app/ui/scene/body_text.h"
 #include "app/ui/scene/layers.h"
 #include "app/ui/scene/reference_marks.h"
+#include "sim/phase_before.h"
 
 #include <QLocale>
 
@@ -95,6 +96,7 @@ void SceneView::open()
     m_hand.letGo();
     m_tools.letUp();
     m_shown.trail.clear();
+    m_shown.pullScale = m_shown.velocityScale = {};
     m_follows = true;
     m_atHome = false; // another scene is shown as a whole
     refresh();
@@ -114,7 +116,7 @@ void SceneView::refresh()
             showHome(); // the scene has another size now
     }
     m_shown.selected = m_shown.picture.segment->scene.find(m_session.selected().toStdString());
-    measureArrows(m_shown, m_session.isPlaying());
+    measureArrows(m_shown, m_session.shown().at().frame);
     if (!m_session.isPlaying())
         describe();
     follow();
@@ -138,6 +140,10 @@ void SceneView::takeMoment()
 void SceneView::takePulls()
 {
     const sim::Timeline &timeline = m_session.shown();
+    m_shown.isInside = timeline.at().phase > 0 && m_wantsVelocities.value_or(true);
+    m_shown.before.reset();
+    if (m_shown.isInside && !m_shown.isCrowd())
+        m_shown.before = sim::beforeLastPhase(timeline.track());
     m_shown.pullsAreAll = m_shown.extras.pulls && timeline.at().phase == 0;
     m_shown.gathered = m_shown.pullsAreAll ? sim::pullsNow(timeline.track()) : m_session.gathered();
     m_shown.clock =
