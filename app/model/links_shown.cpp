@@ -50,6 +50,10 @@ void dropLinks(lessons::Look &look, const std::vector<sim::EffectPtr> &listed,
     std::erase_if(look.legs, [&](const lessons::LegLook &leg) { return isLoose(leg.from, leg.to); });
     std::erase_if(look.sticks, [&](const lessons::StickLook &stick) { return isLoose(stick.a, stick.b); });
     std::erase_if(look.springs, [&](const lessons::SpringLook &one) { return isLoose(one.a, one.b); });
+    std::erase_if(look.sheets, [&](const lessons::SheetLook &sheet) {
+        const auto &[a, b, c, d] = sheet.corners;
+        return isLoose(a, b) || isLoose(b, c) || isLoose(c, d) || isLoose(d, a);
+    });
     std::erase_if(look.limbs, [&](const lessons::LimbLook &limb) { return isLoose(limb.a, limb.b); });
     std::erase_if(look.chains, [&](const lessons::ChainLook &chain) { return hasLoosePart(chain.points); });
     std::erase_if(look.skins, [&](const lessons::SkinLook &skin) { return hasLoosePart(skin.outline); });

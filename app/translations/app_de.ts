@@ -2793,12 +2793,16 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>alle %1 Bilder</translation>
     </message>
     <message>
-        <source>%1&#x2009;px/frame</source>
-        <translation>%1&#x2009;px/Bild</translation>
+        <source>velocity of %1&#x2009;px/frame</source>
+        <translation>Geschwindigkeit von %1&#x2009;px/Bild</translation>
     </message>
     <message>
-        <source>%1&#x2009;px/frame²</source>
-        <translation>%1&#x2009;px/Bild²</translation>
+        <source>pull of %1&#x2009;px/frame²</source>
+        <translation>Zug von %1&#x2009;px/Bild²</translation>
+    </message>
+    <message>
+        <source>%1 (before: %2)</source>
+        <translation>%1 (vorher: %2)</translation>
     </message>
     <message>
         <source>sum so far</source>

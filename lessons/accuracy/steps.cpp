@@ -168,6 +168,7 @@ Step adaptStep()
     step.look = [](const sim::Scene &scene, const sim::Values &) {
         Look look = creatureLook(scene);
         look.bodies[1] = {BodyLook::Shape::joint, 4.0}; // so that what happens there is seen
+        look.springs = actingSprings(scene);
         return look;
     };
     step.measures.push_back(stepMeasure());

@@ -6,6 +6,7 @@
 #include <QRectF>
 #include <QString>
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -43,12 +44,22 @@ struct StickLook
     double width = 3.0;  ///< px
 };
 
-/// A spring, drawn as a coil that gets longer and shorter.
+/// A spring, drawn as a zigzag that gets longer and shorter: from point `a` to the place `at`, seen from point `b`.
 struct SpringLook
 {
     int a = 0;
-    int b = 0;
+    int b = 0;           ///< -1: `at` is a fixed place
     double length = 0.0; ///< px, at rest
+    sim::Vec2 at = {};   ///< px
+    /// Springs of soft matter are lines only: those within it are faint, those at its edge are not.
+    enum class Part { alone, inside, edge };
+    Part part = Part::alone;
+};
+
+/// A patch of soft matter between four points, in order, that springs hold along its sides and across.
+struct SheetLook
+{
+    std::array<int, 4> corners{};
 };
 
 /// A thick round limb under the sticks.
@@ -106,6 +117,7 @@ struct Look
     /// Shown from the start; the learner can switch each.
     bool velocities = false;
     bool onionSkins = false;
+    std::vector<SheetLook> sheets;
 };
 
 /// A thing that explains: drawn thin, over the picture, made anew for each state.

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 using namespace lessons;
 
@@ -54,6 +55,87 @@ double footRadius(const Look &look, const sim::Blueprint &plan)
     return radius;
 }
 
+using Pair = std::pair<int, int>;
+
+Pair pairOf(int a, int b)
+{
+    return std::minmax(a, b);
+}
+
+/// Twice the area of the triangle a, b, c: positive on one side of the line from a to b.
+double side(sim::Vec2 a, sim::Vec2 b, sim::Vec2 c)
+{
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+/// Springs that cross in the middle of four others make soft matter: a patch each.
+class SoftMatter
+{
+public:
+    explicit SoftMatter(const sim::Blueprint &plan) : m_plan(plan), m_neighbours(plan.points.size())
+    {
+        for (const sim::BuiltSpring &spring : plan.springs) {
+            if (m_uses.try_emplace(pairOf(spring.a, spring.b), 0).second) {
+                m_neighbours[static_cast<std::size_t>(spring.a)].push_back(spring.b);
+                m_neighbours[static_cast<std::size_t>(spring.b)].push_back(spring.a);
+            }
+        }
+        for (const auto &[pair, uses] : m_uses)
+            lookAcross(pair.first, pair.second);
+    }
+
+    const std::vector<SheetLook> &sheets() const { return m_sheets; }
+
+    SpringLook::Part partOf(const sim::BuiltSpring &spring) const
+    {
+        const int uses = m_uses.at(pairOf(spring.a, spring.b));
+        return uses == 0   ? SpringLook::Part::alone
+               : uses == 1 ? SpringLook::Part::edge
+                           : SpringLook::Part::inside;
+    }
+
+private:
+    sim::Vec2 at(int point) const { return m_plan.points[static_cast<std::size_t>(point)].x; }
+
+    /// Takes the patches of which the spring from `a` to `c` is a diagonal, and of all corners `a` is the first.
+    void lookAcross(int a, int c)
+    {
+        for (const int b : m_neighbours[static_cast<std::size_t>(a)]) {
+            if (b < a || side(at(a), at(c), at(b)) <= 0.0 || !m_uses.contains(pairOf(b, c)))
+                continue;
+            for (const int d : m_neighbours[static_cast<std::size_t>(b)]) {
+                const bool crosses = d > a && side(at(a), at(c), at(d)) < 0.0 &&
+                                     side(at(b), at(d), at(a)) * side(at(b), at(d), at(c)) < 0.0;
+                if (crosses && m_uses.contains(pairOf(a, d)) && m_uses.contains(pairOf(c, d)))
+                    take({{a, b, c, d}});
+            }
+        }
+    }
+
+    void take(const SheetLook &sheet)
+    {
+        const auto &[a, b, c, d] = sheet.corners;
+        for (const Pair &edge : {pairOf(a, b), pairOf(b, c), pairOf(c, d), pairOf(d, a)})
+            ++m_uses.at(edge);
+        for (const Pair &diagonal : {pairOf(a, c), pairOf(b, d)})
+            m_uses.at(diagonal) += 2; // it lies inside
+        m_sheets.push_back(sheet);
+    }
+
+    const sim::Blueprint &m_plan;
+    std::vector<std::vector<int>> m_neighbours; ///< one entry a point
+    std::map<Pair, int> m_uses;                 ///< by how many patches each spring is used
+    std::vector<SheetLook> m_sheets;
+};
+
+void addSprings(Look &look, const sim::Blueprint &plan)
+{
+    const SoftMatter matter(plan);
+    look.sheets = matter.sheets();
+    for (const sim::BuiltSpring &spring : plan.springs)
+        look.springs.push_back({spring.a, spring.b, spring.length, {}, matter.partOf(spring)});
+}
+
 QRectF stageOf(const sim::Blueprint &plan, QRectF least)
 {
     for (const sim::BuiltPoint &point : plan.points) {
@@ -75,8 +157,7 @@ Look builtLook(const sim::Scene &scene, const sim::Values &values)
     Look look;
     for (std::size_t i = 0; i < plan.points.size(); ++i)
         look.bodies.push_back(bodyLook(plan.points[i], parts[i]));
-    for (const sim::BuiltSpring &spring : plan.springs)
-        look.springs.push_back({spring.a, spring.b, spring.length});
+    addSprings(look, plan);
     for (const sim::BuiltStick &stick : plan.sticks)
         look.sticks.push_back({stick.a, stick.b, stick.length});
     for (const sim::BuiltFoot &foot : plan.feet)

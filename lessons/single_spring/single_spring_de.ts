@@ -36,14 +36,14 @@ Der Pfeil ist der Zug, den eine Feder zum Kreuz hätte. Er wirkt noch nicht: Das
         <translation>Eine feste Mitte</translation>
     </message>
     <message>
-        <source>A **spring** pulls the foot to the cross. The pull is the distance times the stiffness **k**: twice as far, **twice the pull**. That is Hooke’s law.
+        <source>A **spring**, the zigzag, pulls the foot to the cross. The pull is the distance times the stiffness **k**: twice as far, **twice the pull**. That is Hooke’s law.
 
 x and y are worked out apart. The distance in x changes the velocity in x, the distance in y the velocity in y. Together they point at the cross.
 
 Each frame has three phases: the spring adds its pull to the velocity, damping takes its share, and the foot moves.
 
 The foot is fastest near the cross, where the pull is weakest, so it **overshoots** and swings back. Damping makes each swing smaller, until the foot stands on the cross, where the pull is 0.</source>
-        <translation>Eine **Feder** zieht den Fuß zum Kreuz. Der Zug ist der Abstand mal die Steifigkeit **k**: doppelt so weit, **doppelter Zug**. Das ist das Hooke’sche Gesetz.
+        <translation>Eine **Feder**, das Zickzack, zieht den Fuß zum Kreuz. Der Zug ist der Abstand mal die Steifigkeit **k**: doppelt so weit, **doppelter Zug**. Das ist das Hooke’sche Gesetz.
 
 x und y werden getrennt ausgerechnet. Der Abstand in x ändert die Geschwindigkeit in x, der Abstand in y die Geschwindigkeit in y. Zusammen zeigen sie auf das Kreuz.
 

@@ -19,9 +19,11 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(SingleSpring)
 };
 
-Look discs(const sim::Scene &scene, const sim::Values &)
+Look discsAndSprings(const sim::Scene &scene, const sim::Values &)
 {
-    return creatureLook(scene);
+    Look look = creatureLook(scene);
+    look.springs = actingSprings(scene);
+    return look;
 }
 
 /// A step with what all steps of this lesson share. `id` is the marker of its set-up, too.
@@ -29,7 +31,7 @@ Step stepOf(const char *id, const QString &title)
 {
     Step step = lessons::stepCalled("single_spring", id, title);
     step.parameters = {stiffness(), damping()};
-    step.look = discs;
+    step.look = discsAndSprings;
     return step;
 }
 
@@ -59,7 +61,7 @@ Step fixedCentreStep()
 {
     Step step = stepOf("fixed_centre", Text::tr("A fixed centre"));
     step.narration =
-        Text::tr("A **spring** pulls the foot to the cross. The pull is the distance times the "
+        Text::tr("A **spring**, the zigzag, pulls the foot to the cross. The pull is the distance times the "
                  "stiffness **k**: twice as far, **twice the pull**. That is Hooke’s law.\n\n"
                  "x and y are worked out apart. The distance in x changes the velocity in x, the "
                  "distance in y the velocity in y. Together they point at the cross.\n\n"

@@ -34,6 +34,7 @@ Scene setUp(const Values &values)
 Look look(const Scene &scene)
 {
     Look look = creatureLook(scene);
+    look.springs = actingSprings(scene);
     return look;
 }
 //! [mutual]
@@ -62,6 +63,7 @@ Scene setUp(const Values &values)
 Look look(const Scene &scene)
 {
     Look look = creatureLook(scene);
+    look.springs = actingSprings(scene);
     look.legs.push_back({body, foot});
     return look;
 }

@@ -116,7 +116,7 @@ Step legLineStep()
         "too.\n\n"
         "It is drawn after each frame, from the two places as they are then, so it always fits. It adds "
         "no pull and costs no phase: **what is drawn cannot change what is computed**.\n\n"
-        "But it shows the spring that was there before. A leg longer than **radius** pulls its two ends "
+        "But it shows how long the spring is. A leg longer than **radius** pulls its two ends "
         "together, a shorter one pushes them apart, and at 50 px it does nothing.");
     step.tries = legLineTries();
     step.scene = leg_line::setUp;

@@ -64,12 +64,12 @@ Das semi-implizite Euler-Verfahren bewegt beide **zugleich**. Ihre Züge sind en
 
 It is drawn after each frame, from the two places as they are then, so it always fits. It adds no pull and costs no phase: **what is drawn cannot change what is computed**.
 
-But it shows the spring that was there before. A leg longer than **radius** pulls its two ends together, a shorter one pushes them apart, and at 50&#x202f;px it does nothing.</source>
+But it shows how long the spring is. A leg longer than **radius** pulls its two ends together, a shorter one pushes them apart, and at 50&#x202f;px it does nothing.</source>
         <translation>Ein Körper, ein Fuß, und jetzt ein **Bein**: eine Linie vom einen zum anderen. Auch im Code ist es eine Zeile.
 
 Es wird nach jedem Bild gezeichnet, aus den zwei Orten, wie sie dann sind, darum passt es immer. Es fügt keinen Zug hinzu und kostet keine Phase: **Was gezeichnet wird, kann nicht ändern, was berechnet wird**.
 
-Aber es zeigt die Feder, die schon vorher da war. Ein Bein, das länger als **Radius** ist, zieht seine zwei Enden zusammen, ein kürzeres drückt sie auseinander, und bei 50&#x202f;px tut es nichts.</translation>
+Aber es zeigt, wie lang die Feder ist. Ein Bein, das länger als **Radius** ist, zieht seine zwei Enden zusammen, ein kürzeres drückt sie auseinander, und bei 50&#x202f;px tut es nichts.</translation>
     </message>
     <message>
         <source>Who moves first matters: if one sees the other where it already is, momentum comes from nowhere.</source>

@@ -68,7 +68,9 @@ Look withFeet(Look look)
 
 Look plainLook(const Scene &scene, const Values &)
 {
-    return creatureLook(scene);
+    Look look = creatureLook(scene);
+    look.springs = actingSprings(scene);
+    return look;
 }
 
 Look straightLegs(const Scene &scene, const Values &)

@@ -45,6 +45,9 @@ public:
     std::vector<Live> explain(const State &state, int mover, Directions directions) const override;
     void rests(const State &state, std::vector<RestEnd> &into) const override;
 
+    const std::vector<Link> &links() const { return m_links.list(); }
+    double offset() const { return m_offset; }
+
 private:
     Links m_links;
     double m_k;

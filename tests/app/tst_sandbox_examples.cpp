@@ -65,6 +65,27 @@ class SandboxExamples : public QObject
     Q_OBJECT
 
 private slots:
+    void jellyIsDrawnAsSoftMatter()
+    {
+        const Run jelly("jelly"); // 6 by 5 points
+        const lessons::Look look = workshop().look(jelly.scene(), jelly.track.script().values);
+        QCOMPARE(look.sheets.size(), std::size_t{5 * 4});
+        using Part = lessons::SpringLook::Part;
+        const auto count = [&](Part part) {
+            return std::count_if(look.springs.begin(), look.springs.end(),
+                                 [part](const lessons::SpringLook &spring) { return spring.part == part; });
+        };
+        QCOMPARE(count(Part::edge), 2 * (5 + 4));
+        QCOMPARE(count(Part::inside), 2 * 5 * 4 + 5 * 3 + 4 * 4); // across, and between two patches
+        QCOMPARE(count(Part::alone), 0);
+    }
+    void springsThatCrossNoneAreCoils()
+    {
+        const Run wheel("wheel");
+        for (const lessons::SpringLook &spring :
+             workshop().look(wheel.scene(), wheel.track.script().values).springs)
+            QCOMPARE(spring.part, lessons::SpringLook::Part::alone);
+    }
     void steadyWindLetsASceneRest_data()
     {
         QTest::addColumn<double>("gusts");

@@ -67,6 +67,11 @@ private slots:
     void aStickHasTheColourOfItsError_data();
     void aStickHasTheColourOfItsError();
     void whatIsPulledLongGetsThinner();
+    void aSpringKeepsItsTurnsAndShowsItsStretch();
+    void aSpringToAPlaceEndsThere();
+    void aGhostsSpringToAPlaceIsDrawn();
+    void softMatterIsFilledAndFine();
+    void aLegIsThickAtTheBodyAndThinAtTheFoot();
     void aLimbIsAsWideAsItSays();
     void aJointIsAHollowDisc();
     void whatIsHiddenIsNeitherDrawnNorTaken();
@@ -197,6 +202,143 @@ void SceneLooksTest::whatIsPulledLongGetsThinner()
     QVERIFY(wanted >= 10);
     QVERIFY(width(0.2) <= 0.7 * wanted);
     QVERIFY(width(-0.2) >= 1.4 * wanted);
+}
+
+namespace {
+
+/// A spring as it is drawn from (150, 200) to the right.
+struct DrawnSpring
+{
+    int crossings = 0; ///< of its strands with the line from end to end
+    int height = 0;    ///< px of the screen
+};
+
+DrawnSpring drawnSpring(double length, double rest)
+{
+    const sim::Scene scene = look_scenes::pointsAt({{150, 200}, {150 + length, 200}});
+    Look look = withoutGridOrDiscs(scene);
+    look.springs.push_back({0, 1, rest});
+    SceneBench bench({look_scenes::step("spring", scene, look)});
+    hideTheGrid(bench);
+    const QImage image = bench.image();
+    // Without the straight ends.
+    const QPoint from = onScreen(bench, {150 + 0.15 * length, 200});
+    const QPoint to = onScreen(bench, {150 + 0.85 * length, 200});
+    DrawnSpring drawn;
+    bool wasInked = true;
+    int top = from.y(), bottom = from.y();
+    for (int x = from.x(); x <= to.x(); ++x) {
+        const bool isInked = !isPaper(bench, image, {x, from.y()});
+        drawn.crossings += isInked && !wasInked ? 1 : 0;
+        wasInked = isInked;
+        for (int y = from.y() - 40; y <= from.y() + 40; ++y) {
+            if (isPaper(bench, image, {x, y}))
+                continue;
+            top = std::min(top, y);
+            bottom = std::max(bottom, y);
+        }
+    }
+    drawn.height = bottom - top;
+    return drawn;
+}
+
+}
+
+void SceneLooksTest::aSpringKeepsItsTurnsAndShowsItsStretch()
+{
+    const DrawnSpring pressed = drawnSpring(80.0, 120.0);
+    const DrawnSpring asItIs = drawnSpring(120.0, 120.0);
+    const DrawnSpring stretched = drawnSpring(240.0, 120.0);
+    QVERIFY(asItIs.crossings > 10);
+    QVERIFY(std::abs(stretched.crossings - asItIs.crossings) <= 2); // the ends of the count
+    QVERIFY(std::abs(pressed.crossings - asItIs.crossings) <= 2);
+    QVERIFY(pressed.height > asItIs.height + 1);
+    QVERIFY(stretched.height < asItIs.height - 2);
+}
+
+void SceneLooksTest::aSpringToAPlaceEndsThere()
+{
+    sim::Scene scene = look_scenes::pointsAt({{210, 200}});
+    look_scenes::letGlide(scene, {0.0, 4.0});
+    Look look = withoutGridOrDiscs(scene);
+    look.springs.push_back({0, -1, 0.0, {290, 200}});
+    SceneBench bench({look_scenes::step("spring", scene, look)});
+    hideTheGrid(bench);
+    const auto isSpring = [&](sim::Vec2 place) {
+        const QImage image = bench.image();
+        const QPoint at = onScreen(bench, place);
+        for (int x = -2; x <= 2; ++x) {
+            for (int y = -2; y <= 2; ++y) {
+                if (image.pixelColor(at + QPoint(x, y)) == bench.theme.tokens().spring)
+                    return true;
+            }
+        }
+        return false;
+    };
+    for (const int frame : {0, 10}) {
+        bench.goTo(frame);
+        const sim::Vec2 from = bench.place("p0"), way = sim::Vec2{290, 200} - from;
+        QVERIFY(isSpring(from + 0.05 * way) && isSpring(from + 0.95 * way));
+        QVERIFY(!isSpring(from - 0.05 * way) && !isSpring(from + 1.05 * way));
+    }
+}
+
+void SceneLooksTest::aGhostsSpringToAPlaceIsDrawn()
+{
+    sim::Scene scene = look_scenes::pointsAt({{210, 200}});
+    look_scenes::letGlide(scene, {0.0, 4.0});
+    Look look = withoutGridOrDiscs(scene);
+    look.bodies[0].shape = Shape::foot;
+    look.springs.push_back({0, -1, 0.0, {290, 200}});
+    SceneBench bench({look_scenes::step("spring", scene, look)});
+    hideTheGrid(bench);
+    bench.goTo(10);
+    bench.goTo(2);
+    bench.session.grab("p0");
+    bench.session.moveHand({210, 250});
+    bench.session.letGo();
+    bench.goTo(10);
+    QVERIFY(bench.session.ghost().has_value());
+    const QImage image = bench.image();
+    int inked = 0; // along the way from where it was to the place
+    for (int i = 20; i <= 80; ++i) {
+        const double t = i / 100.0;
+        inked += isPaper(bench, image, onScreen(bench, {210 + 80 * t, 240 - 40 * t})) ? 0 : 1;
+    }
+    QVERIFY(inked > 15 && inked < 60); // dashes
+}
+
+void SceneLooksTest::softMatterIsFilledAndFine()
+{
+    const sim::Scene scene = look_scenes::pointsAt({{200, 150}, {340, 150}, {340, 250}, {200, 250}});
+    Look look = withoutGridOrDiscs(scene);
+    look.sheets.push_back({{0, 1, 2, 3}});
+    using Part = lessons::SpringLook::Part;
+    look.springs.push_back({0, 1, 140.0, {}, Part::edge});
+    SceneBench bench({look_scenes::step("sheet", scene, look)});
+    hideTheGrid(bench);
+    QImage image = bench.image();
+    QVERIFY(!isPaper(bench, image, onScreen(bench, {270, 200})));
+    QVERIFY(isPaper(bench, image, onScreen(bench, {190, 200})));
+    QCOMPARE(image.pixelColor(onScreen(bench, {270, 150})), bench.theme.tokens().spring);
+    QVERIFY(isPaper(bench, image, onScreen(bench, {270, 150}) - QPoint(0, 4))); // a line, no zigzag
+    bench.theme.setScheme(Scheme::highContrast);
+    QVERIFY(isPaper(bench, bench.image(), onScreen(bench, {270, 200}))); // nothing but black, white and kinds
+}
+
+void SceneLooksTest::aLegIsThickAtTheBodyAndThinAtTheFoot()
+{
+    const sim::Scene scene = look_scenes::pointsAt({{190, 200}, {350, 200}});
+    for (const double curve : {0.0, 1.0}) {
+        Look look = withoutGridOrDiscs(scene);
+        look.legs.push_back({0, 1, curve});
+        SceneBench bench({look_scenes::step("leg", scene, look)});
+        hideTheGrid(bench);
+        const QImage image = bench.image();
+        const int atBody = thickness(bench, image, onScreen(bench, {200, 200}), {0, 1});
+        const int atFoot = thickness(bench, image, onScreen(bench, {340, 200}), {0, 1});
+        QVERIFY(atFoot >= 1 && atBody > atFoot);
+    }
 }
 
 void SceneLooksTest::aLimbIsAsWideAsItSays()

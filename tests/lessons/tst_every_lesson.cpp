@@ -157,8 +157,35 @@ private slots:
         QCOMPARE(static_cast<int>(look.bodies.size()), points);
         for (const lessons::LegLook &leg : look.legs)
             QVERIFY(leg.from >= 0 && leg.from < points && leg.to >= 0 && leg.to < points);
+        for (const lessons::SpringLook &spring : look.springs)
+            QVERIFY(spring.a >= 0 && spring.a < points && spring.b >= -1 && spring.b < points);
         for (int i = 0; i < points; ++i)
             QVERIFY(look.stage.contains(scene.start.at(i).x, scene.start.at(i).y));
+    }
+
+    void aSpringIsDrawnToWhereItPulls_data() { addStepRows(); }
+    void aSpringIsDrawnToWhereItPulls()
+    {
+        const lessons::Step step = stepOfRow();
+        const sim::Values values = step.presets();
+        const sim::Scene scene = step.scene(values);
+        sim::State state = scene.start;
+        for (int i = 0; i < state.points(); ++i) // anywhere, so that nothing is at rest
+            state.place(i, state.at(i) + sim::Vec2{31.0 * (i % 3 - 1) + 7.0, 17.0 * (i % 5) - 40.0});
+        Eigen::ArrayX2d pulls = Eigen::ArrayX2d::Zero(state.points(), 2);
+        for (const sim::EffectPtr &effect : scene.effects) {
+            const auto *force = dynamic_cast<const sim::Force *>(effect.get());
+            if (force && effect->kind() == sim::Kind::spring)
+                force->add(state, {0, state.points()}, 1.0, sim::Directions::published, pulls);
+        }
+        for (const lessons::SpringLook &spring : step.look(scene, values).springs) {
+            const sim::Vec2 end = spring.b < 0 ? spring.at : state.at(spring.b) + spring.at;
+            const sim::Vec2 way = end - state.at(spring.a);
+            const sim::Vec2 missing = (1.0 - spring.length / sim::length(way)) * way;
+            const sim::Vec2 pull{pulls(spring.a, 0), pulls(spring.a, 1)};
+            QVERIFY(sim::length(pull) > 0.0);
+            QVERIFY(sim::length(pull - values["k"] * missing) < 1e-9 * sim::length(pull));
+        }
     }
 
     void guidesAreFiniteWhereverThePointsAre_data() { addStepRows(); }

@@ -43,6 +43,8 @@ private slots:
     void theHandleFeelsNothingAndHasNoVelocity();
     void theFirstTwoStepsHaveNoBody();
     void thePullToComeIsDrawnAndDoesNotAct();
+    void onlyASpringThatActsIsDrawn_data();
+    void onlyASpringThatActsIsDrawn();
     void theAngleIsGivenInDegreesAndRadians();
     void everyTryIsDoneByWhatItDescribes_data() { addAttemptRows(m_lesson, attempts()); }
     void everyTryIsDoneByWhatItDescribes() { checkAttempt(m_lesson); }
@@ -238,6 +240,32 @@ void SingleSpring::thePullToComeIsDrawnAndDoesNotAct()
     QCOMPARE(guides.size(), std::size_t{2});
     QCOMPARE(guides[0].a, (sim::Vec2{270, 200}));
     QCOMPARE(guides[1].b, (sim::Vec2{0.2 * (270.0 - 420.0), 0.2 * (200.0 - 120.0)}));
+}
+
+void SingleSpring::onlyASpringThatActsIsDrawn_data()
+{
+    QTest::addColumn<int>("springs");
+    QTest::newRow("drag") << 0;
+    for (const char *id : {"fixed_centre", "moving_body", "offset", "radial"})
+        QTest::newRow(id) << 1;
+}
+
+void SingleSpring::onlyASpringThatActsIsDrawn()
+{
+    QFETCH(int, springs);
+    const lessons::Step &one = step(QTest::currentDataTag());
+    sim::Script script = scriptOf(one);
+    const auto drawn = [&] {
+        const sim::Scene scene = sim::Track(script, 0).shown().scene;
+        return static_cast<int>(one.look(scene, script.values).springs.size());
+    };
+    QCOMPARE(drawn(), springs);
+    script.values.set("k", 0.0);
+    QCOMPARE(drawn(), 0); // it pulls with nothing
+    script.values.set("k", 0.2);
+    for (const char *id : {"point_spring", "body_spring", "offset_spring", "radial_spring"})
+        script.effectsOff.push_back(id);
+    QCOMPARE(drawn(), 0);
 }
 
 void SingleSpring::theAngleIsGivenInDegreesAndRadians()

@@ -6,6 +6,7 @@
 #include "sim/effects/damping.h"
 #include "sim/effects/gravity.h"
 #include "sim/methods/methods.h"
+#include "sim/phase_before.h"
 
 #include <QTest>
 
@@ -53,6 +54,26 @@ class TestTimeline : public QObject
     Q_OBJECT
 
 private slots:
+    void thePhaseBeforeIsTheOneBefore()
+    {
+        for (const char *method : {"published", "semi_implicit_euler"}) {
+            const support::Sample &sample = support::samples().front();
+            Track track(support::script(sample, method, 0.5), std::size_t{1} << 20);
+            for (int frame = 0; frame < 4; ++frame) {
+                track.seek({frame, 0});
+                QVERIFY(!beforeLastPhase(track));
+                for (int phase = 1; phase < track.phasesPerRow(); ++phase) {
+                    track.seek({frame, phase - 1});
+                    State before = track.now();
+                    track.seek({frame, phase});
+                    if (phase == 1) // after the input that the row begins with
+                        before = track.begunAfter(before, frame);
+                    QVERIFY(sameBits(*beforeLastPhase(track), before));
+                }
+            }
+        }
+    }
+
     void anyCursorHasTheBitsOfAStraightRun_data()
     {
         QTest::addColumn<QString>("scene");

@@ -7,12 +7,16 @@ namespace app {
 
 namespace {
 
-constexpr double shortest = 3.0;    ///< px of the screen; below, there is only a head
-constexpr double gap = 3.0;         ///< from a body's edge
-constexpr double gapAtRing = 8.0;   ///< from the edge of the selected body
-constexpr double besideSum = 16.0;  ///< how far the sum is drawn from the middle
-constexpr double besideTwin = 7.0;  ///< how far two arrows of one direction are apart
-constexpr double twinCosine = 0.98; ///< of the angle below which two directions are one
+constexpr double shortest = 3.0;     ///< px of the screen; below, there is only a head
+constexpr double gap = 3.0;          ///< from a body's edge
+constexpr double gapAtRing = 8.0;    ///< from the edge of the selected body
+constexpr double besideSum = 16.0;   ///< how far the sum is drawn from the middle
+constexpr double besideTwin = 7.0;   ///< how far two arrows of one direction are apart
+constexpr double besidePull = 11.0;  ///< how far a velocity is drawn beside a pull of its direction
+constexpr double earlierWidth = 6.0; ///< of the arrow of a velocity as it was
+constexpr double leastChange = 1.0;  ///< of a velocity, px of the screen: less is not seen
+constexpr double earlierAlpha = 0.3; ///< of the arrow of a velocity as it was
+constexpr double twinCosine = 0.98;  ///< of the angle below which two directions are one
 
 double lengthOf(QPointF v)
 {
@@ -51,13 +55,23 @@ QPointF scaled(sim::Vec2 v, double unit)
     return {v.x * unitArrow / unit, v.y * unitArrow / unit};
 }
 
+/// Whether an arrow of `vector` would lie on that of a pull on the point.
+bool liesOnPull(const Shown &shown, int point, QPointF vector)
+{
+    const auto isAlong = [&](const sim::Gathered &one) {
+        const QPointF pull(one.acceleration(point, 0), one.acceleration(point, 1));
+        return QPointF::dotProduct(pull, vector) > twinCosine * lengthOf(pull) * lengthOf(vector);
+    };
+    return std::any_of(shown.gathered.begin(), shown.gathered.end(), isAlong);
+}
+
 void addPullsAt(std::vector<Arrow> &arrows, const Shown &shown, const Camera &camera, const Theme &theme,
                 int point)
 {
     std::vector<QPointF> directions;
     for (const sim::Gathered &one : shown.gathered) {
         const QPointF vector =
-            scaled({one.acceleration(point, 0), one.acceleration(point, 1)}, shown.pullUnit);
+            scaled({one.acceleration(point, 0), one.acceleration(point, 1)}, shown.pullScale.unit);
         const double length = lengthOf(vector);
         if (!(length >= shortest))
             continue;
@@ -104,7 +118,7 @@ ArrowStyle sumStyle(const Theme &theme)
 
 ArrowStyle velocityStyle(const Theme &theme)
 {
-    return {theme.tokens().ink3, 1.5, ArrowStyle::Line::plain, true};
+    return {theme.tokens().ink2, 2.0, ArrowStyle::Line::plain, true};
 }
 
 void drawArrow(QPainter &painter, const Arrow &arrow, const QColor &ground)
@@ -119,13 +133,16 @@ void drawArrow(QPainter &painter, const Arrow &arrow, const QColor &ground)
     const double whole = 9.0 + style.width * 0.6;
     const double a = std::min(whole, length); // a short arrow has a small head, all outside of the body
     const double b = (4.2 + style.width * 0.5) * a / whole;
-    QPen pen = solid(style.color, style.width);
+    // Of what is seen through, the parts must not overlap: they would be darker there.
+    const bool isFaint = style.color.alpha() < 255;
+    QPen pen = isFaint ? QPen(style.color, style.width, Qt::SolidLine, Qt::FlatCap)
+                       : solid(style.color, style.width);
     if (style.line == ArrowStyle::Line::dashes)
         pen = dashed(style.color, style.width, {6.0, 3.0});
     else if (style.line == ArrowStyle::Line::dots)
         pen = dashed(style.color, style.width, {2.0 + style.width / 2, 4.0});
     painter.setPen(pen);
-    const QLineF shaft(arrow.from, tip - (style.openHead ? 0.0 : a * 0.7) * u);
+    const QLineF shaft(arrow.from, tip - (style.openHead ? 0.0 : a * (isFaint ? 1.0 : 0.7)) * u);
     painter.drawLine(shaft);
     if (style.line == ArrowStyle::Line::twofold) {
         painter.setPen(solid(ground, style.width / 3.0));
@@ -135,6 +152,7 @@ void drawArrow(QPainter &painter, const Arrow &arrow, const QColor &ground)
     }
     const QPolygonF head{tip - a * u + b * n, tip, tip - a * u - b * n};
     if (style.openHead) {
+        painter.setPen(solid(style.color, style.width));
         painter.drawPolyline(head);
         return;
     }
@@ -151,7 +169,7 @@ std::vector<Arrow> pullArrows(const Shown &shown, const Camera &camera, const Th
         return arrows;
     forPointsWithArrows(shown, [&](int point) { addPullsAt(arrows, shown, camera, theme, point); });
     if (shown.hasSum()) {
-        const QPointF vector = scaled(shown.sumOnSelected(), shown.pullUnit);
+        const QPointF vector = scaled(shown.sumOnSelected(), shown.pullScale.unit);
         const double aside = std::min(besideSum, camera.radius(shown.radius(shown.selected)));
         Arrow sum = atEdge(shown, camera, shown.selected, vector, aside);
         sum.style = sumStyle(theme);
@@ -163,14 +181,25 @@ std::vector<Arrow> pullArrows(const Shown &shown, const Camera &camera, const Th
 std::vector<Arrow> velocityArrows(const Shown &shown, const Camera &camera, const Theme &theme)
 {
     std::vector<Arrow> arrows;
-    if (!shown.extras.velocities)
+    if (!shown.showsVelocities())
         return arrows;
+    const bool hasBefore = shown.before && shown.before->points() == shown.points();
     forPointsWithArrows(shown, [&](int point) {
         if (shown.isHidden(point))
             return;
-        const QPointF vector = scaled(shown.state().speed(point), shown.velocityUnit);
-        Arrow arrow = atEdge(shown, camera, point, vector, 0.0);
-        arrow.style = velocityStyle(theme);
+        const QPointF vector = scaled(shown.state().speed(point), shown.velocityScale.unit);
+        const double aside = liesOnPull(shown, point, vector) ? -besidePull : 0.0;
+        const ArrowStyle style = velocityStyle(theme);
+        if (hasBefore) {
+            const QPointF last = scaled(shown.before->speed(point), shown.velocityScale.unit);
+            if (lengthOf(last - vector) >= leastChange) {
+                Arrow earlier = atEdge(shown, camera, point, last, aside);
+                earlier.style = {faded(style.color, earlierAlpha), earlierWidth};
+                arrows.push_back(earlier);
+            }
+        }
+        Arrow arrow = atEdge(shown, camera, point, vector, aside);
+        arrow.style = style;
         arrows.push_back(arrow);
     });
     return arrows;

@@ -35,6 +35,8 @@ void drawArrow(QPainter &painter, const Arrow &arrow, const QColor &ground);
 
 /// What pulls at every point, from the edges of the bodies, and the sum on the selected one.
 std::vector<Arrow> pullArrows(const Shown &shown, const Camera &camera, const Theme &theme);
+/// The velocities, from the edges of the bodies. Inside a frame each that the last phase changed has an arrow of what it
+/// was, too, fainter and before its own.
 std::vector<Arrow> velocityArrows(const Shown &shown, const Camera &camera, const Theme &theme);
 
 }

@@ -4,8 +4,10 @@
 #include "app/ui/scene/eyes.h"
 #include "app/ui/scene/figure.h"
 #include "app/ui/scene/layers.h"
+#include "app/ui/scene/material.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace app {
@@ -14,11 +16,42 @@ namespace {
 
 constexpr double ringGap = 5.0;
 constexpr double eyesUp = 2.5 / 15.0; ///< of a body's radius
+constexpr double thigh = 1.9;         ///< a leg's width at the body, of its width
+constexpr double shin = 1.0;          ///< a leg's width at the foot, of its width
+constexpr double leastLimb = 2.0;     ///< px of the screen: what is thinner is a line
+constexpr int curvePieces = 16;
 
 /// 3 px at 260 %, thinner and thicker with the zoom, but less than the zoom.
 double legWidth(double zoom)
 {
     return std::clamp(3.0 * std::sqrt(zoom / 2.6), 1.5, 6.0);
+}
+
+/// A limb: thick where it leaves the body, thin at the foot.
+void drawLimb(const Canvas &canvas, const lessons::LegLook &leg, double width)
+{
+    const sim::State &state = canvas.shown.state();
+    const QPointF body = canvas.camera.at(state.at(leg.from)), foot = canvas.camera.at(state.at(leg.to));
+    const QPointF bend = leg.curve == 0.0 ? (body + foot) / 2.0
+                                          : canvas.camera.at(state.at(leg.to) - sim::Vec2{0.0, leg.curve});
+    const QRectF bounds = QPolygonF{body, bend, foot}.boundingRect().adjusted(-width, -width, width, width);
+    if (!bounds.intersects(canvas.area))
+        return;
+    const int pieces = leg.curve == 0.0 ? 1 : curvePieces;
+    std::array<QPointF, 2 * (curvePieces + 1)> outline;
+    QPointF across(0.0, 1.0);
+    for (int i = 0; i <= pieces; ++i) {
+        const double t = static_cast<double>(i) / pieces;
+        const QPointF at = (1 - t) * (1 - t) * body + 2 * t * (1 - t) * bend + t * t * foot;
+        const QPointF way = (1 - t) * (bend - body) + t * (foot - bend);
+        const double length = std::hypot(way.x(), way.y());
+        if (length > 0.0)
+            across = QPointF(-way.y(), way.x()) / length;
+        const QPointF half = 0.5 * width * (thigh + t * (shin - thigh)) * across;
+        outline[static_cast<std::size_t>(i)] = at + half;
+        outline[static_cast<std::size_t>(2 * pieces + 1 - i)] = at - half;
+    }
+    canvas.painter.drawPolygon(outline.data(), 2 * (pieces + 1), Qt::WindingFill);
 }
 
 /// A hinge: what is hollow turns freely.
@@ -66,7 +99,7 @@ void drawBody(const Canvas &canvas, int point)
         drawJoint(canvas, centre, radius);
         return;
     }
-    canvas.painter.setBrush(canvas.tokens().body);
+    canvas.painter.setBrush(roundBrush(canvas, centre, radius, canvas.tokens().body));
     canvas.painter.drawEllipse(centre, radius, radius);
     if (isFixed)
         drawNail(canvas, centre, radius);
@@ -79,7 +112,16 @@ void drawBody(const Canvas &canvas, int point)
 void LegLayer::draw(const Canvas &canvas) const
 {
     const QColor color = faded(canvas.tokens().body, 0.85);
-    QPen pen = solid(color, legWidth(canvas.camera.zoom));
+    const double width = legWidth(canvas.camera.zoom);
+    if (!canvas.shown.isCrowd() && width >= leastLimb) {
+        canvas.painter.setPen(Qt::NoPen);
+        canvas.painter.setBrush(mixed(canvas.tokens().body, canvas.tokens().scene, 0.15));
+        for (const lessons::LegLook &leg : canvas.shown.look().legs)
+            drawLimb(canvas, leg, width);
+        canvas.painter.setBrush(Qt::NoBrush);
+        return;
+    }
+    QPen pen = solid(color, width);
     pen.setCapStyle(Qt::FlatCap);
     canvas.painter.setPen(pen);
     const Figure figure{canvas.shown.look(), canvas.shown.state()};

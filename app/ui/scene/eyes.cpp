@@ -8,6 +8,7 @@ namespace {
 
 constexpr double drawnRadius = 15.0; ///< the radius that the places of the eyes are meant for
 constexpr double lookFar = 6.0;      ///< px/frame at which the eyes look all the way
+constexpr double leastGlint = 1.5;   ///< of drawnRadius: smaller eyes do not glint
 constexpr double apart = 5.2;        ///< from the middle to an eye, at drawnRadius
 
 }
@@ -27,7 +28,12 @@ void drawEyes(const Canvas &canvas, const Face &face)
         p.setBrush(canvas.tokens().bodyInk);
         p.drawEllipse(eye, 3.6 * z, 3.6 * z);
         p.setBrush(canvas.tokens().body);
-        p.drawEllipse(eye + 1.5 * z * look, 1.7 * z, 1.7 * z);
+        const QPointF pupil = eye + 1.5 * z * look;
+        p.drawEllipse(pupil, 1.9 * z, 1.9 * z);
+        if (z < leastGlint || canvas.theme.scheme() == Scheme::highContrast)
+            continue;
+        p.setBrush(canvas.tokens().bodyInk);
+        p.drawEllipse(pupil + z * QPointF(-0.6, -0.7), 0.55 * z, 0.55 * z);
     }
 }
 

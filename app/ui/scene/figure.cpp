@@ -83,6 +83,11 @@ void drawCrowdOutlines(const Canvas &canvas, const Figure &figure, const Outline
 
 }
 
+sim::Vec2 endOf(const lessons::SpringLook &spring, const sim::State &state)
+{
+    return spring.b < 0 ? spring.at : state.at(spring.b) + spring.at;
+}
+
 QList<QLineF> straightLegs(const Canvas &canvas, const Figure &figure)
 {
     QList<QLineF> lines;
@@ -190,7 +195,7 @@ void drawOutlines(const Canvas &canvas, const Figure &figure, const OutlineStyle
                               canvas.camera.at(figure.state.at(stick.b))));
     for (const lessons::SpringLook &spring : figure.look.springs)
         p.drawLine(canvas.cut(canvas.camera.at(figure.state.at(spring.a)),
-                              canvas.camera.at(figure.state.at(spring.b))));
+                              canvas.camera.at(endOf(spring, figure.state))));
     p.setBrush(style.fill);
     for (const lessons::LimbLook &limb : figure.look.limbs)
         p.drawPath(limbPath(canvas, figure.state, limb));

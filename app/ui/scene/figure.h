@@ -13,6 +13,8 @@ struct Figure
     const sim::State &state;
 };
 
+/// Where a spring ends that begins at point `a`.
+sim::Vec2 endOf(const lessons::SpringLook &spring, const sim::State &state);
 /// The straight legs that can show.
 QList<QLineF> straightLegs(const Canvas &canvas, const Figure &figure);
 /// The curved legs that can show: from the foot, quadratic, to the body, with the control point above the foot.

@@ -2,6 +2,7 @@
 
 #include "app/model/motion_area.h"
 #include "app/ui/scene/layers.h"
+#include "app/ui/scene/material.h"
 #include "app/ui/scene/sky.h"
 #include "sim/effects/ramp.h"
 
@@ -21,11 +22,32 @@ struct Text
 };
 
 constexpr double hatchStep = 12.0;   ///< px of the screen
+constexpr double edgeShade = 26.0;   ///< px of the screen
 constexpr double tickLength = 14.0;  ///< px of the screen
 constexpr double leastTicks = 70.0;  ///< px of the screen between two distances
 constexpr double finestTicks = 100.; ///< px between two distances
 constexpr double bottomLines = 32.0; ///< px of the screen at the bottom of the view for scale and legends
 constexpr double leastBuried = 8.0;  ///< px below the ground, from which on a branch shows through it
+
+/// What lies behind an edge: solid, and a little darker right behind it. `inwards` leads from the edge into it.
+void drawSolid(const Canvas &canvas, const QRectF &box, QPointF edge, QPointF inwards)
+{
+    QPainter &p = canvas.painter;
+    const QRectF seen = box.intersected(canvas.area);
+    if (seen.isEmpty())
+        return;
+    const QColor ground = canvas.tokens().win;
+    p.fillRect(seen, ground);
+    if (isFlat(canvas.theme))
+        return;
+    QLinearGradient shade(edge, edge + edgeShade * inwards);
+    shade.setColorAt(0.0, mixed(ground, canvas.theme.isDark() ? Qt::white : Qt::black, 0.1));
+    shade.setColorAt(1.0, ground);
+    const QRectF along = inwards.x() == 0.0 ? QRectF(seen.left(), edge.y(), seen.width(), edgeShade)
+                                            : QRectF(inwards.x() < 0.0 ? edge.x() - edgeShade : edge.x(),
+                                                     seen.top(), edgeShade, seen.height());
+    p.fillRect(along.intersected(seen), shade);
+}
 
 double firstHatch(double from, double anchor)
 {
@@ -127,10 +149,10 @@ void RoomLayer::draw(const Canvas &canvas) const
     const double left = std::round(low.x());
     const double right = std::round(canvas.camera.at({room->right, room->floor}).x());
     const double floor = std::round(low.y());
-    const QColor ground = canvas.tokens().win;
-    p.fillRect(QRectF(QPointF(area.left(), floor), area.bottomRight()).intersected(area), ground);
-    p.fillRect(QRectF(area.topLeft(), QPointF(left, area.bottom())).intersected(area), ground);
-    p.fillRect(QRectF(QPointF(right, area.top()), area.bottomRight()).intersected(area), ground);
+    const QPointF corner(left, floor);
+    drawSolid(canvas, {QPointF(area.left(), floor), area.bottomRight()}, corner, {0.0, 1.0});
+    drawSolid(canvas, {area.topLeft(), QPointF(left, floor)}, corner, {-1.0, 0.0});
+    drawSolid(canvas, {QPointF(right, area.top()), QPointF(area.right(), floor)}, {right, floor}, {1.0, 0.0});
 
     QList<QLineF> hatch;
     if (floor < area.bottom() + 10.0)
@@ -168,7 +190,7 @@ void GroundLayer::draw(const Canvas &canvas) const
     if (y > area.bottom() + 2.0)
         return;
     QPainter &p = canvas.painter;
-    p.fillRect(QRectF(QPointF(area.left(), y), area.bottomRight()).intersected(area), canvas.tokens().win);
+    drawSolid(canvas, {QPointF(area.left(), y), area.bottomRight()}, {home.x(), y}, {0.0, 1.0});
     QList<QLineF> hatch;
     hatchFloor(hatch, area.left(), area.right(), home.x(), y);
     p.setPen(QPen(canvas.tokens().line2, 1.3, Qt::SolidLine, Qt::FlatCap));

@@ -14,6 +14,7 @@ constexpr double worldReach = 1e6;
 enum class Height {
     room,
     ground,
+    shadows,
     ghost,
     onion,
     trail,
@@ -75,6 +76,16 @@ class GroundLayer : public Layer
 {
 public:
     GroundLayer(const Shown &shown, const Theme &theme) : Layer(shown, theme, Height::ground) {}
+
+protected:
+    void draw(const Canvas &canvas) const override;
+};
+
+/// Soft shadows of discs.
+class ShadowLayer : public Layer
+{
+public:
+    ShadowLayer(const Shown &shown, const Theme &theme) : Layer(shown, theme, Height::shadows) {}
 
 protected:
     void draw(const Canvas &canvas) const override;
@@ -147,6 +158,16 @@ class LimbLayer : public Layer
 {
 public:
     LimbLayer(const Shown &shown, const Theme &theme) : Layer(shown, theme, Height::limbs) {}
+
+protected:
+    void draw(const Canvas &canvas) const override;
+};
+
+/// Soft matter between springs.
+class SheetLayer : public Layer
+{
+public:
+    SheetLayer(const Shown &shown, const Theme &theme) : Layer(shown, theme, Height::skins) {}
 
 protected:
     void draw(const Canvas &canvas) const override;

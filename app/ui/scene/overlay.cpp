@@ -29,6 +29,9 @@ constexpr double scaleHeight = 36.0;   ///< of the line in which the scale stand
 constexpr double longestScale = 150.0; ///< px of the screen
 constexpr double legendRow = 20.0;
 constexpr double legendGap = 24.0;
+constexpr double legendPadding = 6.0;
+constexpr double legendAscent = 14.5; ///< from the base line of its words to the top of its row
+constexpr double legendCover = 0.9;   ///< of what lies below it
 
 /// The longest of 1, 2, 5, 10, 20... px of the scene that is not longer than longestScale on the screen.
 double scaleLength(double zoom)
@@ -48,6 +51,13 @@ QString plain(double value)
     return QLocale().toString(value, 'g', 6);
 }
 
+/// What an arrow of the legend's length means, and what it meant before, where that has just changed.
+QString scaleWords(const QString &text, const ArrowScale &scale)
+{
+    const QString words = text.arg(plain(scale.unit));
+    return scale.before ? Text::tr("%1 (before: %2)").arg(words, plain(*scale.before)) : words;
+}
+
 }
 
 /// A mark and what it means.
@@ -57,6 +67,7 @@ struct Overlay::Entry
     Mark mark;
     double width;
     QString text;
+    bool isNews = false; ///< has just changed
 };
 
 std::vector<EdgeMarker> Overlay::markers(const Camera &camera, QRectF view) const
@@ -114,7 +125,7 @@ void Overlay::draw(QPainter &painter, const Camera &camera, QRectF view) const
     drawCaption(painter, camera, view);
     drawClock(painter, view);
     const double end = drawScale(painter, camera, view);
-    drawLegend(painter, view, end);
+    drawLegend(painter, camera, view, end);
     if (m_shown.extras.ruler) {
         const QRectF scale(view.left(), view.bottom() - scaleHeight, end, scaleHeight);
         drawRuler({painter, m_shown, m_theme, camera, view}, m_shown.ruler, scale);
@@ -177,19 +188,30 @@ std::vector<Overlay::Entry> Overlay::legend() const
         entries.push_back({Entry::Mark::onion, 30.0, Text::tr("every %1 frames").arg(onionFrames)});
     if (m_shown.extras.rests && hasRests(m_shown.picture.segment->scene))
         entries.push_back({Entry::Mark::rest, 30.0, Text::tr("length at rest")});
-    if (m_shown.extras.velocities)
+    if (m_shown.showsVelocities() && m_shown.velocityScale.isUsed)
         entries.push_back({Entry::Mark::velocity, unitArrow + 8.0,
-                           Text::tr("%1\u2009px/frame").arg(plain(m_shown.velocityUnit))});
+                           scaleWords(Text::tr("velocity of %1\u2009px/frame"), m_shown.velocityScale),
+                           m_shown.velocityScale.before.has_value()});
     if (m_shown.hasPulls)
-        entries.push_back(
-            {Entry::Mark::pull, unitArrow + 8.0, Text::tr("%1\u2009px/frame²").arg(plain(m_shown.pullUnit))});
+        entries.push_back({Entry::Mark::pull, unitArrow + 8.0,
+                           scaleWords(Text::tr("pull of %1\u2009px/frame²"), m_shown.pullScale),
+                           m_shown.pullScale.before.has_value()});
     if (m_shown.hasSum())
         entries.push_back({Entry::Mark::sum, unitArrow + 2.0, sumWords(m_shown)});
     return entries;
 }
 
-void Overlay::drawLegend(QPainter &painter, QRectF view, double from) const
+QColor Overlay::groundAt(const Camera &camera, double y) const
 {
+    const lessons::Look &look = m_shown.look();
+    const std::optional<double> floor = look.room ? std::optional(look.room->floor) : look.ground;
+    const bool isBelow = floor && camera.at({0.0, *floor}).y() < y;
+    return isBelow ? m_theme.tokens().win : m_theme.tokens().scene;
+}
+
+void Overlay::drawLegend(QPainter &painter, const Camera &camera, QRectF view, double from) const
+{
+    const bool isPaper = m_shown.look().sky == lessons::Look::Sky::paper;
     const QFontMetricsF metrics(m_shown.text);
     const double left = std::max(from + legendGap, margin);
     double x = view.right() - margin;
@@ -203,6 +225,14 @@ void Overlay::drawLegend(QPainter &painter, QRectF view, double from) const
         if (x - width < left) {
             x = view.right() - margin;
             y -= legendRow;
+        }
+        if (isPaper) { // arrows end where it begins
+            const QRectF box(x - width - legendPadding, y - legendAscent, width + 2.0 * legendPadding,
+                             legendRow);
+            painter.setPen(Qt::NoPen);
+            painter.setBrush(faded(groundAt(camera, y), legendCover));
+            painter.drawRoundedRect(box, 4.0, 4.0);
+            painter.setBrush(Qt::NoBrush);
         }
         drawEntry(painter, *entry, {x - width, y});
         x -= width + legendGap;
@@ -250,7 +280,7 @@ void Overlay::drawEntry(QPainter &painter, const Entry &entry, QPointF at) const
         break;
     }
     painter.setFont(m_shown.text);
-    painter.setPen(captionInk());
+    painter.setPen(entry.isNews ? m_theme.tokens().ink : captionInk());
     painter.drawText(at + QPointF(entry.width, 0.0), entry.text);
 }
 

@@ -29,7 +29,9 @@ private:
     void drawClock(QPainter &painter, QRectF view) const;
     /// Returns where it ends.
     double drawScale(QPainter &painter, const Camera &camera, QRectF view) const;
-    void drawLegend(QPainter &painter, QRectF view, double from) const;
+    /// The colour of the background `y` px down the screen.
+    QColor groundAt(const Camera &camera, double y) const;
+    void drawLegend(QPainter &painter, const Camera &camera, QRectF view, double from) const;
     void drawEntry(QPainter &painter, const Entry &entry, QPointF at) const;
     void drawName(QPainter &painter, QRectF box) const;
     /// The words that belong to the picture: names of guides, and of the figures where there are two.

@@ -5,6 +5,7 @@
 #include "app/ui/scene/body_text.h"
 #include "app/ui/scene/layers.h"
 #include "app/ui/scene/reference_marks.h"
+#include "sim/phase_before.h"
 
 #include <QLocale>
 
@@ -17,6 +18,8 @@ namespace {
 
 constexpr double dotStep = 25.0;    ///< px
 constexpr double dotRadius = 1.3;   ///< px of the screen
+constexpr int crossEvery = 4;       ///< dots, where a cross is drawn instead
+constexpr double gridArm = 4.0;     ///< px of the screen
 constexpr double densest = 18.0;    ///< px of the screen between two dots
 constexpr int mostSkinned = 20'000; ///< points: earlier moments of more would take too long to find again
 constexpr double ghostShows = 1e-9; ///< px: a ghost that is closer to the run is not drawn
@@ -54,11 +57,11 @@ SceneView::SceneView(Session &session, const Theme &theme, QWidget *parent)
 
     m_scene.setItemIndexMethod(QGraphicsScene::NoIndex);
     m_scene.setSceneRect(-worldReach, -worldReach, 2.0 * worldReach, 2.0 * worldReach);
-    addLayers<RoomLayer, RampLayer, GroundLayer, GhostLayer, OnionLayer, TrailLayer, TreeLayer, MeadowLayer,
-              LimbLayer, SkinLayer, ChainLayer, LegLayer, SpringLayer, StickLayer, BodyLayer, RestLayer,
-              ReferenceLayer, GuideLayer, ArrowLayer>(m_scene, m_shown, theme);
-    addLayers<RoomLayer, LimbLayer, SkinLayer, ChainLayer, LegLayer, StickLayer, BodyLayer, RestLayer,
-              GuideLayer, NameLayer>(m_scene, m_beside, theme);
+    addLayers<RoomLayer, RampLayer, GroundLayer, ShadowLayer, GhostLayer, OnionLayer, TrailLayer, TreeLayer,
+              MeadowLayer, LimbLayer, SkinLayer, SheetLayer, ChainLayer, LegLayer, SpringLayer, StickLayer,
+              BodyLayer, RestLayer, ReferenceLayer, GuideLayer, ArrowLayer>(m_scene, m_shown, theme);
+    addLayers<RoomLayer, ShadowLayer, LimbLayer, SkinLayer, ChainLayer, LegLayer, SpringLayer, StickLayer,
+              BodyLayer, RestLayer, GuideLayer, NameLayer>(m_scene, m_beside, theme);
     m_scene.addItem(new NameLayer(m_shown, theme));
     setScene(&m_scene);
 
@@ -96,6 +99,7 @@ void SceneView::open()
     m_hand.letGo();
     m_tools.letUp();
     m_shown.trail.clear();
+    m_shown.pullScale = m_shown.velocityScale = {};
     m_follows = true;
     m_atHome = false; // another scene is shown as a whole
     m_motion.reset();
@@ -116,7 +120,7 @@ void SceneView::refresh()
             showHome(); // the scene has another size now
     }
     m_shown.selected = m_shown.picture.segment->scene.find(m_session.selected().toStdString());
-    measureArrows(m_shown, m_session.isPlaying());
+    measureArrows(m_shown, m_session.shown().at().frame);
     if (!m_session.isPlaying())
         describe();
     keepSubject();
@@ -140,6 +144,10 @@ void SceneView::takeMoment()
 void SceneView::takePulls()
 {
     const sim::Timeline &timeline = m_session.shown();
+    m_shown.isInside = timeline.at().phase > 0 && m_wantsVelocities.value_or(true);
+    m_shown.before.reset();
+    if (m_shown.isInside && !m_shown.isCrowd())
+        m_shown.before = sim::beforeLastPhase(timeline.track());
     m_shown.pullsAreAll = m_shown.extras.pulls && timeline.at().phase == 0;
     m_shown.gathered = m_shown.pullsAreAll ? sim::pullsNow(timeline.track()) : m_session.gathered();
     m_shown.clock =
@@ -242,6 +250,35 @@ void SceneView::takeCompanion()
     m_beside.extras = m_shown.extras;
 }
 
+void SceneView::drawGrid(QPainter &painter, const QTransform &toView, const QRectF &area) const
+{
+    double step = dotStep * toView.m11();
+    while (step < densest)
+        step *= 2.0;
+    const auto firstLine = [step](double origin) { return static_cast<int>(std::floor(-origin / step)); };
+    QList<QLineF> crosses;
+    QList<QPointF> dots;
+    for (int row = firstLine(toView.dy()); toView.dy() + row * step < area.bottom() + step; ++row) {
+        for (int column = firstLine(toView.dx()); toView.dx() + column * step < area.right() + step;
+             ++column) {
+            const QPointF at(toView.dx() + column * step, toView.dy() + row * step);
+            if (row % crossEvery != 0 || column % crossEvery != 0) {
+                dots << at;
+                continue;
+            }
+            crosses << QLineF(at - QPointF(gridArm, 0.0), at + QPointF(gridArm, 0.0))
+                    << QLineF(at - QPointF(0.0, gridArm), at + QPointF(0.0, gridArm));
+        }
+    }
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(m_theme.tokens().dots);
+    for (const QPointF &dot : dots)
+        painter.drawEllipse(dot, dotRadius, dotRadius);
+    painter.setPen(QPen(m_theme.tokens().dots, 1.3, Qt::SolidLine, Qt::FlatCap));
+    painter.drawLines(crosses);
+    painter.setBrush(Qt::NoBrush);
+}
+
 void SceneView::drawBackground(QPainter *painter, const QRectF &)
 {
     const QTransform toView = painter->worldTransform();
@@ -252,19 +289,8 @@ void SceneView::drawBackground(QPainter *painter, const QRectF &)
         painter->fillRect(area, m_theme.tokens().scene);
     else
         m_sky.draw(*painter, area, Camera(toView).at({0.0, horizonOf(m_shown)}).y(), m_theme.scheme());
-    if (m_shown.extras.grid && isPaper) {
-        double step = dotStep * toView.m11();
-        while (step < densest)
-            step *= 2.0;
-        const double left = std::fmod(toView.dx(), step) - step;
-        const double top = std::fmod(toView.dy(), step) - step;
-        painter->setPen(Qt::NoPen);
-        painter->setBrush(m_theme.tokens().dots);
-        for (double y = top; y < area.bottom() + step; y += step) {
-            for (double x = left; x < area.right() + step; x += step)
-                painter->drawEllipse(QPointF(x, y), dotRadius, dotRadius);
-        }
-    }
+    if (m_shown.extras.grid && isPaper)
+        drawGrid(*painter, toView, area);
     painter->setWorldTransform(toView);
 }
 

@@ -87,6 +87,8 @@ protected:
 
 private:
     void open();
+    /// Dots every 25 px, and crosses every 100, or more widely where those would stand too close.
+    void drawGrid(QPainter &painter, const QTransform &toView, const QRectF &area) const;
     void refresh();
     void describe();
     void followGlance();

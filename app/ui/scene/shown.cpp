@@ -10,9 +10,11 @@ namespace app {
 
 namespace {
 
-constexpr double longestArrow = 100.0; ///< px of the screen
-constexpr double finestPull = 0.01;    ///< px/frame^2, the least that the legend's arrow stands for
-constexpr double worthKeeping = 0.15;  ///< of longestArrow: below, a kept scale makes arrows too short
+/// px of the screen. Velocities get more room: damping takes a tenth of one, and that must be seen.
+constexpr double longestVelocity = 140.0;
+constexpr double finestPull = 0.01;   ///< px/frame^2, the least that the legend's arrow stands for
+constexpr double worthKeeping = 0.15; ///< of the longest arrow: below, a kept scale makes arrows too short
+constexpr std::int64_t saidFor = 15;  ///< frames for which the legend tells that a scale has changed
 
 sim::Vec2 rowOf(const Eigen::ArrayX2d &values, int point)
 {
@@ -39,13 +41,33 @@ double longestPull(const Shown &shown)
     return longest;
 }
 
+/// Keeps `scale` where an arrow of `longest` still fits.
+void renew(ArrowScale &scale, double longest, double room, double finest, std::int64_t frame)
+{
+    if (scale.before && std::abs(frame - scale.changed) > saidFor)
+        scale.before.reset();
+    if (!(longest > 0.0))
+        return;
+    const std::optional<double> settled = scale.isUsed ? std::optional(scale.unit) : std::nullopt;
+    const double unit = std::max(finest, arrowUnit(longest, settled, room));
+    if (settled && unit != scale.unit) {
+        scale.before = scale.unit;
+        scale.changed = frame;
+    }
+    scale.unit = unit;
+    scale.isUsed = true;
+}
+
 double fastest(const Shown &shown)
 {
     if (shown.isCrowd())
         return shown.selected >= 0 ? sim::length(shown.state().speed(shown.selected)) : 0.0;
     double most = 0.0;
-    for (int i = 0; i < shown.points(); ++i)
+    for (int i = 0; i < shown.points(); ++i) {
         most = std::max(most, sim::length(shown.state().speed(i)));
+        if (shown.before)
+            most = std::max(most, sim::length(shown.before->speed(i)));
+    }
     return most;
 }
 
@@ -74,9 +96,9 @@ sim::Vec2 Shown::sumOnSelected() const
     return sum;
 }
 
-double arrowUnit(double longest, std::optional<double> settled)
+double arrowUnit(double longest, std::optional<double> settled, double room)
 {
-    const double least = longest * unitArrow / longestArrow;
+    const double least = longest * unitArrow / room;
     if (!(least > 0.0) || !std::isfinite(least))
         return settled.value_or(1.0);
     if (settled && least <= *settled && least >= worthKeeping * *settled)
@@ -89,14 +111,14 @@ double arrowUnit(double longest, std::optional<double> settled)
     return 10.0 * power;
 }
 
-void measureArrows(Shown &shown, bool playing)
+void measureArrows(Shown &shown, std::int64_t frame)
 {
-    const auto settled = [&](double unit) { return playing ? std::optional(unit) : std::nullopt; };
     const double pull = longestPull(shown);
     shown.hasPulls = pull > 0.0;
     // What rests still feels pulls of a billionth: those are not blown up to arrows.
-    shown.pullUnit = std::max(finestPull, arrowUnit(pull, settled(shown.pullUnit)));
-    shown.velocityUnit = arrowUnit(fastest(shown), settled(shown.velocityUnit));
+    renew(shown.pullScale, pull, longestArrow, finestPull, frame);
+    if (shown.showsVelocities())
+        renew(shown.velocityScale, fastest(shown), longestVelocity, 0.0, frame);
 }
 
 QString sumWords(const Shown &shown)

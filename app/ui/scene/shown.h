@@ -47,6 +47,15 @@ struct Extras
     bool still = false; ///< what only decorates does not move
 };
 
+/// What the arrow of a legend stands for. A change of it is said in the legend for as long as `before` is there.
+struct ArrowScale
+{
+    double unit = 1.0;            ///< px/frame or px/frame^2
+    std::optional<double> before; ///< what it stood for until `changed`
+    std::int64_t changed = 0;     ///< the frame shown when it changed last
+    bool isUsed = false;          ///< whether any arrow was drawn to it yet
+};
+
 /// All that is drawn at one moment: the layers and the overlay read this and nothing else.
 struct Shown
 {
@@ -63,11 +72,13 @@ struct Shown
     std::vector<sim::State> onion; ///< earlier moments, the latest first; empty unless they are shown
     Extras extras;
     Ruler ruler;
-    QString clock;             ///< the time of the run, in words
-    int selected = -1;         ///< a point, or -1
-    double pullUnit = 1.0;     ///< px/frame^2 that the legend's arrow stands for
-    double velocityUnit = 1.0; ///< px/frame that the legend's arrow stands for
-    bool hasPulls = false;     ///< whether any arrow in px/frame^2 is drawn
+    QString clock;                    ///< the time of the run, in words
+    int selected = -1;                ///< a point, or -1
+    ArrowScale pullScale;             ///< px/frame^2
+    ArrowScale velocityScale;         ///< px/frame
+    std::optional<sim::State> before; ///< inside a frame: the state before the last phase done
+    bool isInside = false;            ///< inside a frame, where velocities show unless the learner hides them
+    bool hasPulls = false;            ///< whether any arrow in px/frame^2 is drawn
     bool pullsAreAll =
         false; ///< `gathered` is all that pulls, not what a frame under way has gathered so far
     int outsidePointedAt = -1; ///< the point whose marker at the edge the mouse is on, or -1
@@ -79,6 +90,7 @@ struct Shown
     int points() const { return picture.segment ? picture.state.points() : 0; }
     const lessons::Look &look() const { return *picture.look; }
     bool isCrowd() const { return points() > crowdPoints; }
+    bool showsVelocities() const { return extras.velocities || isInside; }
     double radius(int point) const { return look().bodies[static_cast<std::size_t>(point)].radius; }
     bool isBody(int point) const { return shape(point) == lessons::BodyLook::Shape::body; }
     /// Whether something else is drawn in the point's place, so that no hand can take it.
@@ -98,14 +110,18 @@ std::vector<int> trailed(const Shown &shown);
 /// What the sum of the pulls is called.
 QString sumWords(const Shown &shown);
 
-/// What the arrow of a legend stands for, so that the longest of the arrows drawn to that scale stays readable:
-/// 1, 2 or 5 times a power of ten. While `settled` is given and fits well enough, it stays.
-double arrowUnit(double longest, std::optional<double> settled);
+/// How long the longest arrow may be, in px of the screen.
+constexpr double longestArrow = 100.0;
+
+/// What the arrow of a legend stands for, so that the longest of the arrows drawn to that scale is at most `room` px of
+/// the screen long: 1, 2 or 5 times a power of ten. While `settled` is given and fits well enough, it stays.
+double arrowUnit(double longest, std::optional<double> settled, double room = longestArrow);
 
 /// How long the legend's arrow is, in px of the screen.
 constexpr double unitArrow = 38.0;
 
-/// Renews the units of `shown`. While the run plays a scale that still fits is kept, so that arrows do not jump.
-void measureArrows(Shown &shown, bool playing);
+/// Renews the scales of `shown`, which shows frame `frame`. A scale that still fits is kept, so that arrows of two moments
+/// can be compared.
+void measureArrows(Shown &shown, std::int64_t frame);
 
 }

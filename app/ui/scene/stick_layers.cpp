@@ -1,6 +1,7 @@
 // Sticks, and the flesh round them.
 
 #include "app/ui/scene/layers.h"
+#include "app/ui/scene/material.h"
 #include "app/ui/scene/sticks.h"
 
 #include <algorithm>
@@ -16,19 +17,14 @@ constexpr double thinnest = 0.5;   ///< of a stick's width, at +worst
 constexpr double thickest = 1.7;   ///< of a stick's width, at −worst
 constexpr double finest = 1.2;     ///< px of the screen
 constexpr double besideJoint = 2.; ///< px between a joint's disc and the end cap
+constexpr double leastRound = 5.0; ///< px of the screen: what is thinner has no sheen
+constexpr double sheenWidth = 0.2; ///< of what it lies on
+constexpr double sheenUp = 0.24;   ///< of its width, from the middle
 
 /// 0 up to `calm`, 1 from `worst` on.
 double badness(double error)
 {
     return std::clamp((std::abs(error) - calm) / (worst - calm), 0.0, 1.0);
-}
-
-QColor mixed(const QColor &a, const QColor &b, double share)
-{
-    const auto between = [share](int from, int to) {
-        return static_cast<int>(std::lround(from + share * (to - from)));
-    };
-    return {between(a.red(), b.red()), between(a.green(), b.green()), between(a.blue(), b.blue())};
 }
 
 /// The radius on the screen of the disc at an end of a stick.
@@ -49,6 +45,19 @@ void drawCap(const Canvas &canvas, const QLineF &stick, int point, double width)
     canvas.painter.drawLine(middle - across, middle + across);
 }
 
+/// A streak of light along the upper side of a rod.
+void drawSheen(const Canvas &canvas, const QLineF &rod, double width, const QColor &color)
+{
+    const double length = rod.length();
+    if (isFlat(canvas.theme) || width < leastRound || length <= 0.0)
+        return;
+    QPointF up(rod.dy() / length, -rod.dx() / length);
+    if (up.y() > 0.0 || (up.y() == 0.0 && up.x() > 0.0))
+        up = -up;
+    canvas.painter.setPen(solid(mixed(color, Qt::white, 0.4), sheenWidth * width));
+    canvas.painter.drawLine(rod.translated(sheenUp * width * up));
+}
+
 void drawStick(const Canvas &canvas, const lessons::StickLook &stick)
 {
     const sim::State &state = canvas.shown.state();
@@ -58,8 +67,10 @@ void drawStick(const Canvas &canvas, const lessons::StickLook &stick)
         return;
     const double error = stickError(stick, state);
     const double width = std::max(finest, stick.width * stickSwelling(error) * canvas.camera.zoom);
-    canvas.painter.setPen(solid(stickColor(canvas.tokens(), error), width));
+    const QColor color = stickColor(canvas.tokens(), error);
+    canvas.painter.setPen(solid(color, width));
     canvas.painter.drawLine(visible);
+    drawSheen(canvas, visible, width, color);
     canvas.painter.setPen(solid(canvas.tokens().stick, std::clamp(width * 0.6, 1.2, 4.0)));
     drawCap(canvas, line, stick.a, width);
     drawCap(canvas, QLineF(line.p2(), line.p1()), stick.b, width);
@@ -90,10 +101,13 @@ double stickSwelling(double error)
 void LimbLayer::draw(const Canvas &canvas) const
 {
     const sim::State &state = canvas.shown.state();
+    const QColor color = canvas.tokens().body;
     for (const lessons::LimbLook &limb : canvas.shown.look().limbs) {
-        canvas.painter.setPen(solid(canvas.tokens().body, std::max(finest, limb.width * canvas.camera.zoom)));
-        canvas.painter.drawLine(
-            canvas.cut(canvas.camera.at(state.at(limb.a)), canvas.camera.at(state.at(limb.b))));
+        const double width = std::max(finest, limb.width * canvas.camera.zoom);
+        const QLineF line =
+            canvas.cut(canvas.camera.at(state.at(limb.a)), canvas.camera.at(state.at(limb.b)));
+        canvas.painter.setPen(solid(color, width));
+        canvas.painter.drawLine(line);
     }
 }
 

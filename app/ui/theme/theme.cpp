@@ -28,7 +28,7 @@ Tokens lightTokens()
     t.now = "#F5B301", t.nowText = "#5C3F00", t.wash = "#FFF1C7", t.wash2 = "#FFF8E3",
     t.washLine = QColor(0, 0, 0, 0);
     t.link = "#1450A8", t.ok = "#1B7F5C", t.near = "#B25E00", t.past = "#C0262D";
-    t.body = "#2E3B4E", t.bodyInk = "#FFFFFF", t.ghost = "#8C929A", t.dots = "#E6E2D9";
+    t.body = "#2E3B4E", t.bodyInk = "#FFFFFF", t.ghost = "#8C929A", t.dots = "#DCD7CB";
     t.keyword = "#7A3E9D", t.number = "#1D6F5B", t.type = "#2F5D8C", t.comment = "#6A7077",
     t.chip = "#EFECE5";
     t.spring = "#1450A8", t.gravity = "#A83200", t.damping = "#D058C4", t.contact = "#3A3E44";
@@ -54,7 +54,7 @@ Tokens darkTokens()
     t.now = "#FFC53D", t.nowText = "#2B1E00", t.wash = "#3B3116", t.wash2 = "#2A2516",
     t.washLine = QColor(0, 0, 0, 0);
     t.link = "#7FB8FF", t.ok = "#46C08F", t.near = "#F0A23C", t.past = "#FF6B66";
-    t.body = "#E8E3D6", t.bodyInk = "#17191C", t.ghost = "#7A8189", t.dots = "#24282C";
+    t.body = "#E8E3D6", t.bodyInk = "#17191C", t.ghost = "#7A8189", t.dots = "#3A4047";
     t.keyword = "#CBA6F0", t.number = "#8FD0B4", t.type = "#8FBCE8", t.comment = "#858B91",
     t.chip = "#2A2E33";
     t.spring = "#3F97FF", t.gravity = "#EE7A2B", t.damping = "#BC86C2", t.contact = "#E6EBEE";
