@@ -45,6 +45,8 @@ public:
     const sim::Timeline &timeline() const { return *m_timeline; }
     Progress &progress() { return m_progress; }
     bool isStepDone(const LessonEntry &lesson, const lessons::Step &step) const;
+    /// What is still to do for the thing to try with this number, which has been begun; see Attempts::todo().
+    QString todo(int number) const;
     /// How the time is told that a run takes, for things to try within a budget; measured, unless said otherwise.
     void setTiming(lessons::Timing timing) { m_attempts.setTiming(std::move(timing)); }
 

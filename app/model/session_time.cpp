@@ -49,6 +49,7 @@ void Session::pause()
     if (!isPlaying())
         return;
     m_player.pause();
+    checkTries(); // some are done only while the run stands
     emit playingChanged();
 }
 
