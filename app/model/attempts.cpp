@@ -19,7 +19,8 @@ constexpr std::int64_t laterFrames[] = {10, 30, 100, 300, 1000};
 
 }
 
-void Attempts::check(const QString &lesson, const lessons::Step &step, const sim::Timeline &timeline)
+void Attempts::check(const QString &lesson, const lessons::Step &step, const sim::Timeline &timeline,
+                     bool plays)
 {
     const bool mayMeasure =
         !m_sinceMeasured.isValid() || m_sinceMeasured.elapsed() >= measureAgainMilliseconds;
@@ -34,10 +35,26 @@ void Attempts::check(const QString &lesson, const lessons::Step &step, const sim
     };
     for (int i = 0; i < static_cast<int>(step.tries.size()); ++i) {
         const lessons::Try &one = step.tries[static_cast<std::size_t>(i)];
-        if (!m_progress.isDone(lesson, step.id, i) && one.done(timeline) &&
-            (!one.budget || keeps(*one.budget)))
+        if (m_progress.isDone(lesson, step.id, i) || (one.whileStopped && plays))
+            continue;
+        if (one.done(timeline) && (!one.budget || keeps(*one.budget)))
             m_progress.markDone(lesson, step.id, i);
     }
+}
+
+QString Attempts::todo(const QString &lesson, const lessons::Step &step, int number,
+                       const sim::Timeline &timeline, bool plays) const
+{
+    const lessons::Try &one = step.tries[static_cast<std::size_t>(number)];
+    if (m_progress.isDone(lesson, step.id, number))
+        return {};
+    if (!one.done(timeline))
+        return one.conditions.todo(timeline);
+    if (one.whileStopped && plays)
+        return tr("stop here: press **Space**.");
+    if (one.budget && !m_isAsked)
+        return tr("it is too far off, or a frame takes too long. Try another method or step.");
+    return {};
 }
 
 void Attempts::askLater()

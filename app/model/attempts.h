@@ -22,8 +22,12 @@ public:
     /// How the time is told that a run takes, for things to try within a budget; measured, unless said otherwise.
     void setTiming(lessons::Timing timing) { m_timing = std::move(timing); }
 
-    /// Ticks what is done at the moment of `timeline`, a run of this step.
-    void check(const QString &lesson, const lessons::Step &step, const sim::Timeline &timeline);
+    /// Ticks what is done at the moment of `timeline`, a run of this step, which plays or stands.
+    void check(const QString &lesson, const lessons::Step &step, const sim::Timeline &timeline, bool plays);
+    /// Returns what is still to do for the thing to try with this number, which a learner has begun: one or two
+    /// sentences of Markdown. Empty where nothing is missing, and where nobody has begun.
+    QString todo(const QString &lesson, const lessons::Step &step, int number, const sim::Timeline &timeline,
+                 bool plays) const;
     /// Whether one of the things to try that are not done is done later if the learner does nothing. What sleeps is looked
     /// into at once; where too many points move, it may be.
     bool mayBeDoneByWaiting(const QString &lesson, const lessons::Step &step,

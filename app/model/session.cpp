@@ -149,7 +149,12 @@ void Session::select(const QString &body)
 
 void Session::checkTries()
 {
-    m_attempts.check(lesson().id, step(), *m_timeline);
+    m_attempts.check(lesson().id, step(), *m_timeline, isPlaying());
+}
+
+QString Session::todo(int number) const
+{
+    return m_attempts.todo(lesson().id, step(), number, *m_timeline, isPlaying());
 }
 
 }

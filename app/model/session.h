@@ -45,6 +45,8 @@ public:
     const sim::Timeline &timeline() const { return *m_timeline; }
     Progress &progress() { return m_progress; }
     bool isStepDone(const LessonEntry &lesson, const lessons::Step &step) const;
+    /// What is still to do for the thing to try with this number, which has been begun; see Attempts::todo().
+    QString todo(int number) const;
     /// How the time is told that a run takes, for things to try within a budget; measured, unless said otherwise.
     void setTiming(lessons::Timing timing) { m_attempts.setTiming(std::move(timing)); }
 
@@ -82,8 +84,21 @@ public:
     }
     /// Pauses, and goes on to a moment after the cursor as playing does: it stops at breakpoints on the way.
     void runTo(sim::Cursor cursor);
-    /// Back to frame 0; the input and what was computed stay, so play repeats the run.
-    void rewind();
+    /// Begins the run again at frame 0, with parameters, method and effects as they are now, and without what hand,
+    /// pointer and keys did. The run as it was becomes a branch, and it can be undone. Without any input, goes to frame 0.
+    void restart();
+    /// Plays the run again from frame 0, with all that was done in it.
+    void repeat();
+    /// Whether anything was done in this run besides what the step begins with.
+    bool hasInput() const;
+    /// Where the recorded hand holds something at the moment of shown(), or where the recorded pointer has its button
+    /// down, px; empty where there is none, and while the learner's own hand does it.
+    std::optional<sim::Vec2> recordedHand() const;
+    /// A hand has taken hold of something while time stands: starts time at the start of the run and at its end, where
+    /// nothing comes after the cursor. In a scene that is built, inside a frame and in the past it stays, and says so.
+    void startTimeByHand();
+    /// While time stands, says so to a learner whose pointer acts.
+    void sayThatTimeStands();
     /// The step as it was when it was first opened: no input, presets, published start.
     void startAfresh();
 

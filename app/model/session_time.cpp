@@ -22,6 +22,12 @@ constexpr qint64 mostMilliseconds =
 constexpr int framesToJudge = 45;   ///< due while playing, after which a run that falls behind is said to
 constexpr double fallsBehind = 0.8; ///< of what is due
 
+/// The input that a run of `step` with the values of `script` begins with.
+std::vector<sim::Event> openingInput(const lessons::Step &step, const sim::Script &script)
+{
+    return step.opening ? step.scriptWith(script.values, script.method).input : std::vector<sim::Event>();
+}
+
 }
 
 void Session::setSpeed(double speed)
@@ -49,6 +55,7 @@ void Session::pause()
     if (!isPlaying())
         return;
     m_player.pause();
+    checkTries(); // some are done only while the run stands
     emit playingChanged();
 }
 
@@ -159,10 +166,63 @@ void Session::judgePace(int due, int played)
                      "the same."));
 }
 
-void Session::rewind()
+void Session::restart()
+{
+    pause();
+    letGo();
+    letUp();
+    if (hasInput()) {
+        sim::Script script = m_timeline->script();
+        script.values = m_timeline->values();
+        script.input = openingInput(step(), script);
+        m_timeline->seek({});
+        edit({tr("Restart"), tr("the restart")},
+             [&](sim::Timeline &timeline) { return timeline.replace(std::move(script)); });
+        showBeside(0); // a ghost would do again what is to be gone
+        emit said(tr("A fresh run. The run as it was is under “Runs”, and undo (Ctrl+Z) brings it back."));
+    }
+    goTo({});
+}
+
+void Session::repeat()
 {
     pause();
     goTo({});
+    play();
+}
+
+bool Session::hasInput() const
+{
+    return m_timeline->script().input != openingInput(step(), m_timeline->script());
+}
+
+std::optional<sim::Vec2> Session::recordedHand() const
+{
+    if (!isGlancing() && (m_holding || m_pointerDown || m_timeline->hasPending()))
+        return {};
+    const sim::State &now = shown().now();
+    if (now.hold.point >= 0)
+        return now.at(now.hold.point);
+    return now.outside.pointerDown ? now.outside.pointer : std::nullopt;
+}
+
+void Session::startTimeByHand()
+{
+    const sim::Cursor at = m_timeline->at();
+    if (isPlaying() || isWorkshop() || m_timeline->stop())
+        return;
+    if (at.phase == 0 && (at.frame == 0 || at.frame >= m_timeline->computed())) {
+        play();
+        emit said(tr("Time runs while your hand moves things. Space stops it."));
+    } else {
+        sayThatTimeStands();
+    }
+}
+
+void Session::sayThatTimeStands()
+{
+    if (!isPlaying())
+        emit said(tr("Time stands still. Space lets it run from here."));
 }
 
 void Session::startAfresh()

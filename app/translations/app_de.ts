@@ -3475,6 +3475,17 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     </message>
 </context>
 <context>
+    <name>app::Attempts</name>
+    <message>
+        <source>stop here: press **Space**.</source>
+        <translation>halte hier an: Drück die **Leertaste**.</translation>
+    </message>
+    <message>
+        <source>it is too far off, or a frame takes too long. Try another method or step.</source>
+        <translation>es ist zu weit daneben, oder ein Bild dauert zu lang. Versuche ein anderes Verfahren oder einen anderen Zeitschritt.</translation>
+    </message>
+</context>
+<context>
     <name>app::BranchesPanel</name>
     <message>
         <source>Two runs</source>
@@ -4940,10 +4951,6 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>&amp;Phase zurück</translation>
     </message>
     <message>
-        <source>To the &amp;start</source>
-        <translation>Zum An&amp;fang</translation>
-    </message>
-    <message>
         <source>To the &amp;end of what was computed</source>
         <translation>Zum &amp;Ende des Berechneten</translation>
     </message>
@@ -5478,6 +5485,14 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>Reco&amp;ver scenes…</source>
         <translation>Szenen &amp;wiederherstellen…</translation>
+    </message>
+    <message>
+        <source>Re&amp;start</source>
+        <translation>Neu s&amp;tarten</translation>
+    </message>
+    <message>
+        <source>Repea&amp;t the run, with all that was done in it</source>
+        <translation>Den Lauf wieder&amp;holen, mit allem, was darin getan wurde</translation>
     </message>
 </context>
 <context>
@@ -6235,6 +6250,10 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <source>Only a look. %1</source>
         <translation>Nur ein Blick. %1</translation>
     </message>
+    <message>
+        <source>The hand of the recorded run is at %1, %2</source>
+        <translation>Die Hand des aufgezeichneten Laufs ist bei %1, %2</translation>
+    </message>
 </context>
 <context>
     <name>app::Session</name>
@@ -6377,6 +6396,26 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>Redone: %1.</source>
         <translation>Wiederholt: %1.</translation>
+    </message>
+    <message>
+        <source>Restart</source>
+        <translation>Neu starten</translation>
+    </message>
+    <message>
+        <source>the restart</source>
+        <translation>Neustart</translation>
+    </message>
+    <message>
+        <source>A fresh run. The run as it was is under “Runs”, and undo (Ctrl+Z) brings it back.</source>
+        <translation>Ein frischer Lauf. Der Lauf von vorher steht unter „Läufe“, und Rückgängig (Strg+Z) bringt ihn zurück.</translation>
+    </message>
+    <message>
+        <source>Time runs while your hand moves things. Space stops it.</source>
+        <translation>Die Zeit läuft, während deine Hand etwas bewegt. Die Leertaste hält sie an.</translation>
+    </message>
+    <message>
+        <source>Time stands still. Space lets it run from here.</source>
+        <translation>Die Zeit steht still. Die Leertaste lässt sie von hier aus laufen.</translation>
     </message>
 </context>
 <context>
@@ -6742,12 +6781,12 @@ Eingabe fügt es hinzu.</translation>
         <translation>Neben diesem Lauf: %1. Ein Rechtsklick zeigt, was sich damit tun lässt.</translation>
     </message>
     <message>
-        <source>Left and Right: one frame. With Shift: one phase. Home: frame 0. End: the last computed frame. Menu: the other runs.</source>
-        <translation>Links und Rechts: ein Bild. Mit Umschalt: eine Phase. Pos1: Bild 0. Ende: das letzte berechnete Bild. Menü: die anderen Läufe.</translation>
-    </message>
-    <message>
         <source>%1. Looking at: %2</source>
         <translation>%1. Ein Blick auf: %2</translation>
+    </message>
+    <message>
+        <source>Left and Right: one frame. With Shift: one phase. Home: restart. With Shift: repeat the run. End: the last computed frame. Menu: the other runs.</source>
+        <translation>Links und Rechts: ein Bild. Mit Umschalt: eine Phase. Pos1: neu starten. Mit Umschalt: den Lauf wiederholen. Ende: das letzte berechnete Bild. Menü: die anderen Läufe.</translation>
     </message>
 </context>
 <context>
@@ -6814,10 +6853,6 @@ Eingabe fügt es hinzu.</translation>
     <message>
         <source>This is frame 0: nothing comes before it.</source>
         <translation>Das ist Bild 0: Davor kommt nichts.</translation>
-    </message>
-    <message>
-        <source>Back to frame 0</source>
-        <translation>Zurück zu Bild 0</translation>
     </message>
     <message>
         <source>Home</source>
@@ -6915,6 +6950,18 @@ Eingabe fügt es hinzu.</translation>
         <source>· at %1</source>
         <translation>· bei %1</translation>
     </message>
+    <message>
+        <source>Restart</source>
+        <translation>Neu starten</translation>
+    </message>
+    <message>
+        <source>A fresh run from frame 0, with the parameters as they are now.</source>
+        <translation>Ein frischer Lauf ab Bild 0, mit den Parametern, wie sie jetzt sind.</translation>
+    </message>
+    <message>
+        <source>Shift+Home repeats this run instead, with all that was done in it.</source>
+        <translation>Umschalt+Pos1 wiederholt stattdessen diesen Lauf, mit allem, was darin getan wurde.</translation>
+    </message>
 </context>
 <context>
     <name>app::TryBox</name>
@@ -6929,6 +6976,22 @@ Eingabe fügt es hinzu.</translation>
     <message>
         <source>Show a hint (H)</source>
         <translation>Einen Tipp zeigen (H)</translation>
+    </message>
+    <message>
+        <source>Put the answer away</source>
+        <translation>Antwort weglegen</translation>
+    </message>
+    <message>
+        <source>Show the answer</source>
+        <translation>Antwort zeigen</translation>
+    </message>
+    <message>
+        <source>Answer: %1</source>
+        <translation>Antwort: %1</translation>
+    </message>
+    <message>
+        <source>**Still to do:** %1</source>
+        <translation>**Noch zu tun:** %1</translation>
     </message>
 </context>
 <context>

@@ -204,10 +204,6 @@ Jeder **Effekt** in der Liste hat seinen Preis, und einer, der nicht darin steht
         <translation>Geh mit Zeitschritten von 1 Bild zu Bild 0, setze **k** auf 0,02 und spiele bis Bild 100. Eine langsame Schwingung verzeiht einen großen Zeitschritt.</translation>
     </message>
     <message>
-        <source>Type **5&#x2009;frames** as step. Now k h² is 5, more than 4: each swing throws it farther out.</source>
-        <translation>Gib **5&#x2009;Bilder** als Zeitschritt ein. Jetzt ist k h² gleich 5, mehr als 4: Jede Schwingung wirft ihn weiter hinaus.</translation>
-    </message>
-    <message>
         <source>Choose **Explicit Euler** as method, and play until there is twice the energy: a drift of 100&#x2009;%.</source>
         <translation>Wähle **Explizites Euler** und spiele, bis es doppelt so viel Energie gibt: eine Drift von 100&#x2009;%.</translation>
     </message>
@@ -218,10 +214,6 @@ Jeder **Effekt** in der Liste hat seinen Preis, und einer, der nicht darin steht
     <message>
         <source>Choose **Velocity Verlet** with steps of 1&#x2009;frame. Play 200&#x2009;frames: the drift stays within half a percent.</source>
         <translation>Wähle **Velocity-Verlet** mit Zeitschritten von 1 Bild. Spiele 200&#x2009;Bilder: Die Drift bleibt innerhalb eines halben Prozents.</translation>
-    </message>
-    <message>
-        <source>**Semi-implicit Euler**: play to frame 60 with steps of 1/8&#x2009;frame, then with 1/16. Half as far off?</source>
-        <translation>**Semi-implizites Euler**: Spiele mit Zeitschritten von 1/8 Bild bis Bild 60, dann mit 1/16. Halb so weit daneben?</translation>
     </message>
     <message>
         <source>**Midpoint**, the same two steps: a quarter?</source>
@@ -238,10 +230,6 @@ Jeder **Effekt** in der Liste hat seinen Preis, und einer, der nicht darin steht
     <message>
         <source>Choose a **tolerance** of 0.1&#x2009;px or more, and play to frame 150. Less work; how far off?</source>
         <translation>Wähle eine **Toleranz** von 0,1&#x2009;px oder mehr und spiele bis Bild 150. Weniger Arbeit; wie weit daneben?</translation>
-    </message>
-    <message>
-        <source>Throw the foot past the middle, within 10&#x2009;px of it. Watch its steps get shorter than 1&#x2009;frame.</source>
-        <translation>Wirf den Fuß an der Mitte vorbei, innerhalb von 10&#x2009;px. Sieh zu, wie seine Zeitschritte kürzer als 1 Bild werden.</translation>
     </message>
     <message>
         <source>**Runge–Kutta 4**: find a step with which it is less than 0.2&#x2009;px off at frame 150. What does it pay for a frame?</source>
@@ -270,10 +258,6 @@ Jeder **Effekt** in der Liste hat seinen Preis, und einer, der nicht darin steht
     <message>
         <source>Less than **0.1&#x2009;px** off, within **1&#x2009;µs** a frame.</source>
         <translation>Weniger als **0,1&#x2009;px** daneben, innerhalb von **1&#x2009;µs** pro Bild.</translation>
-    </message>
-    <message>
-        <source>Set **Creatures** to 10&#x2009;000 and play on for 60&#x2009;frames. Then to 20&#x2009;000: does it take twice as long?</source>
-        <translation>Setze **Figuren** auf 10 000 und spiele 60&#x2009;Bilder weiter. Dann auf 20 000: Dauert es doppelt so lang?</translation>
     </message>
     <message>
         <source>Set **Gravity** to 0 and play on for 60&#x2009;frames. It is left out now; look for its line in the code.</source>
@@ -598,6 +582,130 @@ und das halbe h lässt davon 1/2, 1/4, 1/16 übrig, für p = 1, 2, 4.</translati
     <message>
         <source>One thing that acts in a scene: springs, gravity, damping, walls. Only those that a scene lists cost time.</source>
         <translation>Etwas, das in einer Szene wirkt: Federn, Schwerkraft, Dämpfung, Wände. Nur was in der Liste einer Szene steht, kostet Zeit.</translation>
+    </message>
+    <message>
+        <source>choose **1&#x2009;frame** as step.</source>
+        <translation>wähle **1 Bild** als Zeitschritt.</translation>
+    </message>
+    <message>
+        <source>go to frame %2. This is frame %1.</source>
+        <translation>geh zu Bild %2. Das hier ist Bild %1.</translation>
+    </message>
+    <message>
+        <source>start the step afresh (**Ctrl+R**), and choose nothing but method and step.</source>
+        <translation>beginne den Schritt neu (**Strg+R**) und wähle nichts als Verfahren und Zeitschritt.</translation>
+    </message>
+    <message>
+        <source>try another method or step. This one is %1&#x2009;px off.</source>
+        <translation>versuche ein anderes Verfahren oder einen anderen Zeitschritt. Es ist %1 px daneben.</translation>
+    </message>
+    <message>
+        <source>play on. The drift is %1&#x2009;%.</source>
+        <translation>spiele weiter. Die Drift ist %1 %.</translation>
+    </message>
+    <message>
+        <source>3&#x2009;px, instead of 66&#x2009;px.</source>
+        <translation>3 px statt 66 px.</translation>
+    </message>
+    <message>
+        <source>play on. The foot is %1&#x2009;px off.</source>
+        <translation>spiele weiter. Der Fuß ist %1 px daneben.</translation>
+    </message>
+    <message>
+        <source>set **k** at frame 0: press **Home**.</source>
+        <translation>setze **k** bei Bild 0: Drück **Pos1**.</translation>
+    </message>
+    <message>
+        <source>Type **5&#x2009;frames** as step. Now k h² is 5, more than 4: each swing throws it farther out. Wait until it is 1000&#x2009;px away.</source>
+        <translation>Gib **5 Bilder** als Zeitschritt ein. Jetzt ist k h² gleich 5, mehr als 4: Jede Schwingung wirft ihn weiter hinaus. Warte, bis er 1000 px weit weg ist.</translation>
+    </message>
+    <message>
+        <source>play on. The foot is %1&#x2009;px away.</source>
+        <translation>spiele weiter. Der Fuß ist %1 px weit weg.</translation>
+    </message>
+    <message>
+        <source>choose **Explicit Euler** as method.</source>
+        <translation>wähle **Explizites Euler** als Verfahren.</translation>
+    </message>
+    <message>
+        <source>No. The energy grows more slowly, but it still grows, and never stops growing.</source>
+        <translation>Nein. Die Energie wächst langsamer, aber sie wächst, und sie hört nie auf zu wachsen.</translation>
+    </message>
+    <message>
+        <source>**Semi-implicit Euler**: go to frame 60 with steps of 1/16&#x2009;frame. Is it half as far off as with 1/8?</source>
+        <translation>**Semi-implizites Euler**: Geh mit Zeitschritten von 1/16 Bild zu Bild 60. Ist es halb so weit daneben wie mit 1/8?</translation>
+    </message>
+    <message>
+        <source>choose **Semi-implicit Euler** as method.</source>
+        <translation>wähle **Semi-implizites Euler** als Verfahren.</translation>
+    </message>
+    <message>
+        <source>Nearly: 0.21&#x2009;px instead of 0.44&#x2009;px. Its order is 1.</source>
+        <translation>Fast: 0,21 px statt 0,44 px. Seine Ordnung ist 1.</translation>
+    </message>
+    <message>
+        <source>choose **Midpoint** as method.</source>
+        <translation>wähle **Mittelpunktsregel** als Verfahren.</translation>
+    </message>
+    <message>
+        <source>Yes: 0.21&#x2009;px instead of 0.84&#x2009;px. Its order is 2.</source>
+        <translation>Ja: 0,21 px statt 0,84 px. Ihre Ordnung ist 2.</translation>
+    </message>
+    <message>
+        <source>choose **Runge–Kutta 4** as method.</source>
+        <translation>wähle **Runge–Kutta 4** als Verfahren.</translation>
+    </message>
+    <message>
+        <source>Yes: 0.00003&#x2009;px instead of 0.0005&#x2009;px. Its order is 4.</source>
+        <translation>Ja: 0,00003 px statt 0,0005 px. Seine Ordnung ist 4.</translation>
+    </message>
+    <message>
+        <source>choose something cheaper. This needs %1 computations a frame.</source>
+        <translation>wähle etwas Billigeres. Das braucht %1 Berechnungen pro Bild.</translation>
+    </message>
+    <message>
+        <source>About 23&#x2009;px. The tolerance is for one step, and the errors of all steps add up.</source>
+        <translation>Etwa 23 px. Die Toleranz gilt für einen Zeitschritt, und die Fehler aller Zeitschritte summieren sich.</translation>
+    </message>
+    <message>
+        <source>Throw the foot, at 5&#x2009;px per frame or more, past the middle, within 10&#x2009;px of it. Watch its steps get shorter than 1&#x2009;frame.</source>
+        <translation>Wirf den Fuß, mit 5 px pro Bild oder mehr, an der Mitte vorbei, innerhalb von 10 px. Sieh zu, wie seine Zeitschritte kürzer als 1 Bild werden.</translation>
+    </message>
+    <message>
+        <source>choose **Dormand–Prince 5(4)** as method.</source>
+        <translation>wähle **Dormand–Prince 5(4)** als Verfahren.</translation>
+    </message>
+    <message>
+        <source>it has to pass the middle within 10&#x2009;px. Throw it closer by.</source>
+        <translation>er muss innerhalb von 10 px an der Mitte vorbei. Wirf ihn näher daran vorbei.</translation>
+    </message>
+    <message>
+        <source>16 computations of all forces: four for each step of 1/4&#x2009;frame. Far out it would not need them.</source>
+        <translation>16 Berechnungen aller Kräfte: vier für jeden Zeitschritt von 1/4 Bild. Weit draußen bräuchte es sie nicht.</translation>
+    </message>
+    <message>
+        <source>1. From 1/4&#x2009;frame to 1/8&#x2009;frame, the error falls from 24 to 15&#x2009;px, not to a sixteenth.</source>
+        <translation>1. Von 1/4 Bild zu 1/8 Bild fällt der Fehler von 24 auf 15 px, nicht auf ein Sechzehntel.</translation>
+    </message>
+    <message>
+        <source>By less than a millionth of a pixel: it ends a step at the very moment of each touch.</source>
+        <translation>Weniger als ein Millionstel Pixel: Es beendet einen Zeitschritt genau im Moment jeder Berührung.</translation>
+    </message>
+    <message>
+        <source>play on until the ball lies on the floor.</source>
+        <translation>spiele weiter, bis der Ball am Boden liegt.</translation>
+    </message>
+    <message>
+        <source>Set **Creatures** to 20&#x2009;000 and play on for 60&#x2009;frames. Does a frame take twice as long as with 10&#x2009;000?</source>
+        <translation>Setze **Figuren** auf 20 000 und spiele 60 Bilder weiter. Dauert ein Bild doppelt so lang wie mit 10 000?</translation>
+    </message>
+    <message>
+        <source>About twice: each creature costs the same. It is more where the machine’s cache no longer holds all of them.</source>
+        <translation>Etwa doppelt: Jede Figur kostet dasselbe. Mehr ist es, wo der Cache des Rechners nicht mehr alle fasst.</translation>
+    </message>
+    <message>
+        <source>let time run (**Space**) until nothing moves.</source>
+        <translation>lass die Zeit laufen (**Leertaste**), bis sich nichts mehr bewegt.</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,57 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>Conditions</name>
+    <message>
+        <source>take it with the mouse, and let go of it.</source>
+        <translation>nimm es mit der Maus und lass es los.</translation>
+    </message>
+    <message>
+        <source>let go while the mouse moves, at %2&#x202f;px per frame or more. Yours left at %1.</source>
+        <translation>lass los, während sich die Maus bewegt, mit %2 px pro Bild oder mehr. Losgelassen wurde bei %1.</translation>
+    </message>
+    <message>
+        <source>take it with the mouse.</source>
+        <translation>nimm es mit der Maus.</translation>
+    </message>
+    <message>
+        <source>take it with the mouse, and hold it.</source>
+        <translation>nimm es mit der Maus und halte es.</translation>
+    </message>
+    <message>
+        <source>carry it %2&#x202f;px or more. It came %1&#x202f;px.</source>
+        <translation>trag es %2 px weit oder mehr. Es kam %1 px weit.</translation>
+    </message>
+    <message>
+        <source>let time run (**Space**) until nothing moves.</source>
+        <translation>lass die Zeit laufen (**Leertaste**), bis sich nichts mehr bewegt.</translation>
+    </message>
+    <message>
+        <source>hands off, and let time run for %2&#x202f;frames. So far: %1.</source>
+        <translation>Hände weg, und lass die Zeit %2 Bilder lang laufen. Bisher: %1.</translation>
+    </message>
+    <message>
+        <source>let time run for %2&#x202f;frames with this value. So far: %1.</source>
+        <translation>lass die Zeit mit diesem Wert %2 Bilder lang laufen. Bisher: %1.</translation>
+    </message>
+    <message>
+        <source>go on to frame %2. This is frame %1.</source>
+        <translation>geh weiter bis Bild %2. Das hier ist Bild %1.</translation>
+    </message>
+    <message>
+        <source>stop, and go into a frame: **Shift+→**.</source>
+        <translation>halte an und geh in ein Bild hinein: **Umschalt+→**.</translation>
+    </message>
+    <message>
+        <source>press **Shift+→** or **Shift+←** until a spring has pulled and nothing has moved.</source>
+        <translation>drück **Umschalt+→** oder **Umschalt+←**, bis eine Feder gezogen hat und sich nichts bewegt hat.</translation>
+    </message>
+    <message>
+        <source>play on for 10&#x202f;frames from where the two part. So far: %1.</source>
+        <translation>spiele von dort, wo sich die beiden trennen, 10 Bilder weiter. Bisher: %1.</translation>
+    </message>
+</context>
+<context>
     <name>Parameters</name>
     <message>
         <source>px</source>

@@ -95,6 +95,15 @@ bool isSetTo(const sim::Timeline &timeline, const std::string &id, double value)
     return timeline.values().has(id) && std::abs(timeline.values()[id] - value) < 0.005;
 }
 
+sim::Vec2 takenFrom(const sim::Timeline &timeline, const Carry &carry)
+{
+    const int point = timeline.track().shown().scene.find(carry.body);
+    const sim::State then = timeline.track().stateAt(std::max<std::int64_t>(0, carry.grabbed - 1));
+    return point >= 0 && point < then.points() ? then.at(point)
+           : carry.path.empty()                ? sim::Vec2{}
+                                               : carry.path.front().at;
+}
+
 bool wasThrown(const sim::Timeline &timeline, const std::string &body, double leastSpeed)
 {
     const std::optional<Carry> carry = lastLetGo(timeline, body);
@@ -121,12 +130,11 @@ bool springPulledNothingMoved(const sim::Timeline &timeline)
     return pulled && !hasMoved(timeline);
 }
 
-bool comparesWithGhost(const sim::Timeline &timeline, const std::string &id)
+bool differsFromGhost(const sim::Timeline &timeline, const std::string &id)
 {
-    const sim::Track *ghost = timeline.ghost();
-    if (!ghost || timeline.at().frame < timeline.fork() + 10)
+    if (!timeline.ghost())
         return false;
-    const sim::Values &then = ghost->shown().values;
+    const sim::Values &then = timeline.ghost()->shown().values;
     const sim::Values &now = timeline.track().shown().values;
     return then.has(id) && now.has(id) && then[id] != now[id];
 }

@@ -30,6 +30,8 @@ std::int64_t framesSinceSet(const sim::Timeline &timeline, const std::string &id
 /// Whether `id` is `value`, to half of what its last shown place can be (0.005).
 bool isSetTo(const sim::Timeline &timeline, const std::string &id, double value);
 
+/// Where the body of a carry was when the hand took it, in px.
+sim::Vec2 takenFrom(const sim::Timeline &timeline, const Carry &carry);
 /// Whether the hand let go of `body` (of anything, if empty) while it moved at least `leastSpeed` px/frame.
 bool wasThrown(const sim::Timeline &timeline, const std::string &body = {}, double leastSpeed = 5.0);
 
@@ -40,10 +42,8 @@ bool hasMoved(const sim::Timeline &timeline, int group = -1);
 /// Whether the cursor stands inside a frame where a spring has pulled and nothing has moved.
 bool springPulledNothingMoved(const sim::Timeline &timeline);
 
-/// Whether the run is at least ten frames past the place where it parted from its ghost, which has another value
-/// of `id` there.
-bool comparesWithGhost(const sim::Timeline &timeline, const std::string &id);
-
+/// Whether the run has a ghost, which has another value of `id` now.
+bool differsFromGhost(const sim::Timeline &timeline, const std::string &id);
 /// Whether the run goes on with the method called `id`.
 bool usesMethod(const sim::Timeline &timeline, const std::string &id);
 

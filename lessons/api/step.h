@@ -1,6 +1,7 @@
 #pragma once
 
 #include "lessons/api/budget.h"
+#include "lessons/api/condition.h"
 #include "lessons/api/explanation.h"
 #include "lessons/api/look.h"
 #include "lessons/api/parameter.h"
@@ -18,14 +19,26 @@ namespace lessons {
 struct Try
 {
     QString text; ///< Markdown, one or two short sentences
-    /// Looked at after each frame and each change; once true, the thing is done. Must be false at the start and
-    /// for a run that nobody touches.
-    std::function<bool(const sim::Timeline &)> done;
-    /// Where there is one, the thing is done only if the run keeps it, too. That is measured only while `done` is
-    /// true, and not after every frame: it takes some milliseconds.
+    /// Looked at after each frame and each change; once all hold, the thing is done. They must not do so at the start
+    /// and for a run that nobody touches.
+    Conditions conditions;
+    /// Where there is one, the thing is done only if the run keeps it, too. That is measured only while the conditions
+    /// hold, and not after every frame: it takes some milliseconds.
     std::optional<Budget> budget = {};
     /// Markdown, one to three sentences: what to drag, to set or to press. May be empty.
     QString hint = {};
+    /// Markdown, one or two sentences: what there was to see. Shown when the thing is done; needed where its text asks
+    /// something.
+    QString answer = {};
+    /// Whether the thing is to stop at the right moment: it counts only while the run does not play.
+    bool whileStopped = false;
+
+    /// Whether all conditions hold at the cursor.
+    bool done(const sim::Timeline &run) const { return conditions.hold(run); }
+    /// Returns the same with an answer.
+    Try answered(const QString &said) const;
+    /// Returns the same, but done only while the run stands.
+    Try stopped() const;
 };
 
 /// A number that is measured of every frame, with its course over the last frames.

@@ -280,10 +280,6 @@ Nichts hier wurde Bild für Bild gezeichnet: Federn und Zwangsbedingungen tun da
         <translation>Setze **Erhalt** auf 1 und klicke woandershin. Nach 100&#x202f;Bildern schwingt es immer noch.</translation>
     </message>
     <message>
-        <source>Take the lead in your hand and throw it. It comes back.</source>
-        <translation>Nimm die Spitze in die Hand und wirf sie. Sie kommt zurück.</translation>
-    </message>
-    <message>
         <source>Send it to places so that it turns round: the tail at least 30&#x202f;px to the right of the lead.</source>
         <translation>Schicke es so umher, dass es sich umdreht: den Schwanz mindestens 30&#x202f;px rechts von der Spitze.</translation>
     </message>
@@ -294,10 +290,6 @@ Nichts hier wurde Bild für Bild gezeichnet: Federn und Zwangsbedingungen tun da
     <message>
         <source>Stop inside a frame when the lead has moved, and the tail is 5&#x202f;px too far away.</source>
         <translation>Halte innerhalb eines Bildes an, wenn die Spitze sich bewegt hat und der Schwanz 5&#x202f;px zu weit weg ist.</translation>
-    </message>
-    <message>
-        <source>Click far away, and stop inside a frame right after the shift.</source>
-        <translation>Klicke weit weg und halte innerhalb eines Bildes gleich nach der Verschiebung an.</translation>
     </message>
     <message>
         <source>Set **anticipation** to 0.6 and click far away. It winds up like a spring.</source>
@@ -546,6 +538,86 @@ Frag jetzt andersherum. Welche Breite erhält die Fläche?
     <message>
         <source>Play, click the background, and stop. Drag the timeline back to the left, type another **Water**, and play on for a second.</source>
         <translation>Spiele ab, klicke auf den Hintergrund und halte an. Zieh die Zeitleiste nach links zurück, gib ein anderes **Wasser** ein und spiele eine Sekunde weiter.</translation>
+    </message>
+    <message>
+        <source>click the background.</source>
+        <translation>klicke auf den Hintergrund.</translation>
+    </message>
+    <message>
+        <source>let time run (**Space**) until it lies still at its target.</source>
+        <translation>lass die Zeit laufen (**Leertaste**), bis es still an seinem Ziel liegt.</translation>
+    </message>
+    <message>
+        <source>click farther away: it has to back up at 3&#x202f;px per frame or more. Now: %1.</source>
+        <translation>klicke weiter weg: Es muss mit 3 px pro Bild oder mehr zurückweichen. Jetzt: %1.</translation>
+    </message>
+    <message>
+        <source>click 150&#x202f;px away or more. That was %1&#x202f;px.</source>
+        <translation>klicke 150 px entfernt oder mehr. Das waren %1 px.</translation>
+    </message>
+    <message>
+        <source>click somewhere else: it stands still.</source>
+        <translation>klicke woandershin: Es steht still.</translation>
+    </message>
+    <message>
+        <source>Take the lead in your hand and throw it, at 5&#x202f;px per frame or more. It comes back.</source>
+        <translation>Nimm die Spitze in die Hand und wirf sie, mit 5 px pro Bild oder mehr. Sie kommt zurück.</translation>
+    </message>
+    <message>
+        <source>send it to the left. The tail is %1&#x202f;px to the right of the lead.</source>
+        <translation>schicke es nach links. Der Schwanz ist %1 px rechts von der Spitze.</translation>
+    </message>
+    <message>
+        <source>press **Shift+→** until the lead has moved.</source>
+        <translation>drück **Umschalt+→**, bis die Spitze sich bewegt hat.</translation>
+    </message>
+    <message>
+        <source>stop while it is fast: click far away first. The tail is %1&#x202f;px too far away.</source>
+        <translation>halte an, solange es schnell ist: Klicke zuerst weit weg. Der Schwanz ist %1 px zu weit weg.</translation>
+    </message>
+    <message>
+        <source>Click far away, and stop inside a frame right after the shift, when it backs up at 3&#x202f;px per frame or more.</source>
+        <translation>Klicke weit weg und halte innerhalb eines Bildes gleich nach der Verschiebung an, wenn es mit 3 px pro Bild oder mehr zurückweicht.</translation>
+    </message>
+    <message>
+        <source>press **Shift+→** until the shift is the last phase that was done.</source>
+        <translation>drück **Umschalt+→**, bis die Verschiebung die letzte erledigte Phase ist.</translation>
+    </message>
+    <message>
+        <source>go back to before a click, and change **anticipation** there.</source>
+        <translation>geh vor einen Klick zurück und ändere dort **Ausholen**.</translation>
+    </message>
+    <message>
+        <source>send it farther. Its spine is %1&#x202f;px long.</source>
+        <translation>schicke es weiter. Sein Rückgrat ist %1 px lang.</translation>
+    </message>
+    <message>
+        <source>send it far away, to where it looks. Its spine is %1&#x202f;px long.</source>
+        <translation>schicke es weit weg, dorthin, wohin es schaut. Sein Rückgrat ist %1 px lang.</translation>
+    </message>
+    <message>
+        <source>set **soft** to 1 there.</source>
+        <translation>setze dort **Weich** auf 1.</translation>
+    </message>
+    <message>
+        <source>send it far away, to where it looks. It is %1&#x202f;px wide.</source>
+        <translation>schicke es weit weg, dorthin, wohin es schaut. Es ist %1 px breit.</translation>
+    </message>
+    <message>
+        <source>send it farther. It is %1&#x202f;px wide.</source>
+        <translation>schicke es weiter. Es ist %1 px breit.</translation>
+    </message>
+    <message>
+        <source>hold it still until the area is right again.</source>
+        <translation>halte sie still, bis die Fläche wieder stimmt.</translation>
+    </message>
+    <message>
+        <source>let time run (**Space**) until it has arrived.</source>
+        <translation>lass die Zeit laufen (**Leertaste**), bis es angekommen ist.</translation>
+    </message>
+    <message>
+        <source>send it to and fro, farther and faster. The fastest tip moves at %1&#x202f;px per frame.</source>
+        <translation>schicke es weiter und schneller hin und her. Die schnellste Spitze bewegt sich mit %1 px pro Bild.</translation>
     </message>
 </context>
 <context>

@@ -36,16 +36,42 @@ sim::Vec2 toTarget(const Timeline &run)
     return run.now().outside.target - run.now().at(lead);
 }
 
-bool hasArrived(const Timeline &run)
+/// How far away the last click was from the lead, as that was then, in px.
+double clickedAway(const Timeline &run)
 {
-    return sim::length(toTarget(run)) < 1.0 && isStill(run);
+    std::optional<double> away;
+    for (const sim::Event &event : run.script().input) {
+        const auto *target = std::get_if<sim::Target>(&event.what);
+        if (!target || event.frame > run.at().frame + run.track().rowFrames())
+            continue;
+        const std::int64_t before = std::clamp<std::int64_t>(event.frame - 1, 0, run.at().frame);
+        away = sim::length(target->at - run.track().stateAt(before).at(lead));
+    }
+    return away.value_or(0.0);
 }
 
-/// Whether the lead goes away from its target at 3 px/frame or more.
-bool backsUp(const Timeline &run)
+Condition sent()
+{
+    return {wasSent, Text::tr("click the background.")};
+}
+
+Condition arrived()
+{
+    return {[](const Timeline &run) { return sim::length(toTarget(run)) < 1.0 && isStill(run); },
+            Text::tr("let time run (**Space**) until it lies still at its target.")};
+}
+
+/// How fast the lead goes away from its target, in px/frame.
+double backingUp(const Timeline &run)
 {
     const sim::Vec2 v = run.now().speed(lead), way = toTarget(run);
-    return wasSent(run) && v.x * way.x + v.y * way.y <= -3.0 * std::max(1.0, sim::length(way));
+    return -(v.x * way.x + v.y * way.y) / std::max(1.0, sim::length(way));
+}
+
+Condition backsUp()
+{
+    return atLeast(3.0, backingUp,
+                   Text::tr("click farther away: it has to back up at 3 px per frame or more. Now: %1."));
 }
 
 double spine(const Timeline &run)
@@ -58,12 +84,22 @@ double width(const Timeline &run)
     return distance(run, "side0", "side1");
 }
 
-/// Whether some tentacle's point moves at least `speed` px/frame.
-bool tentacleWhips(const Timeline &run, double speed)
+double tailRightOfLead(const Timeline &run)
+{
+    return placeOf(run, "tail").x - placeOf(run, "lead").x;
+}
+
+double tailTooFar(const Timeline &run)
+{
+    return spine(run) - run.values()["rest_length"];
+}
+
+/// How fast the fastest point of a tentacle moves, in px/frame.
+double whip(const Timeline &run)
 {
     const auto &v = run.now().velocity;
     const Eigen::Index count = v.rows() - firstOfTentacles;
-    return count > 0 && v.bottomRows(count).matrix().rowwise().norm().maxCoeff() >= speed;
+    return count > 0 ? v.bottomRows(count).matrix().rowwise().norm().maxCoeff() : 0.0;
 }
 
 }
@@ -72,17 +108,16 @@ std::vector<Try> motorTries()
 {
     return {
         {Text::tr("Click at least 150 px away, and wait until it has arrived."),
-         [](const Timeline &run) {
-             const sim::Vec2 start = run.track().shown().scene.start.at(lead);
-             return wasSent(run) && sim::length(run.now().at(lead) - start) >= 140.0 && hasArrived(run);
-         }},
+         {sent(), atLeast(150.0, clickedAway, Text::tr("click 150 px away or more. That was %1 px."), 0),
+          arrived()}},
         {Text::tr("Set **keep** to 1 and click somewhere else. After 100 frames it still swings."),
-         [](const Timeline &run) {
-             return isSetTo(run, "keep", 1.0) && wasSent(run) && framesWithoutHand(run) >= 100 &&
-                    !isStill(run) && run.at().phase == 0;
-         }},
-        {Text::tr("Take the lead in your hand and throw it. It comes back."),
-         [](const Timeline &run) { return wasThrown(run, "lead") && hasArrived(run); }},
+         {isSet("keep", 1.0),
+          sent(),
+          handsOff(100),
+          {[](const Timeline &run) { return run.at().phase == 0 && !isStill(run); },
+           Text::tr("click somewhere else: it stands still.")}}},
+        {Text::tr("Take the lead in your hand and throw it, at 5 px per frame or more. It comes back."),
+         {letGoOf("lead"), fastEnough(), arrived()}},
     };
 }
 
@@ -91,33 +126,45 @@ std::vector<Try> orientationTries()
     return {
         {Text::tr("Send it to places so that it turns round: the tail at least 30 px to the right of the "
                   "lead."),
-         [](const Timeline &run) {
-             return wasSent(run) && placeOf(run, "tail").x - placeOf(run, "lead").x >= 30.0;
-         }},
+         {sent(), atLeast(30.0, tailRightOfLead,
+                          Text::tr("send it to the left. The tail is %1 px to the right of the lead."), 0)}},
         {Text::tr("Pull it at least 100 px away by its tail, let go, and wait until it is back."),
-         [](const Timeline &run) {
-             const std::optional<Carry> carry = lastLetGo(run, "tail");
-             return carry && carry->reach() >= 100.0 && hasArrived(run);
-         }},
+         {letGoOf("tail"), carriedFar(100.0), arrived()}},
         {Text::tr("Stop inside a frame when the lead has moved, and the tail is 5 px too far away."),
-         [](const Timeline &run) {
-             return hasMoved(run) && spine(run) >= run.values()["rest_length"] + 5.0;
-         }},
+         {insideAFrame(),
+          {[](const Timeline &run) { return hasMoved(run); },
+           Text::tr("press **Shift+→** until the lead has moved.")},
+          atLeast(5.0, tailTooFar,
+                  Text::tr("stop while it is fast: click far away first. The tail is %1 px too far away."))}},
     };
 }
 
 std::vector<Try> anticipationTries()
 {
     return {
-        {Text::tr("Click far away, and stop inside a frame right after the shift."),
-         [](const Timeline &run) {
-             const sim::Phase *last = lastPhase(run);
-             return last && last->kind == sim::Kind::driver && backsUp(run);
-         }},
+        {Text::tr(
+             "Click far away, and stop inside a frame right after the shift, when it backs up at 3 px per "
+             "frame or more."),
+         {sent(),
+          insideAFrame(),
+          {[](const Timeline &run) {
+               const sim::Phase *last = lastPhase(run);
+               return last && last->kind == sim::Kind::driver;
+           },
+           Text::tr("press **Shift+→** until the shift is the last phase that was done.")},
+          backsUp()}},
         {Text::tr("Set **anticipation** to 0.6 and click far away. It winds up like a spring."),
-         [](const Timeline &run) { return isSetTo(run, "anticipation", 0.6) && backsUp(run); }},
+         {isSet("anticipation", 0.6), sent(), backsUp()}},
         {Text::tr("Go back in time to before a click, change **anticipation**, and compare with the ghost."),
-         [](const Timeline &run) { return comparesWithGhost(run, "anticipation"); }},
+         {ghostDiffers("anticipation"),
+          {[](const Timeline &run) {
+               const std::vector<sim::Event> &input = run.script().input;
+               return std::any_of(input.begin(), input.end(), [&](const sim::Event &event) {
+                   return std::holds_alternative<sim::Target>(event.what) && event.frame > run.fork();
+               });
+           },
+           Text::tr("go back to before a click, and change **anticipation** there.")},
+          besideGhost()}},
     };
 }
 
@@ -125,11 +172,12 @@ std::vector<Try> squashStretchTries()
 {
     return {
         {Text::tr("Send it so far that its spine gets 55 px long."),
-         [](const Timeline &run) { return wasSent(run) && spine(run) >= 55.0; }},
+         {sent(), atLeast(55.0, spine, Text::tr("send it farther. Its spine is %1 px long."), 0)}},
         {Text::tr("Send it where it looks, so that it is squashed to 32 px before it starts."),
-         [](const Timeline &run) { return wasSent(run) && spine(run) <= 32.0; }},
+         {sent(),
+          atMost(32.0, spine, Text::tr("send it far away, to where it looks. Its spine is %1 px long."), 0)}},
         {Text::tr("Go back in time, set **soft** to 1, and compare with the ghost."),
-         [](const Timeline &run) { return comparesWithGhost(run, "soft"); }},
+         {ghostDiffers("soft"), isSet("soft", 1.0, Text::tr("set **soft** to 1 there.")), besideGhost()}},
     };
 }
 
@@ -137,15 +185,17 @@ std::vector<Try> volumeTries()
 {
     return {
         {Text::tr("Squash it until it is 40 px wide."),
-         [](const Timeline &run) { return wasSent(run) && width(run) >= 40.0; }},
+         {sent(),
+          atLeast(40.0, width, Text::tr("send it far away, to where it looks. It is %1 px wide."), 0)}},
         {Text::tr("Stretch it until it is only 22 px wide."),
-         [](const Timeline &run) { return wasSent(run) && width(run) <= 22.0; }},
+         {sent(), atMost(22.0, width, Text::tr("send it farther. It is %1 px wide."), 0)}},
         {Text::tr("Pull one side at least 40 px out. The other side makes up for it: the area stays."),
-         [](const Timeline &run) {
-             const std::vector<Carry> all = carries(run);
-             const bool holds = heldBody(run).starts_with("side") && all.back().reach() >= 40.0;
-             return holds && std::abs(sim::areaOf(run.now(), corners) / restArea(run.values()) - 1.0) < 1e-6;
-         }},
+         {{[](const Timeline &run) { return heldBody(run).starts_with("side"); }},
+          carriedFar(40.0),
+          {[](const Timeline &run) {
+               return std::abs(sim::areaOf(run.now(), corners) / restArea(run.values()) - 1.0) < 1e-6;
+           },
+           Text::tr("hold it still until the area is right again.")}}},
     };
 }
 
@@ -153,16 +203,20 @@ std::vector<Try> tentaclesTries()
 {
     return {
         {Text::tr("Set **tentacles** to 8, send it somewhere, and wait until it has arrived."),
-         [](const Timeline &run) {
-             return isSetTo(run, "tentacles", 8.0) && wasSent(run) && sim::length(toTarget(run)) < 2.0 &&
-                    sim::length(run.now().speed(lead)) < 0.1;
-         }},
+         {isSet("tentacles", 8.0),
+          sent(),
+          {[](const Timeline &run) {
+               return sim::length(toTarget(run)) < 2.0 && sim::length(run.now().speed(lead)) < 0.1;
+           },
+           Text::tr("let time run (**Space**) until it has arrived.")}}},
         {Text::tr("Set **water** to 0.98 and send it to and fro until a tentacle whips at 40 px per frame."),
-         [](const Timeline &run) {
-             return isSetTo(run, "water", 0.98) && wasSent(run) && tentacleWhips(run, 40.0);
-         }},
+         {isSet("water", 0.98), sent(),
+          atLeast(
+              40.0, whip,
+              Text::tr("send it to and fro, farther and faster. The fastest tip moves at %1 px per frame."),
+              0)}},
         {Text::tr("Go back in time, change **water**, and compare with the ghost."),
-         [](const Timeline &run) { return comparesWithGhost(run, "water"); }},
+         {ghostDiffers("water"), besideGhost()}},
     };
 }
 

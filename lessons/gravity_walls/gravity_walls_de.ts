@@ -40,10 +40,6 @@ Sie kommt **vor der Dämpfung**, neben den Federn. So hat auch Hängendes Züge,
 Am Boden hält nichts die Füße: Sie gleiten auseinander, und der Körper sinkt zwischen sie. Seine Geschwindigkeit dort ist nicht 0: In jedem Bild zieht die Schwerkraft ihn in den Boden, und der Boden kehrt seine Geschwindigkeit um.</translation>
     </message>
     <message>
-        <source>Throw the creature so that some part of it hits the left wall.</source>
-        <translation>Wirf die Figur so, dass ein Teil von ihr die linke Wand trifft.</translation>
-    </message>
-    <message>
         <source>Stop inside a frame (**Shift+→**) when something has moved into a wall, before it is put back.</source>
         <translation>Halte innerhalb eines Bildes an (**Umschalt+→**), wenn sich etwas in eine Wand bewegt hat und noch nicht zurückgesetzt ist.</translation>
     </message>
@@ -158,6 +154,42 @@ Die Wege (way) addieren sich. Der erste ist kurz und der letzte der längste; de
 Doppelt so lang, viermal so tief. Zur Seite zieht nichts, darum kommt etwas Geworfenes in jedem Bild gleich weit. Gleichmäßig zur Seite und immer schneller nach unten: Diese Kurve ist eine Parabel.
 
 (In Zeitschritten von einem Bild, ohne Dämpfung, ist die Summe g × t × (t + 1) / 2: ein wenig mehr. Davon handelt die Lektion Genauigkeit.)</translation>
+    </message>
+    <message>
+        <source>hold it still, high over the floor, until the feet hang still.</source>
+        <translation>halte ihn still, hoch über dem Boden, bis die Füße still hängen.</translation>
+    </message>
+    <message>
+        <source>Throw the creature, at 5&#x202f;px per frame or more, so that some part of it hits the left wall.</source>
+        <translation>Wirf die Figur, mit 5 px pro Bild oder mehr, so, dass ein Teil von ihr die linke Wand trifft.</translation>
+    </message>
+    <message>
+        <source>throw it so that it hits the left wall.</source>
+        <translation>wirf sie so, dass sie die linke Wand trifft.</translation>
+    </message>
+    <message>
+        <source>press **Shift+→** until something has moved into a wall: throw it at one first.</source>
+        <translation>drück **Umschalt+→**, bis sich etwas in eine Wand bewegt hat: Wirf sie zuerst gegen eine.</translation>
+    </message>
+    <message>
+        <source>throw it so that it hits a side wall.</source>
+        <translation>wirf sie so, dass sie eine Seitenwand trifft.</translation>
+    </message>
+    <message>
+        <source>throw it upwards, and harder: the body has to get above y = 0.</source>
+        <translation>wirf sie nach oben, und kräftiger: Der Körper muss über y = 0 kommen.</translation>
+    </message>
+    <message>
+        <source>No, 52.5&#x202f;px again: there the spring pulls up as much as gravity pulls down, and damping has nothing to take.</source>
+        <translation>Nein, wieder 52,5 px: Dort zieht die Feder so stark nach oben wie die Schwerkraft nach unten, und die Dämpfung hat nichts zu nehmen.</translation>
+    </message>
+    <message>
+        <source>press **Shift+→** until gravity is the last phase that was done.</source>
+        <translation>drück **Umschalt+→**, bis die Schwerkraft die letzte erledigte Phase ist.</translation>
+    </message>
+    <message>
+        <source>lift it again, and let it down with all feet under it. It stands %1&#x202f;px over the floor.</source>
+        <translation>heb ihn noch einmal und lass ihn mit allen Füßen unter sich herunter. Er steht %1 px über dem Boden.</translation>
     </message>
 </context>
 <context>

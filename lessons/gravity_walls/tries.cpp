@@ -44,11 +44,11 @@ bool somethingIsPastAWall(const Timeline &run)
     return run.at().phase > 0 && (past && now.inverseMass != 0.0).any();
 }
 
-/// Whether every foot hangs straight below a body in the hand, where its spring carries its weight.
+/// Whether every foot hangs straight below the body, where its spring carries its weight.
 bool feetHang(const Timeline &run)
 {
     const double k = run.values()["k"];
-    if (heldBody(run) != "body" || k <= 0.0 || !isStill(run))
+    if (k <= 0.0 || !isStill(run))
         return false;
     const double below = run.values()["radius"] + run.values()["gravity"] / k;
     const sim::State &now = run.now();
@@ -60,13 +60,28 @@ bool feetHang(const Timeline &run)
     return true;
 }
 
-/// Between walls so close that its feet cannot slide away.
-bool standsOnItsFeet(const Timeline &run)
+Condition hanging()
 {
-    const double above = run.values()["floor"] - placeOf(run, "body").y;
-    const double wide = run.values()["right"] - run.values()["left"];
-    return wide <= 60.0 && heldBody(run).empty() && above >= 30.0 &&
-           above <= run.values()["radius"] + bodyWidth && isStill(run);
+    return {feetHang, Text::tr("hold it still, high over the floor, until the feet hang still.")};
+}
+
+Condition touching(const QString &todo, bool withoutSpeed)
+{
+    return {[withoutSpeed](const Timeline &run) {
+                return touchesSide(run, true, withoutSpeed) ||
+                       (withoutSpeed && touchesSide(run, false, withoutSpeed));
+            },
+            todo};
+}
+
+double wallsApart(const Timeline &run)
+{
+    return run.values()["right"] - run.values()["left"];
+}
+
+double overFloor(const Timeline &run)
+{
+    return run.values()["floor"] - placeOf(run, "body").y;
 }
 
 }
@@ -74,20 +89,22 @@ bool standsOnItsFeet(const Timeline &run)
 std::vector<Try> wallsTries()
 {
     return {
-        {Text::tr("Throw the creature so that some part of it hits the left wall."),
-         [](const Timeline &run) { return wasThrown(run) && touchesSide(run, true); }},
+        {Text::tr("Throw the creature, at 5 px per frame or more, so that some part of it hits the left "
+                  "wall."),
+         {letGoOf(), fastEnough(), touching(Text::tr("throw it so that it hits the left wall."), false)}},
         {Text::tr("Stop inside a frame (**Shift+→**) when something has moved into a wall, before it is put "
                   "back."),
-         somethingIsPastAWall},
+         {insideAFrame(),
+          {somethingIsPastAWall,
+           Text::tr("press **Shift+→** until something has moved into a wall: throw it at one first.")}}},
         {Text::tr("Set **bounce** to 0 and throw it at a side wall. What hits it loses its speed."),
-         [](const Timeline &run) {
-             return isSetTo(run, "bounce", 0.0) && wasThrown(run) &&
-                    (touchesSide(run, true, true) || touchesSide(run, false, true));
-         }},
+         {isSet("bounce", 0.0), letGoOf(), fastEnough(),
+          touching(Text::tr("throw it so that it hits a side wall."), true)}},
         {Text::tr("There is no ceiling. Throw the body out over the top."),
-         [](const Timeline &run) {
-             return wasThrown(run, "body") && placeOf(run, "body").y < -bodyWidth / 2;
-         }},
+         {letGoOf("body"), fastEnough(),
+          atMost(
+              -bodyWidth / 2, [](const Timeline &run) { return placeOf(run, "body").y; },
+              Text::tr("throw it upwards, and harder: the body has to get above y = 0."), 0)}},
     };
 }
 
@@ -96,17 +113,28 @@ std::vector<Try> gravityTries()
     return {
         {Text::tr(
              "Hold the body high up until the feet hang still. They hang radius + g / k below it: 52.5 px."),
-         feetHang},
-        {Text::tr("Do the same with **damping** at 0.6. Do the feet hang any lower?"),
-         [](const Timeline &run) { return isSetTo(run, "damp", 0.6) && feetHang(run); }},
+         {holding("body"), hanging()}},
+        Try{Text::tr("Do the same with **damping** at 0.6. Do the feet hang any lower?"),
+            {isSet("damp", 0.6), holding("body"), hanging()}}
+            .answered(Text::tr("No, 52.5 px again: there the spring pulls up as much as gravity pulls down, "
+                               "and damping has nothing to take.")),
         {Text::tr("Stop inside a frame right after gravity has pulled."),
-         [](const Timeline &run) {
-             const sim::Phase *last = lastPhase(run);
-             return last && last->kind == sim::Kind::gravity;
-         }},
+         {insideAFrame(),
+          {[](const Timeline &run) {
+               const sim::Phase *last = lastPhase(run);
+               return last && last->kind == sim::Kind::gravity;
+           },
+           Text::tr("press **Shift+→** until gravity is the last phase that was done.")}}},
         {Text::tr("Put the walls 60 px apart (**left** 240, **right** 300), lift the body, and let it down "
                   "on its feet."),
-         standsOnItsFeet},
+         {{[](const Timeline &run) { return wallsApart(run) <= 60.0; }},
+          letGoOf("body"),
+          allStill(),
+          {[](const Timeline &run) {
+               return overFloor(run) >= 30.0 && overFloor(run) <= run.values()["radius"] + bodyWidth;
+           },
+           Text::tr("lift it again, and let it down with all feet under it. It stands %1 px over the floor."),
+           overFloor, 0}}},
     };
 }
 

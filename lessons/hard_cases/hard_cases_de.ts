@@ -326,10 +326,6 @@ Hände, Wände und Zeitschritte gehören zu einem Fall. Greifst du ein, ist es d
         <translation>Wähle **Semi-implizites Euler** und spiele von Bild 0 bis 60: fünf Füße, alle getrennt.</translation>
     </message>
     <message>
-        <source>**Published**: drag one foot up, out of the line, let go, and wait until it rests. Did the others follow one by one, or as one?</source>
-        <translation>**Veröffentlicht**: Zieh einen Fuß nach oben, aus der Linie, lass los und warte, bis alles ruht. Folgten die anderen einer nach dem anderen oder wie einer?</translation>
-    </message>
-    <message>
         <source>With any other method and all feet apart, set **radius** to 0: all fall into one place. After 60&#x2009;frames set it to 50 again. Do they part?</source>
         <translation>Setze mit jedem anderen Verfahren, wenn alle Füße getrennt sind, **Radius** auf 0: Alle fallen an einen Ort. Setze ihn nach 60&#x2009;Bildern wieder auf 50. Trennen sie sich?</translation>
     </message>
@@ -676,6 +672,166 @@ leistet das, der Winkel (angle) aus der Nummer (number): Der goldene Winkel geht
     <message>
         <source>What a method says it can hold, worked out from its rule before the run.</source>
         <translation>Was ein Verfahren nach eigener Aussage halten kann, vor dem Lauf aus seiner Regel ausgerechnet.</translation>
+    </message>
+    <message>
+        <source>play on to frame %2. This is frame %1.</source>
+        <translation>spiele weiter bis Bild %2. Das hier ist Bild %1.</translation>
+    </message>
+    <message>
+        <source>press **Home**, and set **%1** to %2 there.</source>
+        <translation>drück **Pos1** und setze dort **%1** auf %2.</translation>
+    </message>
+    <message>
+        <source>choose steps of **1&#x2009;frame**.</source>
+        <translation>wähle Zeitschritte von **1 Bild**.</translation>
+    </message>
+    <message>
+        <source>choose steps of **1/2&#x2009;frame**.</source>
+        <translation>wähle Zeitschritte von **1/2 Bild**.</translation>
+    </message>
+    <message>
+        <source>choose **Semi-implicit Euler** as method.</source>
+        <translation>wähle **Semi-implizites Euler** als Verfahren.</translation>
+    </message>
+    <message>
+        <source>let time run (**Space**) until it rests.</source>
+        <translation>lass die Zeit laufen (**Leertaste**), bis es ruht.</translation>
+    </message>
+    <message>
+        <source>choose **Published** as method.</source>
+        <translation>wähle **Veröffentlicht** als Verfahren.</translation>
+    </message>
+    <message>
+        <source>press **Home**, change nothing on the way, and do not touch it.</source>
+        <translation>drück **Pos1**, ändere unterwegs nichts und fass es nicht an.</translation>
+    </message>
+    <message>
+        <source>try something else: the worst leg is %1&#x2009;px off.</source>
+        <translation>versuche etwas anderes: Das schlimmste Bein ist %1 px daneben.</translation>
+    </message>
+    <message>
+        <source>play on until all feet are more than 10&#x2009;px apart. The nearest two: %1&#x2009;px.</source>
+        <translation>spiele weiter, bis alle Füße mehr als 10 px auseinander sind. Die nächsten beiden: %1 px.</translation>
+    </message>
+    <message>
+        <source>set **radius** to 0, play on for 60&#x2009;frames, and set it to 50 again.</source>
+        <translation>setze **Radius** auf 0, spiele 60 Bilder weiter und setze ihn wieder auf 50.</translation>
+    </message>
+    <message>
+        <source>choose the case again, and change nothing but method and step.</source>
+        <translation>wähle den Fall noch einmal und ändere nichts als Verfahren und Zeitschritt.</translation>
+    </message>
+    <message>
+        <source>k</source>
+        <translation>k</translation>
+    </message>
+    <message>
+        <source>damp</source>
+        <translation>Dämpfung</translation>
+    </message>
+    <message>
+        <source>press **Home** and choose the method there: the pair has moved before.</source>
+        <translation>drück **Pos1** und wähle dort das Verfahren: Das Paar hat sich vorher bewegt.</translation>
+    </message>
+    <message>
+        <source>Where it was at the start. Both pulls are taken at one moment, so they cancel.</source>
+        <translation>Wo sie am Anfang war. Beide Züge werden im selben Moment genommen, also heben sie sich auf.</translation>
+    </message>
+    <message>
+        <source>set **feet** to 60 at frame 0.</source>
+        <translation>setze **Füße** bei Bild 0 auf 60.</translation>
+    </message>
+    <message>
+        <source>not all legs have their length: the worst is %1&#x2009;px off.</source>
+        <translation>nicht alle Beine haben ihre Länge: Das schlimmste ist %1 px daneben.</translation>
+    </message>
+    <message>
+        <source>feet</source>
+        <translation>Füße</translation>
+    </message>
+    <message>
+        <source>press **Home**, and set **k** there.</source>
+        <translation>drück **Pos1** und setze dort **k**.</translation>
+    </message>
+    <message>
+        <source>set **damp** to 0.85.</source>
+        <translation>setze **Dämpfung** auf 0,85.</translation>
+    </message>
+    <message>
+        <source>k = 0.13 holds, 0.14 does not.</source>
+        <translation>k = 0,13 hält, 0,14 nicht.</translation>
+    </message>
+    <message>
+        <source>**Published**: drag one foot up, 20&#x2009;px or more out of the line, let go, and wait until it rests. Did the others follow one by one, or as one?</source>
+        <translation>**Veröffentlicht**: Zieh einen Fuß nach oben, 20 px oder mehr aus der Linie, lass los und warte, bis es ruht. Folgten die anderen einzeln oder wie einer?</translation>
+    </message>
+    <message>
+        <source>As one. The other four lie in one place, and nothing tells them apart.</source>
+        <translation>Wie einer. Die anderen vier liegen an einem Ort, und nichts unterscheidet sie.</translation>
+    </message>
+    <message>
+        <source>set **radius** to 50 again.</source>
+        <translation>setze **Radius** wieder auf 50.</translation>
+    </message>
+    <message>
+        <source>Yes. Other methods give points in one place directions of their own, all different.</source>
+        <translation>Ja. Andere Verfahren geben Punkten an einem Ort eigene Richtungen, alle verschieden.</translation>
+    </message>
+    <message>
+        <source>press **Home**, and set **k** to 1000 there.</source>
+        <translation>drück **Pos1** und setze dort **k** auf 1000.</translation>
+    </message>
+    <message>
+        <source>press **Home**, and try a smaller step.</source>
+        <translation>drück **Pos1** und versuche einen kleineren Zeitschritt.</translation>
+    </message>
+    <message>
+        <source>choose **Backward Euler** as method.</source>
+        <translation>wähle **Implizites Euler** als Verfahren.</translation>
+    </message>
+    <message>
+        <source>choose **springs**.</source>
+        <translation>wähle **Federn**.</translation>
+    </message>
+    <message>
+        <source>longest</source>
+        <translation>Längster</translation>
+    </message>
+    <message>
+        <source>The long one: it comes last in the list. The two short ones bear the error.</source>
+        <translation>Der lange: Er kommt als letzter in der Liste. Die beiden kurzen tragen den Fehler.</translation>
+    </message>
+    <message>
+        <source>choose **sticks**.</source>
+        <translation>wähle **Stäbe**.</translation>
+    </message>
+    <message>
+        <source>make **longest** shorter, or play on. The worst stick is %1&#x2009;px off.</source>
+        <translation>mach **Längster** kürzer oder spiele weiter. Der schlimmste Stab ist %1 px daneben.</translation>
+    </message>
+    <message>
+        <source>choose **Runge–Kutta 4** as method.</source>
+        <translation>wähle **Runge–Kutta 4** als Verfahren.</translation>
+    </message>
+    <message>
+        <source>2&#x2009;px of 120&#x2009;px.</source>
+        <translation>2 px von 120 px.</translation>
+    </message>
+    <message>
+        <source>this method cannot hold it. Try one that claims it, from frame 0.</source>
+        <translation>dieses Verfahren kann es nicht halten. Versuche eines, das es zusagt, von Bild 0 an.</translation>
+    </message>
+    <message>
+        <source>play on until it is at rest.</source>
+        <translation>spiele weiter, bis es ruht.</translation>
+    </message>
+    <message>
+        <source>frame 400 is past. Try another method, from frame 0.</source>
+        <translation>Bild 400 ist vorbei. Versuche ein anderes Verfahren, von Bild 0 an.</translation>
+    </message>
+    <message>
+        <source>Backward Euler: it has them right at frame 37. It slows what swings.</source>
+        <translation>Implizites Euler: Bei Bild 37 stimmen sie wieder. Es bremst, was schwingt.</translation>
     </message>
 </context>
 <context>

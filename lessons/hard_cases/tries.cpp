@@ -7,6 +7,7 @@
 #include "scenes.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 
 #include <algorithm>
 #include <cmath>
@@ -35,16 +36,54 @@ double stepOf(const Timeline &run)
     return run.script().step.adaptive() ? 0.0 : run.script().step.h;
 }
 
-/// Whether the cursor stands between two frames, at `frame` or later, in a run that goes on.
-bool hasCome(const Timeline &run, std::int64_t frame)
+/// The run goes on and has come to `frame`, between two frames.
+Condition hasCome(std::int64_t frame)
 {
-    return run.at().phase == 0 && run.at().frame >= frame && !run.stop();
+    return {[frame](const Timeline &run) {
+                return run.at().phase == 0 && run.at().frame >= frame && !run.stop();
+            },
+            Text::tr("play on to frame %2. This is frame %1.")
+                .replace(QStringLiteral("%2"), QString::number(frame)),
+            [](const Timeline &run) { return static_cast<double>(run.at().frame); }, 0};
 }
 
-/// Whether the run began with that value, and still has it.
-bool beganWith(const Timeline &run, const char *id, double value)
+/// The parameter `id`, which is called `name`, had that value at the start of the run and still has it.
+Condition beganWith(const char *id, const QString &name, double value)
 {
-    return std::abs(run.script().values[id] - value) <= 0.005 && isSetTo(run, id, value);
+    return {
+        [id, value](const Timeline &run) {
+            return std::abs(run.script().values[id] - value) <= 0.005 && isSetTo(run, id, value);
+        },
+        Text::tr("press **Home**, and set **%1** to %2 there.").arg(name, QLocale().toString(value, 'g', 6))};
+}
+
+Condition stepIs(double h)
+{
+    return {[h](const Timeline &run) { return stepOf(run) == h; },
+            h == 1.0 ? Text::tr("choose steps of **1 frame**.") : Text::tr("choose steps of **1/2 frame**.")};
+}
+
+/// A step at which something stiff can be too much.
+Condition limited()
+{
+    return {hasLimit, Text::tr("choose **Semi-implicit Euler** as method.")};
+}
+
+Condition atRest()
+{
+    return {[](const Timeline &run) { return run.at().frame > 0 && isStill(run); },
+            Text::tr("let time run (**Space**) until it rests.")};
+}
+
+Condition published()
+{
+    return byMethod("published", Text::tr("choose **Published** as method."));
+}
+
+Condition untouched()
+{
+    return {[](const Timeline &run) { return run.script().input.empty(); },
+            Text::tr("press **Home**, change nothing on the way, and do not touch it.")};
 }
 
 /// px: how far the worst leg is from the length that its spring wants.
@@ -71,18 +110,57 @@ double nearestFeet(const Timeline &run)
     return nearest;
 }
 
-/// px: how far the foot of a lone spring swings out, of the place and speed it has now.
-double swing(const Timeline &run)
+/// All legs are as long as their springs want, to less than `most` px.
+Condition legsRight(double length, double most)
 {
-    const sim::State &state = run.now();
-    const double k = run.values()["k"];
-    return std::sqrt(std::pow(sim::length(state.at(0) - centre), 2) +
-                     std::pow(sim::length(state.speed(0)), 2) / k);
+    return {[=](const Timeline &run) { return worstLeg(run, length) < most; },
+            Text::tr("try something else: the worst leg is %1 px off."),
+            [=](const Timeline &run) { return worstLeg(run, length); }, most < 0.1 ? 3 : 1};
 }
 
-bool isCase(const Timeline &run, const char *id)
+Condition feetApart()
 {
-    return run.values().whole("case") == numberOf(id) && isAsTold(run.script());
+    return {[](const Timeline &run) { return nearestFeet(run) > 10.0; },
+            Text::tr("play on until all feet are more than 10 px apart. The nearest two: %1 px."),
+            nearestFeet, 0};
+}
+
+/// The radius was 0 for 60 frames before it became 50.
+Condition collapsed()
+{
+    return {[](const Timeline &run) {
+                std::optional<std::int64_t> since;
+                for (const sim::Event &event : run.script().input) {
+                    const auto *set = std::get_if<sim::Set>(&event.what);
+                    if (!set || set->parameter != "radius")
+                        continue;
+                    if (since && set->value != 0.0 && event.frame >= *since + 60)
+                        return true;
+                    since = set->value == 0.0 ? std::optional(event.frame) : std::nullopt;
+                }
+                return false;
+            },
+            Text::tr("set **radius** to 0, play on for 60 frames, and set it to 50 again.")};
+}
+
+double sideError(const Timeline &run)
+{
+    const auto off = [&](const char *a, const char *b, double length) {
+        return std::abs(distance(run, a, b) - length);
+    };
+    return std::max(
+        {off("p0", "p1", shortStick), off("p1", "p2", shortStick), off("p0", "p2", run.values()["longest"])});
+}
+
+Condition caseIs(const char *id)
+{
+    return {[id](const Timeline &run) { return run.values().whole("case") == numberOf(id); }};
+}
+
+Condition asTold()
+{
+    return {[](const Timeline &run) { return isAsTold(run.script()); },
+            Text::tr("choose the case again, and change nothing but method and step.")};
 }
 
 }
@@ -92,102 +170,97 @@ std::vector<Try> limitTries()
     return {
         {Text::tr("Choose **1/2 frame** as step, and play to frame 100. It swings, hardly farther than the "
                   "crosses."),
-         [](const Timeline &run) {
-             return hasLimit(run) && stepOf(run) <= 0.5 && stepOf(run) > 0.0 && beganWith(run, "k", 4.01) &&
-                    hasCome(run, 100);
-         }},
+         {stepIs(0.5), limited(), beganWith("k", Text::tr("k"), 4.01), hasCome(100)}},
         {Text::tr(
              "With steps of 1 frame, go to frame 0 and set **k** to 3.9. Play to frame 100: six times as "
              "far, and it always comes back."),
-         [](const Timeline &run) {
-             return hasLimit(run) && stepOf(run) == 1.0 && beganWith(run, "k", 3.9) && hasCome(run, 100);
-         }},
+         {isSet("k", 3.9), beganWith("k", Text::tr("k"), 3.9), stepIs(1.0), limited(), hasCome(100)}},
         {Text::tr("At k = 4.01, go to frame 0 and set **damp** to 0.9. The limit is 4.22 now: wait until it "
                   "rests."),
-         [](const Timeline &run) {
-             return hasLimit(run) && stepOf(run) == 1.0 && beganWith(run, "k", 4.01) &&
-                    beganWith(run, "damp", 0.9) && hasCome(run, 1) && isStill(run);
-         }},
+         {isSet("damp", 0.9), beganWith("damp", Text::tr("damp"), 0.9), beganWith("k", Text::tr("k"), 4.01),
+          stepIs(1.0), limited(), atRest()}},
     };
 }
 
 std::vector<Try> runawayTries()
 {
     return {
-        {Text::tr("Choose **Semi-implicit Euler** as method, and play to frame 200. Where is the middle?"),
-         [](const Timeline &run) {
-             return usesMethod(run, "semi_implicit_euler") && hasCome(run, 200) &&
-                    sim::length(middle(run) - sim::Vec2{300.0, 230.0}) < 1e-6;
-         }},
+        Try{Text::tr("Choose **Semi-implicit Euler** as method, and play to frame 200. Where is the middle?"),
+            {byMethod("semi_implicit_euler"),
+             hasCome(200),
+             {[](const Timeline &run) {
+                  return sim::length(middle(run) - sim::Vec2{300.0, 230.0}) < 1e-6;
+              },
+              Text::tr("press **Home** and choose the method there: the pair has moved before.")}}}
+            .answered(
+                Text::tr("Where it was at the start. Both pulls are taken at one moment, so they cancel.")),
         {Text::tr(
              "With **Published** and steps of 1 frame, go to frame 0 and set **k** to 0.2. Wait until it "
              "rests: 157 px from where it belongs."),
-         [](const Timeline &run) {
-             return usesMethod(run, "published") && stepOf(run) == 1.0 && beganWith(run, "k", 0.2) &&
-                    hasCome(run, 1) && isStill(run);
-         }},
+         {isSet("k", 0.2), beganWith("k", Text::tr("k"), 0.2), published(), stepIs(1.0), atRest()}},
         {Text::tr(
              "**Published** at k = 0.3, with steps of **1/4 frame**: wait until it rests. Less wrong, and "
              "never right."),
-         [](const Timeline &run) {
-             return usesMethod(run, "published") && stepOf(run) <= 0.25 && beganWith(run, "k", 0.3) &&
-                    hasCome(run, 1) && isStill(run);
-         }},
+         {{[](const Timeline &run) { return stepOf(run) == 0.25; }},
+          published(),
+          beganWith("k", Text::tr("k"), 0.3),
+          atRest()}},
     };
 }
 
 std::vector<Try> manyFeetTries()
 {
-    const auto calm = [](const Timeline &run, double least) {
-        return hasLimit(run) && run.script().values["feet"] >= least && hasCome(run, 60) && isStill(run) &&
-               worstLeg(run, run.values()["radius"]) < 1.0;
+    const auto feetAtLeast = [](double least) {
+        return Condition{[least](const Timeline &run) { return run.script().values["feet"] >= least; },
+                         Text::tr("set **feet** to 60 at frame 0.")};
     };
+    const Condition legs = {[](const Timeline &run) { return worstLeg(run, run.values()["radius"]) < 1.0; },
+                            Text::tr("not all legs have their length: the worst is %1 px off."),
+                            [](const Timeline &run) { return worstLeg(run, run.values()["radius"]); }};
     return {
         {Text::tr("With steps of 1 frame, go to frame 0 and set **feet** to 38. Wait until it rests."),
-         [calm](const Timeline &run) {
-             return stepOf(run) == 1.0 && beganWith(run, "feet", 38) && beganWith(run, "k", 0.2) &&
-                    calm(run, 38);
-         }},
+         {isSet("feet", 38), beganWith("feet", Text::tr("feet"), 38), beganWith("k", Text::tr("k"), 0.2),
+          stepIs(1.0), limited(), atRest(), legs}},
         {Text::tr("Sixty feet at rest with steps of **1/2 frame**."),
-         [calm](const Timeline &run) { return stepOf(run) <= 0.5 && stepOf(run) > 0.0 && calm(run, 60); }},
-        {Text::tr("Sixty feet at rest with steps of 1 frame: how soft must the springs be? (Go to frame 0 "
-                  "first.)"),
-         [calm](const Timeline &run) {
-             return stepOf(run) == 1.0 && run.script().values["k"] < 0.2 &&
-                    run.script().values["damp"] >= 0.85 && calm(run, 60);
-         }},
+         {stepIs(0.5), limited(), feetAtLeast(60), atRest(), legs}},
+        Try{Text::tr("Sixty feet at rest with steps of 1 frame: how soft must the springs be? (Go to frame 0 "
+                     "first.)"),
+            {{[](const Timeline &run) { return run.values()["k"] < 0.2; }},
+             {[](const Timeline &run) { return run.script().values["k"] < 0.2; },
+              Text::tr("press **Home**, and set **k** there.")},
+             {[](const Timeline &run) { return run.script().values["damp"] >= 0.85; },
+              Text::tr("set **damp** to 0.85.")},
+             feetAtLeast(60),
+             stepIs(1.0),
+             limited(),
+             atRest(),
+             legs}}
+            .answered(Text::tr("k = 0.13 holds, 0.14 does not.")),
     };
 }
 
 std::vector<Try> onePlaceTries()
 {
-    const auto apart = [](const Timeline &run) { return nearestFeet(run) > 10.0; };
+    const Condition otherMethod = {[](const Timeline &run) { return !usesMethod(run, "published"); },
+                                   Text::tr("choose **Semi-implicit Euler** as method.")};
     return {
         {Text::tr("Choose **Semi-implicit Euler**, and play from frame 0 to 60: five feet, all apart."),
-         [apart](const Timeline &run) {
-             return !usesMethod(run, "published") && run.script().input.empty() && hasCome(run, 60) &&
-                    apart(run);
-         }},
-        {Text::tr(
-             "**Published**: drag one foot up, out of the line, let go, and wait until it rests. Did the "
-             "others follow one by one, or as one?"),
-         [](const Timeline &run) {
-             const std::optional<Carry> carry = lastLetGo(run);
-             return usesMethod(run, "published") && carry && carry->reach() > 20.0 && hasCome(run, 1) &&
-                    framesWithoutHand(run) >= 20 && isStill(run);
-         }},
-        {Text::tr("With any other method and all feet apart, set **radius** to 0: all fall into one place. "
-                  "After 60 frames set it to 50 again. Do they part?"),
-         [apart](const Timeline &run) {
-             const std::vector<sim::Event> &input = run.script().input;
-             const bool collapsed = std::any_of(input.begin(), input.end(), [&](const sim::Event &event) {
-                 const auto *set = std::get_if<sim::Set>(&event.what);
-                 return set && set->parameter == "radius" && set->value == 0.0 &&
-                        event.frame <= run.at().frame - 100;
-             });
-             return !usesMethod(run, "published") && collapsed && isSetTo(run, "radius", 50.0) &&
-                    framesSinceSet(run, "radius") >= 40 && hasCome(run, 1) && apart(run);
-         }},
+         {byMethod("semi_implicit_euler"), untouched(), hasCome(60), feetApart()}},
+        Try{Text::tr("**Published**: drag one foot up, 20 px or more out of the line, let go, and wait until "
+                     "it rests. "
+                     "Did the others follow one by one, or as one?"),
+            {letGoOf(), published(), carriedFar(20.0), handsOff(20), atRest()}}
+            .answered(Text::tr("As one. The other four lie in one place, and nothing tells them apart.")),
+        Try{Text::tr(
+                "With any other method and all feet apart, set **radius** to 0: all fall into one place. "
+                "After 60 frames set it to 50 again. Do they part?"),
+            {{[](const Timeline &run) { return framesSinceSet(run, "radius") < run.at().frame; }},
+             otherMethod,
+             collapsed(),
+             isSet("radius", 50.0, Text::tr("set **radius** to 50 again.")),
+             feetApart()}}
+            .answered(Text::tr("Yes. Other methods give points in one place directions of their own, all "
+                               "different.")),
     };
 }
 
@@ -195,22 +268,27 @@ std::vector<Try> stiffTries()
 {
     return {
         {Text::tr("**Semi-implicit Euler**: find a step with which the stiff legs come to rest."),
-         [](const Timeline &run) {
-             return hasLimit(run) && stepOf(run) > 0.0 && run.script().values["k"] >= 1000.0 &&
-                    hasCome(run, 20) && isStill(run) && worstLeg(run, 50.0) < 0.1;
-         }},
+         {{[](const Timeline &run) { return stepOf(run) != 1.0; }},
+          limited(),
+          {[](const Timeline &run) { return run.script().values["k"] >= 1000.0; },
+           Text::tr("press **Home**, and set **k** to 1000 there.")},
+          {[](const Timeline &run) { return !run.stop(); },
+           Text::tr("press **Home**, and try a smaller step.")},
+          hasCome(20),
+          atRest(),
+          legsRight(50.0, 0.1)}},
         {Text::tr("**Backward Euler**, steps of 1 frame: go to frame 0, type 1000000 as **k**, and play "
                   "30 frames."),
-         [](const Timeline &run) {
-             return usesMethod(run, "backward_euler") && stepOf(run) == 1.0 &&
-                    run.script().values["k"] >= 1e6 && hasCome(run, 30) && worstLeg(run, 50.0) < 0.01;
-         }},
+         {{[](const Timeline &run) { return run.values()["k"] >= 1e6; }},
+          beganWith("k", Text::tr("k"), 1e6),
+          byMethod("backward_euler", Text::tr("choose **Backward Euler** as method.")),
+          stepIs(1.0),
+          hasCome(30)}},
         {Text::tr("The price: **Backward Euler** with **k** 0.2 and **damp** 1, from frame 0. Nothing slows "
                   "the legs. Wait until they have stopped swinging."),
-         [](const Timeline &run) {
-             return usesMethod(run, "backward_euler") && stepOf(run) == 1.0 && beganWith(run, "damp", 1.0) &&
-                    beganWith(run, "k", 0.2) && hasCome(run, 60) && worstLeg(run, 50.0) < 0.5;
-         }},
+         {isSet("damp", 1.0), beganWith("damp", Text::tr("damp"), 1.0), beganWith("k", Text::tr("k"), 0.2),
+          byMethod("backward_euler", Text::tr("choose **Backward Euler** as method.")), stepIs(1.0),
+          hasCome(60), legsRight(50.0, 0.5)}},
     };
 }
 
@@ -219,48 +297,41 @@ std::vector<Try> contradictionTries()
     return {
         {Text::tr("Springs, steps of 1 frame: go to frame 0 and set **k** to 1. They share the error: wait "
                   "until they rest."),
-         [](const Timeline &run) {
-             return isSetTo(run, "made_of", 0.0) && stepOf(run) == 1.0 && beganWith(run, "k", 1.0) &&
-                    beganWith(run, "longest", 200.0) && hasCome(run, 30) && isStill(run);
-         }},
-        {Text::tr("Choose **sticks**, and wait until they rest. Which of them has its length?"),
-         [](const Timeline &run) {
-             return isSetTo(run, "made_of", 1.0) && beganWith(run, "longest", 200.0) && hasCome(run, 30) &&
-                    isStill(run);
-         }},
+         {isSet("k", 1.0), beganWith("k", Text::tr("k"), 1.0),
+          isSet("made_of", 0.0, Text::tr("choose **springs**.")), stepIs(1.0),
+          beganWith("longest", Text::tr("longest"), 200.0), hasCome(30), atRest()}},
+        Try{Text::tr("Choose **sticks**, and wait until they rest. Which of them has its length?"),
+            {isSet("made_of", 1.0), beganWith("longest", Text::tr("longest"), 200.0), hasCome(30), atRest()}}
+            .answered(
+                Text::tr("The long one: it comes last in the list. The two short ones bear the error.")),
         {Text::tr("Sticks: make **longest** so short that there is such a triangle, and all three are right "
                   "to 0.1 px."),
-         [](const Timeline &run) {
-             const auto off = [&](const char *a, const char *b, double length) {
-                 return std::abs(distance(run, a, b) - length);
-             };
-             return isSetTo(run, "made_of", 1.0) && hasCome(run, 20) &&
-                    std::max({off("p0", "p1", shortStick), off("p1", "p2", shortStick),
-                              off("p0", "p2", run.values()["longest"])}) < 0.1;
-         }},
+         {{[](const Timeline &run) { return !isSetTo(run, "longest", 200.0); }},
+          isSet("made_of", 1.0, Text::tr("choose **sticks**.")),
+          hasCome(20),
+          {[](const Timeline &run) { return sideError(run) < 0.1; },
+           Text::tr("make **longest** shorter, or play on. The worst stick is %1 px off."), sideError}}},
     };
 }
 
 std::vector<Try> longRunTries()
 {
-    const auto whole = [](const Timeline &run, std::int64_t frame) {
-        return run.script().step.h <= 1.0 && beganWith(run, "k", 0.5) && beganWith(run, "damp", 1.0) &&
-               run.script().input.empty() && hasCome(run, frame);
-    };
+    const Condition springs = beganWith("k", Text::tr("k"), 0.5);
+    const Condition undamped = beganWith("damp", Text::tr("damp"), 1.0);
+    const auto rungeKutta = byMethod("rk4", Text::tr("choose **Runge–Kutta 4** as method."));
     return {
-        {Text::tr("**Runge–Kutta 4**, steps of 1 frame: go to frame 5000. What is left?"),
-         [whole](const Timeline &run) {
-             return usesMethod(run, "rk4") && stepOf(run) == 1.0 && whole(run, 5000) && swing(run) < 5.0;
-         }},
+        Try{Text::tr("**Runge–Kutta 4**, steps of 1 frame: go to frame 5000. What is left?"),
+            {{[](const Timeline &run) { return run.at().frame > 1000 && stepOf(run) == 1.0; }},
+             rungeKutta,
+             springs,
+             undamped,
+             untouched(),
+             hasCome(5000)}}
+            .answered(Text::tr("2 px of 120 px.")),
         {Text::tr("The same with steps of **1/2 frame**: a thirty-second of the loss a frame."),
-         [whole](const Timeline &run) {
-             return usesMethod(run, "rk4") && stepOf(run) == 0.5 && whole(run, 5000) && swing(run) > 100.0;
-         }},
+         {stepIs(0.5), rungeKutta, springs, undamped, untouched(), hasCome(5000)}},
         {Text::tr("**Velocity Verlet**, steps of 1 frame, to frame 20000: it swings as at first."),
-         [whole](const Timeline &run) {
-             return usesMethod(run, "velocity_verlet") && stepOf(run) == 1.0 && whole(run, 20000) &&
-                    swing(run) > 110.0;
-         }},
+         {byMethod("velocity_verlet"), stepIs(1.0), springs, undamped, untouched(), hasCome(20000)}},
     };
 }
 
@@ -268,20 +339,25 @@ std::vector<Try> tortureTries()
 {
     return {
         {Text::tr("Case **nearly rigid**: find a method that claims it, and play until it is at rest."),
-         [](const Timeline &run) {
-             return isCase(run, "stiffness_1e9") && hasCome(run, 10) &&
-                    sim::length(run.now().at(0) - centre) <= 1e-6;
-         }},
-        {Text::tr("Case **torn away**: find a method with which the legs have their length again before "
-                  "frame 400. Which is the quickest?"),
-         [](const Timeline &run) {
-             return isCase(run, "dragged_1e9") && hasCome(run, 30) && run.at().frame < 400 && isStill(run) &&
-                    worstLeg(run, 50.0) < 0.01;
-         }},
+         {caseIs("stiffness_1e9"),
+          asTold(),
+          {[](const Timeline &run) { return !run.stop(); },
+           Text::tr("this method cannot hold it. Try one that claims it, from frame 0.")},
+          hasCome(10),
+          {[](const Timeline &run) { return sim::length(run.now().at(0) - centre) <= 1e-6; },
+           Text::tr("play on until it is at rest.")}}},
+        Try{Text::tr("Case **torn away**: find a method with which the legs have their length again before "
+                     "frame 400. Which is the quickest?"),
+            {caseIs("dragged_1e9"),
+             asTold(),
+             hasCome(30),
+             {[](const Timeline &run) { return run.at().frame < 400; },
+              Text::tr("frame 400 is past. Try another method, from frame 0.")},
+             legsRight(50.0, 0.01),
+             atRest()}}
+            .answered(Text::tr("Backward Euler: it has them right at frame 37. It slows what swings.")),
         {Text::tr("Make any case **stop**: find one that a method does not claim, and see who went first."),
-         [](const Timeline &run) {
-             return run.stop() && run.at().frame == run.stop()->frame && isAsTold(run.script());
-         }},
+         {{[](const Timeline &run) { return run.stop() && run.at().frame == run.stop()->frame; }}, asTold()}},
     };
 }
 

@@ -191,6 +191,30 @@ auf einmal. Federn, die zur Seite zeigen, ziehen weniger, darum zählt im Mittel
 
 Ist das so viel, dass der Körper **über** seinen Ort hinaus zurückkommt, und zwar weiter, als er davon entfernt war, dann ist der nächste Zug noch stärker. Von da an ist jede Schwingung weiter als die vorige.</translation>
     </message>
+    <message>
+        <source>let time run (**Space**) until it has left the picture.</source>
+        <translation>lass die Zeit laufen (**Leertaste**), bis sie die Szene verlassen hat.</translation>
+    </message>
+    <message>
+        <source>About 225&#x202f;frames, 7.5 seconds. Its springs make more momentum than damping takes.</source>
+        <translation>Etwa 225 Bilder, 7,5 Sekunden. Ihre Federn machen mehr Impuls, als die Dämpfung nimmt.</translation>
+    </message>
+    <message>
+        <source>Yes. After 50&#x202f;frames nothing moves faster than a tenth of a pixel per frame.</source>
+        <translation>Ja. Nach 50 Bildern bewegt sich nichts schneller als ein Zehntel Pixel pro Bild.</translation>
+    </message>
+    <message>
+        <source>choose the method **Semi-implicit Euler**.</source>
+        <translation>wähle das Verfahren **Semi-implizites Euler**.</translation>
+    </message>
+    <message>
+        <source>let time run (**Space**), with steps of 1&#x202f;frame.</source>
+        <translation>lass die Zeit laufen (**Leertaste**), mit Zeitschritten von 1 Bild.</translation>
+    </message>
+    <message>
+        <source>set **feet** to 60.</source>
+        <translation>setze **Füße** auf 60.</translation>
+    </message>
 </context>
 <context>
     <name>lesson.json</name>

@@ -21,16 +21,21 @@ bool isFoot(const std::string &name)
     return name.starts_with("foot");
 }
 
-bool footPulledAndStill(const Timeline &run)
+Conditions footPulledAndStill()
 {
-    const std::optional<Carry> carry = lastLetGo(run);
-    return carry && isFoot(carry->body) && carry->reach() >= 100.0 && isStill(run);
+    return {{[](const Timeline &run) {
+                const std::optional<Carry> carry = lastLetGo(run);
+                return carry && isFoot(carry->body);
+            }},
+            carriedFar(100.0),
+            allStill()};
 }
 
-/// The creature left by itself: a throw would have ended long ago.
-bool flewOff(const Timeline &run)
+/// The creature has left by itself: a throw would have ended long ago.
+Condition flewOff()
 {
-    return framesWithoutHand(run) >= 60 && !onStage(middle(run)) && sim::length(momentum(run)) >= 2.0;
+    return {[](const Timeline &run) { return !onStage(middle(run)) && sim::length(momentum(run)) >= 2.0; },
+            Text::tr("let time run (**Space**) until it has left the picture.")};
 }
 
 /// The numbers outgrew what a computer can hold, or are on their way there.
@@ -45,14 +50,13 @@ std::vector<Try> twoFeetTries()
 {
     return {
         {Text::tr("Pull a foot at least 100 px out, let go, and wait until all is still."),
-         footPulledAndStill},
+         footPulledAndStill()},
         {Text::tr("Carry the body at least 200 px. Both feet follow."),
-         [](const Timeline &run) {
-             const std::vector<Carry> all = carries(run);
-             return !all.empty() && all.back().body == "body" && all.back().reach() >= 200.0;
-         }},
-        {Text::tr("Set **damping** to 0.9 and hands off. How long does it stay in the picture?"),
-         [](const Timeline &run) { return isSetTo(run, "damp", 0.9) && flewOff(run); }},
+         {tookLast("body"), carriedFar(200.0)}},
+        Try{Text::tr("Set **damping** to 0.9 and hands off. How long does it stay in the picture?"),
+            {isSet("damp", 0.9), handsOff(60), flewOff()}}
+            .answered(Text::tr(
+                "About 225 frames, 7.5 seconds. Its springs make more momentum than damping takes.")),
     };
 }
 
@@ -60,13 +64,13 @@ std::vector<Try> anyNumberTries()
 {
     return {
         {Text::tr("Pull one foot at least 100 px out, let go, and wait until all is still."),
-         footPulledAndStill},
-        {Text::tr("Set **feet** to 12 and give it 200 frames. Does it calm down?"),
-         [](const Timeline &run) {
-             return isSetTo(run, "feet", 12.0) && framesSinceSet(run, "feet") >= 200 && run.at().phase == 0;
-         }},
+         footPulledAndStill()},
+        Try{Text::tr("Set **feet** to 12 and give it 200 frames. Does it calm down?"),
+            {isSet("feet", 12.0), keptFor("feet", 200)}}
+            .answered(
+                Text::tr("Yes. After 50 frames nothing moves faster than a tenth of a pixel per frame.")),
         {Text::tr("Go back in time, change **damping**, and compare with the ghost."),
-         [](const Timeline &run) { return comparesWithGhost(run, "damp"); }},
+         {ghostDiffers("damp"), besideGhost()}},
     };
 }
 
@@ -75,15 +79,15 @@ std::vector<Try> grownFeetTries()
     return {
         {Text::tr(
              "Set **feet** to 16, choose the method **Semi-implicit Euler**, and wait until all is still."),
-         [](const Timeline &run) {
-             return isSetTo(run, "feet", 16.0) && usesMethod(run, "semi_implicit_euler") && isStill(run);
-         }},
+         {isSet("feet", 16.0),
+          byMethod("semi_implicit_euler", Text::tr("choose the method **Semi-implicit Euler**.")),
+          allStill()}},
         {Text::tr("Set **feet** to 60 and play until it explodes."),
-         [](const Timeline &run) { return isSetTo(run, "feet", 60.0) && exploded(run); }},
+         {isSet("feet", 60.0), {exploded, Text::tr("let time run (**Space**), with steps of 1 frame.")}}},
         {Text::tr("Keep the 60 feet, choose a **step** of 1/2 frame, and wait until all is still."),
-         [](const Timeline &run) {
-             return isSetTo(run, "feet", 60.0) && run.script().step.h <= 0.5 && isStill(run);
-         }},
+         {{[](const Timeline &run) { return !run.script().step.adaptive() && run.script().step.h == 0.5; }},
+          isSet("feet", 60.0, Text::tr("set **feet** to 60.")),
+          allStill()}},
     };
 }
 

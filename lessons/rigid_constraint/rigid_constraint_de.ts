@@ -204,24 +204,12 @@ Zieh sie, wirf sie, lass sie fallen. Die Farbe eines Stabs zeigt, welcher Fehler
         <translation>Halte innerhalb eines Bildes an (**Umschalt+→**), wenn der Zeiger p0 um 20&#x202f;px oder mehr bewegt hat und der Stab noch nicht gewirkt hat.</translation>
     </message>
     <message>
-        <source>Set **length** to 0 and lead p0 away. Where is p1?</source>
-        <translation>Setze **Länge** auf 0 und führe p0 weg. Wo ist p1?</translation>
-    </message>
-    <message>
         <source>With **share** at 1, lead the pointer around p1. p1 does not move at all.</source>
         <translation>Führe bei **Anteil** 1 den Zeiger um p1 herum. p1 bewegt sich gar nicht.</translation>
     </message>
     <message>
         <source>Set **share** to 0 and lead p0 at least 150&#x202f;px away. It stays at the pointer.</source>
         <translation>Setze **Anteil** auf 0 und führe p0 mindestens 150&#x202f;px weg. Er bleibt am Zeiger.</translation>
-    </message>
-    <message>
-        <source>Set **share** to 0.5, move the pointer, and hold it still until p0 has come to it.</source>
-        <translation>Setze **Anteil** auf 0,5, beweg den Zeiger und halte ihn still, bis p0 bei ihm angekommen ist.</translation>
-    </message>
-    <message>
-        <source>Move the pointer so fast that a stick is wrong by 10&#x202f;px.</source>
-        <translation>Beweg den Zeiger so schnell, dass ein Stab um 10&#x202f;px falsch ist.</translation>
     </message>
     <message>
         <source>Then hold it still until all three sticks are right to 0.01&#x202f;px.</source>
@@ -244,10 +232,6 @@ Zieh sie, wirf sie, lass sie fallen. Die Farbe eines Stabs zeigt, welcher Fehler
         <translation>Geh in der Zeit zurück, ändere **Länge** und vergleiche mit dem Geist.</translation>
     </message>
     <message>
-        <source>Throw the box against a wall.</source>
-        <translation>Wirf die Kiste gegen eine Wand.</translation>
-    </message>
-    <message>
         <source>Set **iterations** to 20, carry the box 50&#x202f;px or more, drop it, and wait until it lies still.</source>
         <translation>Setze **Iterationen** auf 20, trag die Kiste 50&#x202f;px oder mehr, lass sie fallen und warte, bis sie still liegt.</translation>
     </message>
@@ -258,14 +242,6 @@ Zieh sie, wirf sie, lass sie fallen. Die Farbe eines Stabs zeigt, welcher Fehler
     <message>
         <source>Stop inside a frame when the sticks have moved points, and the velocity is still the old one.</source>
         <translation>Halte innerhalb eines Bildes an, wenn die Stäbe Punkte bewegt haben und die Geschwindigkeit noch die alte ist.</translation>
-    </message>
-    <message>
-        <source>Lift it by any point, drop it, and wait until it lies still.</source>
-        <translation>Heb sie an irgendeinem Punkt hoch, lass sie fallen und warte, bis sie still liegt.</translation>
-    </message>
-    <message>
-        <source>Throw it at a wall.</source>
-        <translation>Wirf sie gegen eine Wand.</translation>
     </message>
     <message>
         <source>Set **iterations** to 1 and shake it, until a stick is wrong by 25&#x202f;%.</source>
@@ -546,6 +522,102 @@ Und hat ein Stab x inzwischen bewegt, ist x − before eine andere Zahl: Die Ges
     <message>
         <source>A constraint on an angle: it acts only when a joint is bent farther than it may be.</source>
         <translation>Eine Zwangsbedingung für einen Winkel: Sie wirkt nur, wenn ein Gelenk weiter gebeugt ist, als es darf.</translation>
+    </message>
+    <message>
+        <source>hold the mouse button down in the picture, and lead p0.</source>
+        <translation>halte in der Szene die Maustaste gedrückt und führe p0.</translation>
+    </message>
+    <message>
+        <source>lead p0 %2&#x202f;px away or more, with the mouse button down. So far: %1&#x202f;px.</source>
+        <translation>führe p0 %2 px weit weg oder mehr, mit gedrückter Maustaste. Bisher: %1 px.</translation>
+    </message>
+    <message>
+        <source>keep the pointer still. The largest error is %1&#x202f;px.</source>
+        <translation>halte den Zeiger still. Der größte Fehler ist %1 px.</translation>
+    </message>
+    <message>
+        <source>move the pointer faster. The largest error is %1&#x202f;px.</source>
+        <translation>bewege den Zeiger schneller. Der größte Fehler ist %1 px.</translation>
+    </message>
+    <message>
+        <source>throw it so that it hits a side wall.</source>
+        <translation>wirf sie so, dass sie eine Seitenwand trifft.</translation>
+    </message>
+    <message>
+        <source>let time run (**Space**): p1 has come %1&#x202f;px of 60&#x202f;px.</source>
+        <translation>lass die Zeit laufen (**Leertaste**): p1 ist %1 px von 60 px weit gekommen.</translation>
+    </message>
+    <message>
+        <source>press **Shift+→** until the pointer has moved p0, and the stick has not acted.</source>
+        <translation>drück **Umschalt+→**, bis der Zeiger p0 bewegt hat und der Stab noch nicht gewirkt hat.</translation>
+    </message>
+    <message>
+        <source>put the pointer farther from p0 before that frame. It was %1&#x202f;px.</source>
+        <translation>setze den Zeiger vor diesem Bild weiter weg von p0. Es waren %1 px.</translation>
+    </message>
+    <message>
+        <source>Set **length** to 0 and lead p0 away, 50&#x202f;px or more. Where is p1?</source>
+        <translation>Setze **Länge** auf 0 und führe p0 weg, 50 px oder mehr. Wo ist p1?</translation>
+    </message>
+    <message>
+        <source>let time run (**Space**) until the stick is right.</source>
+        <translation>lass die Zeit laufen (**Leertaste**), bis der Stab stimmt.</translation>
+    </message>
+    <message>
+        <source>In the same place as p0: a stick of 0&#x202f;px holds two points together.</source>
+        <translation>Am selben Ort wie p0: Ein Stab von 0 px hält zwei Punkte zusammen.</translation>
+    </message>
+    <message>
+        <source>set **share** to 1.</source>
+        <translation>setze **Anteil** auf 1.</translation>
+    </message>
+    <message>
+        <source>lead the pointer on, so that p0 comes 20&#x202f;px or more in ten frames while p1 stands.</source>
+        <translation>führe den Zeiger weiter, sodass p0 in zehn Bildern 20 px oder mehr vorankommt, während p1 steht.</translation>
+    </message>
+    <message>
+        <source>let time run (**Space**) until p0 is at the pointer.</source>
+        <translation>lass die Zeit laufen (**Leertaste**), bis p0 am Zeiger ist.</translation>
+    </message>
+    <message>
+        <source>Set **share** to 0.5, lead p0 100&#x202f;px away or more, and hold the pointer still until p0 has come to it.</source>
+        <translation>Setze **Anteil** auf 0,5, führe p0 100 px weit weg oder mehr und halte den Zeiger still, bis p0 bei ihm ist.</translation>
+    </message>
+    <message>
+        <source>hold the pointer still while time runs. p0 is %1&#x202f;px from it.</source>
+        <translation>halte den Zeiger still, während die Zeit läuft. p0 ist %1 px von ihm entfernt.</translation>
+    </message>
+    <message>
+        <source>Lead p0 away so fast that a stick is wrong by 10&#x202f;px.</source>
+        <translation>Führe p0 so schnell weg, dass ein Stab um 10 px falsch ist.</translation>
+    </message>
+    <message>
+        <source>Throw the box against a wall, at 5&#x202f;px per frame or more.</source>
+        <translation>Wirf die Kiste gegen eine Wand, mit 5 px pro Bild oder mehr.</translation>
+    </message>
+    <message>
+        <source>press **Shift+→** until the sticks are the last phase that was done.</source>
+        <translation>drück **Umschalt+→**, bis die Stäbe die letzte erledigte Phase sind.</translation>
+    </message>
+    <message>
+        <source>Lift it by any point, 50&#x202f;px or more, drop it, and wait until it lies still.</source>
+        <translation>Heb sie an irgendeinem Punkt 50 px oder mehr an, lass sie fallen und warte, bis sie still liegt.</translation>
+    </message>
+    <message>
+        <source>Throw it at a wall, at 5&#x202f;px per frame or more.</source>
+        <translation>Wirf sie gegen eine Wand, mit 5 px pro Bild oder mehr.</translation>
+    </message>
+    <message>
+        <source>take it with the mouse, and shake it.</source>
+        <translation>nimm sie mit der Maus und schüttle sie.</translation>
+    </message>
+    <message>
+        <source>shake it harder. The worst stick is wrong by %1&#x202f;%.</source>
+        <translation>schüttle sie kräftiger. Der schlimmste Stab ist um %1 % falsch.</translation>
+    </message>
+    <message>
+        <source>go back to before you threw it, and change **iterations** there.</source>
+        <translation>geh vor den Wurf zurück und ändere dort **Iterationen**.</translation>
     </message>
 </context>
 <context>

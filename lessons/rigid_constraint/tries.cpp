@@ -20,16 +20,30 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(RigidConstraint)
 };
 
-/// Whether the pointer has carried p0 at least `far` px from where it started.
-bool pointerLed(const Timeline &run, double far)
+/// How far the pointer is from where p0 started, in px; 0 before it comes.
+double pointerFrom(const Timeline &run)
 {
     const std::optional<sim::Vec2> pointer = run.now().outside.pointer;
-    return pointer && sim::length(*pointer - run.track().shown().scene.start.at(0)) >= far;
+    return pointer ? sim::length(*pointer - run.track().shown().scene.start.at(0)) : 0.0;
 }
 
-double fromPointer(const Timeline &run, const std::string &name)
+Condition pointerCame()
 {
-    return sim::length(placeOf(run, name) - run.now().outside.pointer.value_or(sim::Vec2{1e9, 1e9}));
+    return {[](const Timeline &run) { return run.now().outside.pointer.has_value(); },
+            Text::tr("hold the mouse button down in the picture, and lead p0.")};
+}
+
+Condition ledTo(double far)
+{
+    return atLeast(far, pointerFrom,
+                   Text::tr("lead p0 %2 px away or more, with the mouse button down. So far: %1 px.")
+                       .replace(QStringLiteral("%2"), QString::number(far)),
+                   0);
+}
+
+double p0FromPointer(const Timeline &run)
+{
+    return sim::length(placeOf(run, "p0") - run.now().outside.pointer.value_or(sim::Vec2{1e9, 1e9}));
 }
 
 double worstError(const Timeline &run)
@@ -42,17 +56,22 @@ double worstStretch(const Timeline &run)
     return largestStretch(run.track().shown().scene, run.now());
 }
 
-bool strayedFromStart(const Timeline &run, const std::string &name, double far)
+double p1Strayed(const Timeline &run)
 {
     const sim::Scene &scene = run.track().shown().scene;
-    return sim::length(placeOf(run, name) - scene.start.at(scene.find(name))) >= far;
+    return sim::length(placeOf(run, "p1") - scene.start.at(scene.find("p1")));
 }
 
-/// Whether the cursor stands inside a frame where the pointer has acted and the sticks have not.
-bool pointerHasActedAlone(const Timeline &run)
+/// A condition that all sticks are right to `most` px, between two frames.
+Condition rightTo(double most, int decimals)
 {
-    const sim::Phase *last = lastPhase(run);
-    return last && last->kind == sim::Kind::driver;
+    return {[most](const Timeline &run) { return run.at().phase == 0 && worstError(run) <= most; },
+            Text::tr("keep the pointer still. The largest error is %1 px."), worstError, decimals};
+}
+
+Condition wrongBy(double least)
+{
+    return atLeast(least, worstError, Text::tr("move the pointer faster. The largest error is %1 px."));
 }
 
 /// Whether p1 has stood still for ten frames in which p0 moved at least 20 px.
@@ -72,9 +91,9 @@ bool touchesAWall(const Timeline &run)
     return (x <= run.values()["left"] + reach).any() || (x >= run.values()["right"] - reach).any();
 }
 
-bool liesStill(const Timeline &run)
+Condition hitsAWall()
 {
-    return lastLetGo(run) && lastLetGo(run)->reach() >= 50.0 && isStill(run);
+    return {touchesAWall, Text::tr("throw it so that it hits a side wall.")};
 }
 
 }
@@ -83,14 +102,25 @@ std::vector<Try> pairTries()
 {
     return {
         {Text::tr("Lead p0 at least 150 px away. p1 is pulled after it."),
-         [](const Timeline &run) { return pointerLed(run, 150.0) && strayedFromStart(run, "p1", 60.0); }},
+         {pointerCame(), ledTo(150.0),
+          atLeast(60.0, p1Strayed, Text::tr("let time run (**Space**): p1 has come %1 px of 60 px."), 0)}},
         {Text::tr("Stop inside a frame (**Shift+→**) when the pointer has moved p0 by 20 px or more, and "
                   "the stick has not acted."),
-         [](const Timeline &run) { return pointerHasActedAlone(run) && worstError(run) >= 20.0; }},
-        {Text::tr("Set **length** to 0 and lead p0 away. Where is p1?"),
-         [](const Timeline &run) {
-             return isSetTo(run, "length", 0.0) && pointerLed(run, 50.0) && distance(run, "p0", "p1") < 0.01;
-         }},
+         {pointerCame(),
+          insideAFrame(),
+          {[](const Timeline &run) {
+               const sim::Phase *last = lastPhase(run);
+               return last && last->kind == sim::Kind::driver;
+           },
+           Text::tr("press **Shift+→** until the pointer has moved p0, and the stick has not acted.")},
+          atLeast(20.0, worstError,
+                  Text::tr("put the pointer farther from p0 before that frame. It was %1 px."), 0)}},
+        Try{Text::tr("Set **length** to 0 and lead p0 away, 50 px or more. Where is p1?"),
+            {isSet("length", 0.0),
+             ledTo(50.0),
+             {[](const Timeline &run) { return distance(run, "p0", "p1") < 0.01; },
+              Text::tr("let time run (**Space**) until the stick is right.")}}}
+            .answered(Text::tr("In the same place as p0: a stick of 0 px holds two points together.")),
     };
 }
 
@@ -98,35 +128,36 @@ std::vector<Try> sharedErrorTries()
 {
     return {
         {Text::tr("With **share** at 1, lead the pointer around p1. p1 does not move at all."),
-         [](const Timeline &run) {
-             return isSetTo(run, "share", 1.0) && pointerLed(run, 50.0) && onlyP0Moves(run);
-         }},
+         {pointerCame(),
+          isSet("share", 1.0, Text::tr("set **share** to 1.")),
+          ledTo(50.0),
+          {onlyP0Moves,
+           Text::tr("lead the pointer on, so that p0 comes 20 px or more in ten frames while p1 stands.")}}},
         {Text::tr("Set **share** to 0 and lead p0 at least 150 px away. It stays at the pointer."),
-         [](const Timeline &run) {
-             return isSetTo(run, "share", 0.0) && pointerLed(run, 150.0) && fromPointer(run, "p0") < 0.01;
-         }},
-        {Text::tr("Set **share** to 0.5, move the pointer, and hold it still until p0 has come to it."),
-         [](const Timeline &run) {
-             return isSetTo(run, "share", 0.5) && pointerLed(run, 100.0) && fromPointer(run, "p0") < 0.5;
-         }},
+         {isSet("share", 0.0),
+          ledTo(150.0),
+          {[](const Timeline &run) { return p0FromPointer(run) < 0.01; },
+           Text::tr("let time run (**Space**) until p0 is at the pointer.")}}},
+        {Text::tr(
+             "Set **share** to 0.5, lead p0 100 px away or more, and hold the pointer still until p0 has "
+             "come to it."),
+         {isSet("share", 0.5),
+          ledTo(100.0),
+          {[](const Timeline &run) { return p0FromPointer(run) < 0.5; },
+           Text::tr("hold the pointer still while time runs. p0 is %1 px from it."), p0FromPointer}}},
     };
 }
 
 std::vector<Try> triangleTries()
 {
     return {
-        {Text::tr("Move the pointer so fast that a stick is wrong by 10 px."),
-         [](const Timeline &run) { return pointerLed(run, 100.0) && worstError(run) >= 10.0; }},
+        {Text::tr("Lead p0 away so fast that a stick is wrong by 10 px."),
+         {pointerCame(), ledTo(100.0), wrongBy(10.0)}},
         {Text::tr("Then hold it still until all three sticks are right to 0.01 px."),
-         [](const Timeline &run) {
-             return pointerLed(run, 100.0) && worstError(run) <= 0.01 && run.at().phase == 0;
-         }},
+         {pointerCame(), ledTo(100.0), rightTo(0.01, 2)}},
         {Text::tr(
              "Set **length** to 150 and lead p0 off the line, until all three sticks are right to 0.01 px."),
-         [](const Timeline &run) {
-             return isSetTo(run, "length", 150.0) && pointerLed(run, 20.0) && worstError(run) <= 0.01 &&
-                    run.at().phase == 0;
-         }},
+         {isSet("length", 150.0), pointerCame(), ledTo(20.0), rightTo(0.01, 2)}},
     };
 }
 
@@ -134,53 +165,57 @@ std::vector<Try> listTries()
 {
     return {
         {Text::tr("Lead p0 at least 150 px away, and wait until every stick is right to 0.1 px."),
-         [](const Timeline &run) {
-             return pointerLed(run, 150.0) && worstError(run) <= 0.1 && run.at().phase == 0;
-         }},
+         {pointerCame(), ledTo(150.0), rightTo(0.1, 1)}},
         {Text::tr("Set **triangles** to 15 and shake p0, until a stick is wrong by 20 px."),
-         [](const Timeline &run) {
-             return isSetTo(run, "triangles", 15.0) && pointerLed(run, 20.0) && worstError(run) >= 20.0;
-         }},
+         {isSet("triangles", 15.0), pointerCame(), ledTo(20.0), wrongBy(20.0)}},
         {Text::tr("Go back in time, change **length**, and compare with the ghost."),
-         [](const Timeline &run) { return comparesWithGhost(run, "length"); }},
+         {ghostDiffers("length"), besideGhost()}},
     };
 }
 
 std::vector<Try> verletTries()
 {
     return {
-        {Text::tr("Throw the box against a wall."),
-         [](const Timeline &run) { return wasThrown(run) && touchesAWall(run); }},
+        {Text::tr("Throw the box against a wall, at 5 px per frame or more."),
+         {letGoOf(), fastEnough(), hitsAWall()}},
         {Text::tr("Set **iterations** to 20, carry the box 50 px or more, drop it, and wait until it lies "
                   "still."),
-         [](const Timeline &run) { return isSetTo(run, "iterations", 20.0) && liesStill(run); }},
+         {isSet("iterations", 20.0), letGoOf(), carriedFar(50.0), allStill()}},
         {Text::tr("Set **gravity** to 0 and throw it. A second later it still glides."),
-         [](const Timeline &run) {
-             return isSetTo(run, "gravity", 0.0) && wasThrown(run) && framesWithoutHand(run) >= 30 &&
-                    sim::length(momentum(run)) >= 2.0;
-         }},
+         {isSet("gravity", 0.0), letGoOf(), fastEnough(), handsOff(30)}},
         {Text::tr("Stop inside a frame when the sticks have moved points, and the velocity is still the old "
                   "one."),
-         [](const Timeline &run) {
-             const sim::Phase *last = lastPhase(run);
-             return last && last->kind == sim::Kind::stick;
-         }},
+         {insideAFrame(),
+          {[](const Timeline &run) {
+               const sim::Phase *last = lastPhase(run);
+               return last && last->kind == sim::Kind::stick;
+           },
+           Text::tr("press **Shift+→** until the sticks are the last phase that was done.")}}},
     };
 }
 
 std::vector<Try> ragdollTries()
 {
     return {
-        {Text::tr("Lift it by any point, drop it, and wait until it lies still."), liesStill},
-        {Text::tr("Throw it at a wall."),
-         [](const Timeline &run) { return wasThrown(run) && touchesAWall(run); }},
+        {Text::tr("Lift it by any point, 50 px or more, drop it, and wait until it lies still."),
+         {letGoOf(), carriedFar(50.0), allStill()}},
+        {Text::tr("Throw it at a wall, at 5 px per frame or more."), {letGoOf(), fastEnough(), hitsAWall()}},
         {Text::tr("Set **iterations** to 1 and shake it, until a stick is wrong by 25 %."),
-         [](const Timeline &run) {
-             return isSetTo(run, "iterations", 1.0) && !heldBody(run).empty() && worstStretch(run) >= 25.0;
-         }},
+         {isSet("iterations", 1.0),
+          {[](const Timeline &run) { return !heldBody(run).empty(); },
+           Text::tr("take it with the mouse, and shake it.")},
+          atLeast(25.0, worstStretch, Text::tr("shake it harder. The worst stick is wrong by %1 %."), 0)}},
         {Text::tr("Go back in time to before you threw it, change **iterations**, and compare with the "
                   "ghost."),
-         [](const Timeline &run) { return comparesWithGhost(run, "iterations"); }},
+         {ghostDiffers("iterations"),
+          {[](const Timeline &run) {
+               const std::vector<sim::Event> &input = run.script().input;
+               return std::any_of(input.begin(), input.end(), [&](const sim::Event &event) {
+                   return std::holds_alternative<sim::Release>(event.what) && event.frame > run.fork();
+               });
+           },
+           Text::tr("go back to before you threw it, and change **iterations** there.")},
+          besideGhost()}},
     };
 }
 

@@ -108,10 +108,6 @@ Der Winkel ist in **Radiant**: 1 rad = 57,2958°, und eine halbe Drehung ist 3,1
         <translation>Zieh den Fuß bis auf 15&#x202f;px zum Kreuz, halte ihn still und lass los. Nichts zieht an ihm: Er bleibt.</translation>
     </message>
     <message>
-        <source>Throw it: let go while the mouse is moving. It glides and stops.</source>
-        <translation>Wirf ihn: Lass los, während die Maus sich bewegt. Er gleitet und bleibt stehen.</translation>
-    </message>
-    <message>
         <source>Set **damping** to 1 and throw it again. Does it ever stop? Give it 60&#x202f;frames.</source>
         <translation>Setze **Dämpfung** auf 1 und wirf ihn noch einmal. Bleibt er je stehen? Gib ihm 60&#x202f;Bilder Zeit.</translation>
     </message>
@@ -140,24 +136,12 @@ Der Winkel ist in **Radiant**: 1 rad = 57,2958°, und eine halbe Drehung ist 3,1
         <translation>Setze die Steifigkeit **k** auf 0,02 und trag den Körper, bis der Fuß 150&#x202f;px zurückliegt.</translation>
     </message>
     <message>
-        <source>Throw the foot, and stop inside a frame when the spring has pulled it and it has not moved.</source>
-        <translation>Wirf den Fuß und halte innerhalb eines Bildes an, wenn die Feder an ihm gezogen hat und er sich noch nicht bewegt hat.</translation>
-    </message>
-    <message>
         <source>Let the foot go on the left of the body. Where does it come to rest?</source>
         <translation>Lass den Fuß links vom Körper los. Wo kommt er zur Ruhe?</translation>
     </message>
     <message>
-        <source>Give **offset** a minus, at least −10, and wait until the foot is still.</source>
-        <translation>Gib **Versatz** ein Minus, mindestens −10, und warte, bis der Fuß still ist.</translation>
-    </message>
-    <message>
         <source>Carry the body at least 100&#x202f;px. The target goes with it.</source>
         <translation>Trag den Körper mindestens 100&#x202f;px. Das Ziel geht mit.</translation>
-    </message>
-    <message>
-        <source>Let the foot go close by on the left of the body, so that it comes to rest there.</source>
-        <translation>Lass den Fuß dicht links vom Körper los, sodass er dort zur Ruhe kommt.</translation>
     </message>
     <message>
         <source>Hold the foot straight below the body, to 5°. What is the angle in radians?</source>
@@ -494,6 +478,94 @@ bekommt beide Zahlen, sieht also ihre Vorzeichen. Es kennt alle vier Viertel ein
 `atan2(2, 1) = 1.107&#x2009;rad`
 
 `atan2(−2, −1) = −2.034&#x2009;rad`</translation>
+    </message>
+    <message>
+        <source>let go so that it moves: it stands still.</source>
+        <translation>lass so los, dass er sich bewegt: Er steht still.</translation>
+    </message>
+    <message>
+        <source>hold it still for a moment before you let go. Yours left at %1&#x202f;px per frame.</source>
+        <translation>halte ihn einen Moment still, bevor du loslässt. Losgelassen wurde bei %1 px pro Bild.</translation>
+    </message>
+    <message>
+        <source>let go within 15&#x202f;px of the cross. Yours lies %1&#x202f;px from it.</source>
+        <translation>lass höchstens 15 px vom Kreuz entfernt los. Er liegt %1 px davon.</translation>
+    </message>
+    <message>
+        <source>Throw it: let go while the mouse moves at 5&#x202f;px per frame or more. It glides and stops.</source>
+        <translation>Wirf ihn: Lass los, während sich die Maus mit 5 px pro Bild oder mehr bewegt. Er gleitet und bleibt stehen.</translation>
+    </message>
+    <message>
+        <source>let it glide for 60&#x202f;frames with this damping. So far: %1.</source>
+        <translation>lass ihn mit dieser Dämpfung 60 Bilder lang gleiten. Bisher: %1.</translation>
+    </message>
+    <message>
+        <source>No. Nothing takes a share of its velocity, so it keeps all of it and glides on for ever.</source>
+        <translation>Nein. Nichts nimmt einen Teil seiner Geschwindigkeit, also behält er sie ganz und gleitet für immer weiter.</translation>
+    </message>
+    <message>
+        <source>let go at least 100&#x202f;px from the cross. Yours left %1&#x202f;px from it.</source>
+        <translation>lass mindestens 100 px vom Kreuz entfernt los. Es waren %1 px.</translation>
+    </message>
+    <message>
+        <source>let it swing for 100&#x202f;frames with this damping. So far: %1.</source>
+        <translation>lass ihn mit dieser Dämpfung 100 Bilder lang schwingen. Bisher: %1.</translation>
+    </message>
+    <message>
+        <source>No. Nothing takes a share of its velocity, so it swings as wide as at first, for ever.</source>
+        <translation>Nein. Nichts nimmt einen Teil seiner Geschwindigkeit, also schwingt er für immer so weit wie am Anfang.</translation>
+    </message>
+    <message>
+        <source>let time run (**Space**) until the foot lies still on the body.</source>
+        <translation>lass die Zeit laufen (**Leertaste**), bis der Fuß still auf dem Körper liegt.</translation>
+    </message>
+    <message>
+        <source>carry it farther or faster. The foot is %1&#x202f;px behind.</source>
+        <translation>trag ihn weiter oder schneller. Der Fuß ist %1 px dahinter.</translation>
+    </message>
+    <message>
+        <source>Throw the foot (at 5&#x202f;px per frame or more), and stop inside a frame when the spring has pulled it and it has not moved.</source>
+        <translation>Wirf den Fuß (mit 5 px pro Bild oder mehr) und halte innerhalb eines Bildes an, wenn die Feder ihn gezogen hat und er sich noch nicht bewegt hat.</translation>
+    </message>
+    <message>
+        <source>let go on the left of the body.</source>
+        <translation>lass links vom Körper los.</translation>
+    </message>
+    <message>
+        <source>On the right, on the cross: the offset is added to the x of the body, wherever the foot comes from.</source>
+        <translation>Rechts, auf dem Kreuz: Der Versatz wird zum x des Körpers addiert, woher der Fuß auch kommt.</translation>
+    </message>
+    <message>
+        <source>Set **offset** to −10 or less, and wait until the foot is still.</source>
+        <translation>Setze **Versatz** auf −10 oder weniger und warte, bis der Fuß still ist.</translation>
+    </message>
+    <message>
+        <source>set **offset** to −10 or less. It is %1.</source>
+        <translation>setze **Versatz** auf −10 oder weniger. Er ist %1.</translation>
+    </message>
+    <message>
+        <source>let time run (**Space**) until the foot lies still on the cross.</source>
+        <translation>lass die Zeit laufen (**Leertaste**), bis der Fuß still auf dem Kreuz liegt.</translation>
+    </message>
+    <message>
+        <source>Let the foot go close by on the left of the body, so that it comes to rest there, at least 20&#x202f;px to the left.</source>
+        <translation>Lass den Fuß dicht links vom Körper los, sodass er dort zur Ruhe kommt, mindestens 20 px links.</translation>
+    </message>
+    <message>
+        <source>let go closer to the body, on its left: the foot came to rest elsewhere.</source>
+        <translation>lass näher am Körper los, links von ihm: Der Fuß kam anderswo zur Ruhe.</translation>
+    </message>
+    <message>
+        <source>hold it straight below the body. It is off by %1°.</source>
+        <translation>halte ihn gerade unter den Körper. Es fehlen %1°.</translation>
+    </message>
+    <message>
+        <source>1.57&#x202f;rad: π / 2, a quarter of a turn. y points down, so the angle of what is below is above 0.</source>
+        <translation>1,57 rad: π / 2, eine Vierteldrehung. y zeigt nach unten, also ist der Winkel für unten größer als 0.</translation>
+    </message>
+    <message>
+        <source>let time run (**Space**) until the foot is still on the ring.</source>
+        <translation>lass die Zeit laufen (**Leertaste**), bis der Fuß still auf dem Ring ist.</translation>
     </message>
 </context>
 <context>

@@ -51,6 +51,11 @@ Step dragStep()
         "The arrow is the pull that a spring to the cross would have. It does not act yet: that is "
         "the next step.");
     step.addParameters(centre());
+    for (Parameter &one : step.parameters) {
+        if (one.id != QStringLiteral("damp"))
+            one.effects = {
+                QStringLiteral("point_spring")}; // nothing pulls yet: offered from the next step on
+    }
     step.tries = dragTries();
     step.scene = drag::setUp;
     step.guides = pullToCome;

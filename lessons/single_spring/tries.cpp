@@ -5,7 +5,9 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 using namespace lessons;
@@ -30,25 +32,62 @@ double footToCentre(const Timeline &run)
     return sim::length(placeOf(run, "foot") - centreOf(run));
 }
 
-/// Where the foot was when the hand let go of it; empty if it did not.
-std::optional<sim::Vec2> footLetGoAt(const Timeline &run)
+/// Where the hand let go of the foot; NaN if it did not.
+sim::Vec2 letGoAt(const Timeline &run)
+{
+    constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
+    const std::optional<Carry> carry = lastLetGo(run, "foot");
+    return carry && !carry->path.empty() ? carry->path.back().at : sim::Vec2{nowhere, nowhere};
+}
+
+double speedLetGo(const Timeline &run)
 {
     const std::optional<Carry> carry = lastLetGo(run, "foot");
-    if (!carry || carry->path.empty())
-        return {};
-    return carry->path.back().at;
+    return carry ? sim::length(carry->throwVelocity()) : 0.0;
 }
 
-/// The foot was let go `frames` ago or earlier, nothing has slowed it since, and it moves.
-bool neverStops(const Timeline &run, std::int64_t frames)
+/// The hand has been off for `frames` frames since damping was set.
+Condition leftAlone(std::int64_t frames, const QString &todo)
 {
-    return lastLetGo(run, "foot") && framesWithoutHand(run) >= frames && isSetTo(run, "damp", 1.0) &&
-           framesSinceSet(run, "damp") >= frames && run.at().phase == 0 && !isStill(run);
+    return atLeast(
+        static_cast<double>(frames),
+        [](const Timeline &run) {
+            return static_cast<double>(std::min(framesWithoutHand(run), framesSinceSet(run, "damp")));
+        },
+        todo, 0);
 }
 
-bool restsAtDistance(const Timeline &run, double wanted)
+Condition moves()
 {
-    return isStill(run) && std::abs(distance(run, "foot", "body") - wanted) < 0.5;
+    return {[](const Timeline &run) { return run.at().phase == 0 && !isStill(run); },
+            Text::tr("let go so that it moves: it stands still.")};
+}
+
+Condition restsAtDistance(double wanted, const QString &todo)
+{
+    return {[wanted](const Timeline &run) {
+                return isStill(run) && std::abs(distance(run, "foot", "body") - wanted) < 0.5;
+            },
+            todo};
+}
+
+/// How far the foot is off straight below the body, in degrees.
+double offStraightBelow(const Timeline &run)
+{
+    const sim::Vec2 from = placeOf(run, "foot") - placeOf(run, "body");
+    const double off = sim::publishedDirection(from).angle - std::numbers::pi / 2;
+    return std::abs(off) * 180.0 / std::numbers::pi;
+}
+
+double footLeftOfBody(const Timeline &run)
+{
+    return placeOf(run, "body").x - placeOf(run, "foot").x;
+}
+
+Try compareDamping()
+{
+    return {Text::tr("Go back in time, change **damping**, and compare with the ghost."),
+            {ghostDiffers("damp"), besideGhost()}};
 }
 
 }
@@ -58,13 +97,19 @@ std::vector<Try> dragTries()
     return {
         {Text::tr(
              "Drag the foot to the cross, to 15 px, hold it still, and let go. Nothing pulls it: it stays."),
-         [](const Timeline &run) {
-             return lastLetGo(run, "foot") && footToCentre(run) <= 15.0 && isStill(run);
-         }},
-        {Text::tr("Throw it: let go while the mouse is moving. It glides and stops."),
-         [](const Timeline &run) { return wasThrown(run, "foot") && isStill(run); }},
-        {Text::tr("Set **damping** to 1 and throw it again. Does it ever stop? Give it 60 frames."),
-         [](const Timeline &run) { return wasThrown(run, "foot") && neverStops(run, 60); }},
+         {letGoOf("foot"),
+          atMost(1.0, speedLetGo,
+                 Text::tr("hold it still for a moment before you let go. Yours left at %1 px per frame.")),
+          allStill(),
+          atMost(15.0, footToCentre,
+                 Text::tr("let go within 15 px of the cross. Yours lies %1 px from it."))}},
+        {Text::tr("Throw it: let go while the mouse moves at 5 px per frame or more. It glides and stops."),
+         {letGoOf("foot"), fastEnough(), allStill()}},
+        Try{Text::tr("Set **damping** to 1 and throw it again. Does it ever stop? Give it 60 frames."),
+            {isSet("damp", 1.0), letGoOf("foot"), fastEnough(),
+             leftAlone(60, Text::tr("let it glide for 60 frames with this damping. So far: %1.")), moves()}}
+            .answered(Text::tr("No. Nothing takes a share of its velocity, so it keeps all of it and glides "
+                               "on for ever.")),
     };
 }
 
@@ -72,17 +117,20 @@ std::vector<Try> fixedCentreTries()
 {
     return {
         {Text::tr("Pull the foot at least 100 px away from the cross, let go, and wait until it is still."),
-         [](const Timeline &run) {
-             const std::optional<sim::Vec2> at = footLetGoAt(run);
-             return at && sim::length(*at - centreOf(run)) >= 100.0 && isStill(run);
-         }},
+         {letGoOf("foot"),
+          atLeast(
+              100.0, [](const Timeline &run) { return sim::length(letGoAt(run) - centreOf(run)); },
+              Text::tr("let go at least 100 px from the cross. Yours left %1 px from it."), 0),
+          allStill()}},
         {Text::tr("Stop inside a frame (**Shift+→**) when the spring has pulled and nothing has moved yet."),
-         springPulledNothingMoved},
-        {Text::tr(
-             "Set **damping** to 1, pull the foot out and let go. Does it ever stop? Give it 100 frames."),
-         [](const Timeline &run) { return neverStops(run, 100); }},
-        {Text::tr("Go back in time, change **damping**, and compare with the ghost."),
-         [](const Timeline &run) { return comparesWithGhost(run, "damp"); }},
+         {insideAFrame(), onlyPulled()}},
+        Try{Text::tr(
+                "Set **damping** to 1, pull the foot out and let go. Does it ever stop? Give it 100 frames."),
+            {isSet("damp", 1.0), letGoOf("foot"),
+             leftAlone(100, Text::tr("let it swing for 100 frames with this damping. So far: %1.")), moves()}}
+            .answered(Text::tr("No. Nothing takes a share of its velocity, so it swings as wide as at first, "
+                               "for ever.")),
+        compareDamping(),
     };
 }
 
@@ -90,61 +138,62 @@ std::vector<Try> movingBodyTries()
 {
     return {
         {Text::tr("Carry the body at least 200 px away, and wait until the foot lies on it."),
-         [](const Timeline &run) {
-             const std::vector<Carry> all = carries(run);
-             return !all.empty() && all.back().body == "body" && all.back().reach() >= 200.0 &&
-                    restsAtDistance(run, 0.0);
-         }},
+         {tookLast("body"), carriedFar(200.0),
+          restsAtDistance(0.0, Text::tr("let time run (**Space**) until the foot lies still on the body."))}},
         {Text::tr("Set the stiffness **k** to 0.02 and carry the body until the foot is 150 px behind."),
-         [](const Timeline &run) {
-             return isSetTo(run, "k", 0.02) && heldBody(run) == "body" &&
-                    carries(run).back().reach() >= 100.0 && distance(run, "foot", "body") >= 150.0;
-         }},
-        {Text::tr(
-             "Throw the foot, and stop inside a frame when the spring has pulled it and it has not moved."),
-         [](const Timeline &run) { return wasThrown(run, "foot") && springPulledNothingMoved(run); }},
+         {isSet("k", 0.02), holding("body"), carriedFar(100.0),
+          atLeast(
+              150.0, [](const Timeline &run) { return distance(run, "foot", "body"); },
+              Text::tr("carry it farther or faster. The foot is %1 px behind."), 0)}},
+        {Text::tr("Throw the foot (at 5 px per frame or more), and stop inside a frame when the spring has "
+                  "pulled it and it has not moved."),
+         {letGoOf("foot"), fastEnough(), insideAFrame(), onlyPulled()}},
     };
 }
 
 std::vector<Try> offsetTries()
 {
     return {
-        {Text::tr("Let the foot go on the left of the body. Where does it come to rest?"),
-         [](const Timeline &run) {
-             const std::optional<sim::Vec2> at = footLetGoAt(run);
-             return at && at->x < placeOf(run, "body").x && isStill(run);
-         }},
-        {Text::tr("Give **offset** a minus, at least −10, and wait until the foot is still."),
-         [](const Timeline &run) {
-             const double offset = run.values()["offset"];
-             return offset <= -10.0 && restsAtDistance(run, -offset);
-         }},
+        Try{Text::tr("Let the foot go on the left of the body. Where does it come to rest?"),
+            {letGoOf("foot"),
+             {[](const Timeline &run) { return letGoAt(run).x < placeOf(run, "body").x; },
+              Text::tr("let go on the left of the body.")},
+             allStill()}}
+            .answered(Text::tr("On the right, on the cross: the offset is added to the x of the body, "
+                               "wherever the foot comes from.")),
+        {Text::tr("Set **offset** to −10 or less, and wait until the foot is still."),
+         {{[](const Timeline &run) { return run.values()["offset"] < 0.0; }},
+          atMost(
+              -10.0, [](const Timeline &run) { return run.values()["offset"]; },
+              Text::tr("set **offset** to −10 or less. It is %1."), 0),
+          {[](const Timeline &run) {
+               return isStill(run) && std::abs(distance(run, "foot", "body") + run.values()["offset"]) < 0.5;
+           },
+           Text::tr("let time run (**Space**) until the foot lies still on the cross.")}}},
         {Text::tr("Carry the body at least 100 px. The target goes with it."),
-         [](const Timeline &run) {
-             const std::vector<Carry> all = carries(run);
-             return !all.empty() && all.back().body == "body" && all.back().reach() >= 100.0;
-         }},
+         {tookLast("body"), carriedFar(100.0)}},
     };
 }
 
 std::vector<Try> radialTries()
 {
     return {
-        {Text::tr("Let the foot go close by on the left of the body, so that it comes to rest there."),
-         [](const Timeline &run) {
-             return lastLetGo(run, "foot") && placeOf(run, "foot").x < placeOf(run, "body").x - 20.0 &&
-                    isStill(run);
-         }},
-        {Text::tr("Hold the foot straight below the body, to 5°. What is the angle in radians?"),
-         [](const Timeline &run) {
-             const sim::Vec2 from = placeOf(run, "foot") - placeOf(run, "body");
-             const double off = sim::publishedDirection(from).angle - std::numbers::pi / 2;
-             return heldBody(run) == "foot" && std::abs(off) <= 5.0 * std::numbers::pi / 180.0;
-         }},
+        {Text::tr("Let the foot go close by on the left of the body, so that it comes to rest there, at "
+                  "least 20 px to the left."),
+         {letGoOf("foot"),
+          allStill(),
+          {[](const Timeline &run) { return footLeftOfBody(run) >= 20.0; },
+           Text::tr("let go closer to the body, on its left: the foot came to rest elsewhere.")}}},
+        Try{Text::tr("Hold the foot straight below the body, to 5°. What is the angle in radians?"),
+            {holding("foot"), atMost(5.0, offStraightBelow,
+                                     Text::tr("hold it straight below the body. It is off by %1°."), 0)}}
+            .answered(Text::tr("1.57 rad: π / 2, a quarter of a turn. y points down, so the angle of what is "
+                               "below is above 0.")),
         {Text::tr("Set **radius** to 120 and wait until the foot is still."),
-         [](const Timeline &run) { return isSetTo(run, "radius", 120.0) && restsAtDistance(run, 120.0); }},
+         {isSet("radius", 120.0),
+          restsAtDistance(120.0, Text::tr("let time run (**Space**) until the foot is still on the ring."))}},
         {Text::tr("Stop inside a frame when the spring has pulled. Find `angle` and `target` in the code."),
-         springPulledNothingMoved},
+         {insideAFrame(), onlyPulled()}},
     };
 }
 

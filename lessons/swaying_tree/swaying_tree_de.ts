@@ -320,10 +320,6 @@ Ein, zwei Variablen genügen für ganz andere Muster. Die **Beispiele** zeigen e
         <translation>Blase, bis der Stamm sich um mehr als 60° neigt.</translation>
     </message>
     <message>
-        <source>Set **ease** to 2 and blow for ten frames. Then set it to 30, and do it again.</source>
-        <translation>Setze **Langsamkeit** auf 2 und blase zehn Bilder lang. Setze sie dann auf 30 und tu es noch einmal.</translation>
-    </message>
-    <message>
         <source>Blow from close by. Go back a few frames, set **Formula** to published, and play on: the ghost is the wind as meant.</source>
         <translation>Blase aus der Nähe. Geh ein paar Bilder zurück, stelle **Formel** auf veröffentlicht und spiele weiter: Der Geist ist der Wind, wie er gemeint war.</translation>
     </message>
@@ -344,16 +340,8 @@ Ein, zwei Variablen genügen für ganz andere Muster. Die **Beispiele** zeigen e
         <translation>Blase aus weniger als 20&#x202f;px auf einen Zweig, bis er um mehr als 30° gebogen ist.</translation>
     </message>
     <message>
-        <source>Now from a corner, for 60&#x202f;frames: nothing bends by more than 15°.</source>
-        <translation>Jetzt aus einer Ecke, 60&#x202f;Bilder lang: Nichts biegt sich um mehr als 15°.</translation>
-    </message>
-    <message>
         <source>While you blow, go back a few frames, set **Formula** to published, and play on. Which tree bends more?</source>
         <translation>Geh beim Blasen ein paar Bilder zurück, stelle **Formel** auf veröffentlicht und spiele weiter. Welcher Baum biegt sich mehr?</translation>
-    </message>
-    <message>
-        <source>Blow until some twig is bent twenty times as far as the trunk.</source>
-        <translation>Blase, bis ein Zweig zwanzigmal so weit gebogen ist wie der Stamm.</translation>
     </message>
     <message>
         <source>Set **wind** to 20 and lean the trunk by 10°.</source>
@@ -370,10 +358,6 @@ Ein, zwei Variablen genügen für ganz andere Muster. Die **Beispiele** zeigen e
     <message>
         <source>Go back to where your wind began, set **turbulence** to 0, and play on. The ghost trembles, the tree does not.</source>
         <translation>Geh zum Beginn deines Windes zurück, setze **Turbulenz** auf 0 und spiele weiter. Der Geist zittert, der Baum nicht.</translation>
-    </message>
-    <message>
-        <source>Choose another tree from the gallery and blow at it.</source>
-        <translation>Wähle einen anderen Baum aus den Beispielen und blase auf ihn.</translation>
     </message>
     <message>
         <source>Blow, let go, and watch: the trunk swings past its rest, towards where the wind came from.</source>
@@ -794,6 +778,146 @@ Der kurze Weg ist nie mehr als eine halbe Drehung. Fehlen also mehr als 180°, z
     <message>
         <source>How hard it is to set a thing turning, or to stop it. More mass farther out means more of it.</source>
         <translation>Wie schwer es ist, etwas in Drehung zu versetzen oder anzuhalten. Mehr Masse weiter außen bedeutet mehr davon. (In der Physik heißt sie Trägheitsmoment.)</translation>
+    </message>
+    <message>
+        <source>hold the mouse button down in the picture.</source>
+        <translation>halte in der Szene die Maustaste gedrückt.</translation>
+    </message>
+    <message>
+        <source>hold the mouse button down beside the tree, and let go.</source>
+        <translation>halte neben dem Baum die Maustaste gedrückt und lass los.</translation>
+    </message>
+    <message>
+        <source>go on blowing while time runs. So far: %1&#x202f;frames of %2.</source>
+        <translation>blase weiter, während die Zeit läuft. Bisher: %1 Bilder von %2.</translation>
+    </message>
+    <message>
+        <source>hold still while time runs (**Space**). Some branch is off by %1°.</source>
+        <translation>halte still, während die Zeit läuft (**Leertaste**). Ein Zweig weicht um %1° ab.</translation>
+    </message>
+    <message>
+        <source>go on until the trunk leans by more than %2°. Now: %1°.</source>
+        <translation>mach weiter, bis sich der Stamm um mehr als %2° neigt. Jetzt: %1°.</translation>
+    </message>
+    <message>
+        <source>bend a branch by more than 60° before you let go. It was %1°.</source>
+        <translation>biege einen Zweig um mehr als 60°, bevor du loslässt. Es waren %1°.</translation>
+    </message>
+    <message>
+        <source>let time run (**Space**) until all are back within 1°. Some branch is off by %1°.</source>
+        <translation>lass die Zeit laufen (**Leertaste**), bis alle bis auf 1° zurück sind. Ein Zweig weicht um %1° ab.</translation>
+    </message>
+    <message>
+        <source>set **ease** to 30.</source>
+        <translation>setze **Langsamkeit** auf 30.</translation>
+    </message>
+    <message>
+        <source>Choose another tree from the gallery and blow at it, until a branch is bent by more than 10°.</source>
+        <translation>Wähle einen anderen Baum aus den Beispielen und blase auf ihn, bis ein Zweig um mehr als 10° gebogen ist.</translation>
+    </message>
+    <message>
+        <source>blow on while time runs. The most that a branch is bent: %1°.</source>
+        <translation>blase weiter, während die Zeit läuft. Am meisten gebogen ist ein Zweig um %1°.</translation>
+    </message>
+    <message>
+        <source>make it three branches. This tree has %1.</source>
+        <translation>mach drei Zweige daraus. Dieser Baum hat %1.</translation>
+    </message>
+    <message>
+        <source>Straight up and down. Those of the levels between point left and right.</source>
+        <translation>Gerade nach oben und unten. Die der Ebenen dazwischen zeigen nach links und rechts.</translation>
+    </message>
+    <message>
+        <source>5 levels with 1 + 2 + 4 + 8 + 16 = 31 branches: at the next level they would be 0.17 of the trunk, less than 0.2.</source>
+        <translation>5 Ebenen mit 1 + 2 + 4 + 8 + 16 = 31 Zweigen: In der nächsten wären sie 0,17 des Stamms, weniger als 0,2.</translation>
+    </message>
+    <message>
+        <source>Hardly: chance turns branches farther than they spread, so some grow back towards the ground.</source>
+        <translation>Kaum: Der Zufall dreht Zweige weiter, als sie sich spreizen, also wachsen manche zurück zum Boden.</translation>
+    </message>
+    <message>
+        <source>set **Formula** to corrected.</source>
+        <translation>setze **Formel** auf korrigiert.</translation>
+    </message>
+    <message>
+        <source>hold the button lower, so that the trunk leans by more than 45°. Yours leans by %1°.</source>
+        <translation>halte die Taste tiefer, sodass sich der Stamm um mehr als 45° neigt. Er neigt sich um %1°.</translation>
+    </message>
+    <message>
+        <source>No. Nothing turns a branch back: it stays as it was turned last.</source>
+        <translation>Nein. Nichts dreht einen Zweig zurück: Er bleibt so, wie er zuletzt gedreht wurde.</translation>
+    </message>
+    <message>
+        <source>Set **ease** to 30 and blow for ten frames. With 2 the tree turns much faster.</source>
+        <translation>Setze **Langsamkeit** auf 30 und blase zehn Bilder lang. Mit 2 dreht sich der Baum viel schneller.</translation>
+    </message>
+    <message>
+        <source>About four times as long: each frame takes a thirtieth of the way that is left, not an eighth.</source>
+        <translation>Etwa viermal so lang: Jedes Bild nimmt ein Dreißigstel des Wegs, der noch fehlt, und kein Achtel.</translation>
+    </message>
+    <message>
+        <source>press **Shift+→** until the return is the last phase that was done.</source>
+        <translation>drück **Umschalt+→**, bis die Rückkehr die letzte erledigte Phase ist.</translation>
+    </message>
+    <message>
+        <source>blow for a while first: nothing is bent by more than 1°.</source>
+        <translation>blase zuerst eine Weile: Nichts ist um mehr als 1° gebogen.</translation>
+    </message>
+    <message>
+        <source>blow from less than 20&#x202f;px from the end of a twig. It is %1&#x202f;px.</source>
+        <translation>blase aus weniger als 20 px vom Ende eines feinen Zweigs. Es sind %1 px.</translation>
+    </message>
+    <message>
+        <source>follow the twig. It is bent by %1°.</source>
+        <translation>folge dem feinen Zweig. Er ist um %1° gebogen.</translation>
+    </message>
+    <message>
+        <source>Now from far away, for example from a corner, for 60&#x202f;frames: nothing bends by more than 15°.</source>
+        <translation>Jetzt von weit weg, zum Beispiel aus einer Ecke, 60 Bilder lang: Nichts biegt sich um mehr als 15°.</translation>
+    </message>
+    <message>
+        <source>blow from farther away. Some branch is bent by %1°.</source>
+        <translation>blase von weiter weg. Ein Zweig ist um %1° gebogen.</translation>
+    </message>
+    <message>
+        <source>The corrected one. In the published formula the same distance counts twice for a branch half as large.</source>
+        <translation>Der korrigierte. In der veröffentlichten Formel zählt derselbe Abstand für einen halb so großen Zweig doppelt.</translation>
+    </message>
+    <message>
+        <source>Blow until some twig is bent by more than 20°, and twenty times as far as the trunk.</source>
+        <translation>Blase, bis ein feiner Zweig um mehr als 20° gebogen ist, und zwanzigmal so weit wie der Stamm.</translation>
+    </message>
+    <message>
+        <source>blow from closer. The most that a twig is bent: %1°.</source>
+        <translation>blase aus größerer Nähe. Am meisten gebogen ist ein Zweig um %1°.</translation>
+    </message>
+    <message>
+        <source>blow at a twig far from the trunk. It is bent %1 times as far as the trunk.</source>
+        <translation>blase auf einen feinen Zweig weit weg vom Stamm. Er ist %1-mal so weit gebogen wie der Stamm.</translation>
+    </message>
+    <message>
+        <source>The twigs of the published formula that are close to you: a frame turns them past the wind, the next one back.</source>
+        <translation>Die feinen Zweige der veröffentlichten Formel in deiner Nähe: Ein Bild dreht sie am Wind vorbei, das nächste zurück.</translation>
+    </message>
+    <message>
+        <source>set **turbulence** to 0 there.</source>
+        <translation>setze dort **Turbulenz** auf 0.</translation>
+    </message>
+    <message>
+        <source>let time run (**Space**) until the trunk swings past its rest, by 0.5° or more. If it does not, blow harder.</source>
+        <translation>lass die Zeit laufen (**Leertaste**), bis der Stamm um 0,5° oder mehr über seine Ruhelage hinausschwingt. Tut er es nicht, blase stärker.</translation>
+    </message>
+    <message>
+        <source>stop when the gust has reached some branches, but not all. Hold the button at the left edge, and press **Space** earlier or later.</source>
+        <translation>halte an, wenn die Bö einige Zweige erreicht hat, aber nicht alle. Halte die Taste am linken Rand und drück die **Leertaste** früher oder später.</translation>
+    </message>
+    <message>
+        <source>hands off, and let time run for 300&#x202f;frames. So far: %1.</source>
+        <translation>Hände weg, und lass die Zeit 300 Bilder lang laufen. Bisher: %1.</translation>
+    </message>
+    <message>
+        <source>blow harder: nothing is bent by more than 1°.</source>
+        <translation>blase stärker: Nichts ist um mehr als 1° gebogen.</translation>
     </message>
 </context>
 <context>

@@ -73,38 +73,94 @@ std::optional<sim::State> whenLetGo(const Timeline &run)
     return run.track().stateAt(run.at().frame - since - 1);
 }
 
-/// Whether every branch points at the pointer, to one degree.
-bool allPointAtThePointer(const Timeline &run)
+/// How many degrees the branch is off that points least at the pointer.
+double offPointer(const Timeline &run)
 {
     const sim::State &now = run.now();
-    if (!blows(run))
-        return false;
-    const sim::Vec2 pointer = *now.outside.pointer;
+    const sim::Vec2 pointer = now.outside.pointer.value_or(sim::Vec2{});
+    double worst = 0.0;
     for (int i = 0; i < now.points(); ++i) {
         const sim::Vec2 way = pointer - now.at(i);
         const double angle = std::atan2(way.y, way.x) * sim::degreesPerRadian;
-        if (std::abs(std::remainder(now.angle[i] - angle, 360.0)) > 1.0)
-            return false;
+        worst = std::max(worst, std::abs(std::remainder(now.angle[i] - angle, 360.0)));
     }
-    return true;
+    return worst;
 }
 
-/// Whether the tree was bent by `degrees` when the button was let go, and has come back since.
-bool cameBack(const Timeline &run, double degrees)
+/// How far the tree was bent when the button was let go.
+double bentWhenLetGo(const Timeline &run)
 {
     const std::optional<sim::State> then = whenLetGo(run);
-    return then && largestBend(sceneOf(run), *then) > degrees && bend(run) <= 1.0;
+    return then ? largestBend(sceneOf(run), *then) : 0.0;
 }
 
-/// How far the branch next to the pointer is bent while the wind blows within `reach` px of its end.
-double bendNextToThePointer(const Timeline &run, double reach)
+Condition blowing()
 {
-    if (!blows(run))
-        return 0.0;
-    const sim::Vec2 pointer = *run.now().outside.pointer;
-    const int branch = nearestBranch(sceneOf(run), run.now(), pointer);
-    const bool near = sim::length(endOf(sceneOf(run), run.now(), branch) - pointer) <= reach;
-    return near ? std::abs(bendOf(sceneOf(run), run.now(), branch)) : 0.0;
+    return {blows, Text::tr("hold the mouse button down in the picture.")};
+}
+
+Condition blewAndLetGo()
+{
+    return {[](const Timeline &run) { return whenLetGo(run).has_value(); },
+            Text::tr("hold the mouse button down beside the tree, and let go.")};
+}
+
+Condition blownFor(std::int64_t frames)
+{
+    return atLeast(
+        static_cast<double>(frames),
+        [](const Timeline &run) { return static_cast<double>(framesSinceButton(run)); },
+        Text::tr("go on blowing while time runs. So far: %1 frames of %2.")
+            .replace(QStringLiteral("%2"), QString::number(frames)),
+        0);
+}
+
+Condition pointingAtThePointer()
+{
+    return atMost(1.0, offPointer,
+                  Text::tr("hold still while time runs (**Space**). Some branch is off by %1°."), 0);
+}
+
+Condition trunkLeans(double least)
+{
+    return atLeast(
+        least, [](const Timeline &run) { return std::abs(lean(run)); },
+        Text::tr("go on until the trunk leans by more than %2°. Now: %1°.")
+            .replace(QStringLiteral("%2"), QString::number(least)),
+        0);
+}
+
+Conditions cameBack(const Condition &first)
+{
+    return {
+        first, blewAndLetGo(),
+        atLeast(60.0, bentWhenLetGo,
+                Text::tr("bend a branch by more than 60° before you let go. It was %1°."), 0),
+        atMost(1.0, bend,
+               Text::tr("let time run (**Space**) until all are back within 1°. Some branch is off by %1°."),
+               0)};
+}
+
+Condition easeIs30()
+{
+    return isSet("ease", 30.0, Text::tr("set **ease** to 30."));
+}
+
+/// The branch whose end is nearest to the pointer.
+int branchAtPointer(const Timeline &run)
+{
+    return nearestBranch(sceneOf(run), run.now(), run.now().outside.pointer.value_or(sim::Vec2{}));
+}
+
+double pointerToBranch(const Timeline &run)
+{
+    const sim::Vec2 end = endOf(sceneOf(run), run.now(), branchAtPointer(run));
+    return sim::length(end - run.now().outside.pointer.value_or(sim::Vec2{}));
+}
+
+double bendAtPointer(const Timeline &run)
+{
+    return std::abs(bendOf(sceneOf(run), run.now(), branchAtPointer(run)));
 }
 
 /// The distances from the pointer to the ends of the branches, least and most.
@@ -119,14 +175,39 @@ std::pair<double, double> distances(const Timeline &run)
     return {least, most};
 }
 
-bool isOtherTree(const Timeline &run)
+Condition otherTree()
 {
-    return !isSetTo(run, "spread", 30.0) && run.at().frame > 0;
+    return {[](const Timeline &run) { return !isSetTo(run, "spread", 30.0) && run.at().frame > 0; }};
+}
+
+Try anotherTree()
+{
+    return {
+        Text::tr("Choose another tree from the gallery and blow at it, until a branch is bent by more than "
+                 "10°."),
+        {otherTree(), blowing(),
+         atLeast(10.0, bend, Text::tr("blow on while time runs. The most that a branch is bent: %1°."), 0)}};
 }
 
 Try compareFormulas(const QString &text)
 {
-    return {text, [](const Timeline &run) { return blows(run) && comparesWithGhost(run, "formula"); }};
+    return {text, {ghostDiffers("formula"), blowing(), besideGhost()}};
+}
+
+/// Whether the trunk is bent towards where the wind came from.
+bool swungPast(const Timeline &run)
+{
+    if (blows(run) || std::abs(lean(run)) < 0.5)
+        return false;
+    const double fromLeft = run.now().at(0).x - run.now().outside.pointer->x;
+    return lean(run) * fromLeft < 0.0;
+}
+
+/// Whether the gust has reached some branches, but not all.
+bool gustIsOnItsWay(const Timeline &run)
+{
+    const auto [least, most] = distances(run);
+    return run.now().gale.front > least && run.now().gale.front < most;
 }
 
 }
@@ -147,11 +228,18 @@ std::vector<Try> branchesTries()
 {
     return {
         {Text::tr("Make a tree with just three branches: raise **smallest branch**."),
-         [](const Timeline &run) { return run.now().points() == 3; }},
-        {Text::tr("Set **spread** to 90°. Which way do the branches of every second level point?"),
-         [](const Timeline &run) { return isSetTo(run, "spread", 90.0); }},
-        {Text::tr("Set **slope** to 0.7. How many levels are left, and how many branches?"),
-         [](const Timeline &run) { return isSetTo(run, "slope", 0.7); }},
+         {{[](const Timeline &run) { return !isSetTo(run, "min_scale", 0.2); }},
+          {[](const Timeline &run) { return run.now().points() == 3; },
+           Text::tr("make it three branches. This tree has %1."),
+           [](const Timeline &run) { return static_cast<double>(run.now().points()); }, 0}}},
+        Try{Text::tr("Set **spread** to 90°. Which way do the branches of every second level point?"),
+            [](const Timeline &run) { return isSetTo(run, "spread", 90.0); }}
+            .answered(Text::tr("Straight up and down. Those of the levels between point left and right.")),
+        Try{Text::tr("Set **slope** to 0.7. How many levels are left, and how many branches?"),
+            [](const Timeline &run) { return isSetTo(run, "slope", 0.7); }}
+            .answered(
+                Text::tr("5 levels with 1 + 2 + 4 + 8 + 16 = 31 branches: at the next level they would be "
+                         "0.17 of the trunk, less than 0.2.")),
     };
 }
 
@@ -160,8 +248,10 @@ std::vector<Try> randomnessTries()
     return {
         {Text::tr("Set **jitter** to 0, and the tree of the step before is back."),
          [](const Timeline &run) { return isSetTo(run, "jitter", 0.0); }},
-        {Text::tr("Set **jitter** to 60°. Is it still a tree?"),
-         [](const Timeline &run) { return isSetTo(run, "jitter", 60.0); }},
+        Try{Text::tr("Set **jitter** to 60°. Is it still a tree?"),
+            [](const Timeline &run) { return isSetTo(run, "jitter", 60.0); }}
+            .answered(Text::tr("Hardly: chance turns branches farther than they spread, so some grow back "
+                               "towards the ground.")),
         {Text::tr("Choose a tree from the gallery, or make one of your own with another **spread**."),
          [](const Timeline &run) { return !isSetTo(run, "spread", 30.0); }},
     };
@@ -171,24 +261,29 @@ std::vector<Try> towardsPointerTries()
 {
     return {
         {Text::tr("Hold the button down beside the tree. Every branch points at you."),
-         [](const Timeline &run) { return !isPublished(run) && allPointAtThePointer(run); }},
+         {blowing(),
+          {[](const Timeline &run) { return !isPublished(run); }, Text::tr("set **Formula** to corrected.")},
+          pointingAtThePointer()}},
         {Text::tr("Do the same with **Formula** set to published, and hold still. Count the frames until the "
                   "whole tree points at you."),
-         [](const Timeline &run) { return isPublished(run) && allPointAtThePointer(run); }},
-        {Text::tr("Hold the button down low beside the trunk, then let go. Does the tree get up again?"),
-         [](const Timeline &run) { return !blows(run) && std::abs(lean(run)) > 45.0; }},
+         {{isPublished}, blowing(), pointingAtThePointer()}},
+        Try{Text::tr("Hold the button down low beside the trunk, then let go. Does the tree get up again?"),
+            {blewAndLetGo(),
+             atLeast(
+                 45.0, [](const Timeline &run) { return std::abs(lean(run)); },
+                 Text::tr("hold the button lower, so that the trunk leans by more than 45°. Yours leans by "
+                          "%1°."),
+                 0)}}
+            .answered(Text::tr("No. Nothing turns a branch back: it stays as it was turned last.")),
     };
 }
 
 std::vector<Try> windTries()
 {
     return {
-        {Text::tr("Blow until the trunk leans by more than 60°."),
-         [](const Timeline &run) { return blows(run) && std::abs(lean(run)) > 60.0; }},
-        {Text::tr("Set **ease** to 2 and blow for ten frames. Then set it to 30, and do it again."),
-         [](const Timeline &run) {
-             return run.values()["ease"] >= 30.0 && blows(run) && framesSinceButton(run) >= 10;
-         }},
+        {Text::tr("Blow until the trunk leans by more than 60°."), {blowing(), trunkLeans(60.0)}},
+        {Text::tr("Set **ease** to 30 and blow for ten frames. With 2 the tree turns much faster."),
+         {easeIs30(), blowing(), blownFor(10)}},
         compareFormulas(
             Text::tr("Blow from close by. Go back a few frames, set **Formula** to published, and "
                      "play on: the ghost is the wind as meant.")),
@@ -200,15 +295,21 @@ std::vector<Try> restTries()
     return {
         {Text::tr("Bend a branch by more than 60°, let go, and count the frames until all are back within "
                   "1°."),
-         [](const Timeline &run) { return cameBack(run, 60.0); }},
-        {Text::tr("Do the same with **ease** at 30. How much longer does it take?"),
-         [](const Timeline &run) { return run.values()["ease"] >= 30.0 && cameBack(run, 60.0); }},
+         cameBack(blewAndLetGo())},
+        Try{Text::tr("Do the same with **ease** at 30. How much longer does it take?"), cameBack(easeIs30())}
+            .answered(
+                Text::tr("About four times as long: each frame takes a thirtieth of the way that is left, "
+                         "not an eighth.")),
         {Text::tr("Stop inside a frame (**Shift+→**) when the tree has returned and the wind has not bent it "
                   "yet."),
-         [](const Timeline &run) {
-             const sim::Phase *last = lastPhase(run);
-             return last && last->kind == sim::Kind::spring && blows(run) && bend(run) > 1.0;
-         }},
+         {insideAFrame(),
+          blowing(),
+          {[](const Timeline &run) {
+               const sim::Phase *last = lastPhase(run);
+               return last && last->kind == sim::Kind::spring;
+           },
+           Text::tr("press **Shift+→** until the return is the last phase that was done.")},
+          atLeast(1.0, bend, Text::tr("blow for a while first: nothing is bent by more than 1°."), 0)}},
     };
 }
 
@@ -216,27 +317,38 @@ std::vector<Try> distanceTries()
 {
     return {
         {Text::tr("Blow at a twig from less than 20 px until it is bent by more than 30°."),
-         [](const Timeline &run) { return bendNextToThePointer(run, 20.0) > 30.0; }},
-        {Text::tr("Now from a corner, for 60 frames: nothing bends by more than 15°."),
-         [](const Timeline &run) { return blows(run) && framesSinceButton(run) >= 60 && bend(run) < 15.0; }},
+         {blowing(),
+          atMost(20.0, pointerToBranch,
+                 Text::tr("blow from less than 20 px from the end of a twig. It is %1 px."), 0),
+          atLeast(30.0, bendAtPointer, Text::tr("follow the twig. It is bent by %1°."), 0)}},
+        {Text::tr("Now from far away, for example from a corner, for 60 frames: nothing bends by more than "
+                  "15°."),
+         {blowing(), blownFor(60),
+          atMost(15.0, bend, Text::tr("blow from farther away. Some branch is bent by %1°."), 0)}},
         compareFormulas(
             Text::tr("While you blow, go back a few frames, set **Formula** to published, and play on. "
-                     "Which tree bends more?")),
+                     "Which tree bends more?"))
+            .answered(Text::tr("The corrected one. In the published formula the same distance counts twice "
+                               "for a branch half as large.")),
     };
 }
 
 std::vector<Try> thicknessTries()
 {
     return {
-        {Text::tr("Blow until some twig is bent twenty times as far as the trunk."),
-         [](const Timeline &run) { return bend(run) > 20.0 && bend(run) >= 20.0 * std::abs(lean(run)); }},
+        {Text::tr("Blow until some twig is bent by more than 20°, and twenty times as far as the trunk."),
+         {blowing(), atLeast(20.0, bend, Text::tr("blow from closer. The most that a twig is bent: %1°."), 0),
+          atLeast(
+              20.0, [](const Timeline &run) { return bend(run) / std::max(1e-9, std::abs(lean(run))); },
+              Text::tr("blow at a twig far from the trunk. It is bent %1 times as far as the trunk."), 0)}},
         {Text::tr("Set **wind** to 20 and lean the trunk by 10°."),
-         [](const Timeline &run) {
-             return isSetTo(run, "wind", 20.0) && blows(run) && std::abs(lean(run)) >= 10.0;
-         }},
+         {isSet("wind", 20.0), blowing(), trunkLeans(10.0)}},
         compareFormulas(
             Text::tr("While you blow from close by, go back a few frames, set **Formula** to published, "
-                     "and play on. Which twigs quiver?")),
+                     "and play on. Which twigs quiver?"))
+            .answered(
+                Text::tr("The twigs of the published formula that are close to you: a frame turns them past "
+                         "the wind, the next one back.")),
     };
 }
 
@@ -244,14 +356,12 @@ std::vector<Try> turbulenceTries()
 {
     return {
         {Text::tr("Hold the button for 60 frames and watch the twigs, then the trunk."),
-         [](const Timeline &run) { return blows(run) && framesSinceButton(run) >= 60; }},
+         {blowing(), blownFor(60)}},
         {Text::tr("Go back to where your wind began, set **turbulence** to 0, and play on. The ghost "
                   "trembles, the tree does not."),
-         [](const Timeline &run) {
-             return isSetTo(run, "turbulence", 0.0) && blows(run) && comparesWithGhost(run, "turbulence");
-         }},
-        {Text::tr("Choose another tree from the gallery and blow at it."),
-         [](const Timeline &run) { return isOtherTree(run) && blows(run) && bend(run) > 10.0; }},
+         {ghostDiffers("turbulence"), isSet("turbulence", 0.0, Text::tr("set **turbulence** to 0 there.")),
+          blowing(), besideGhost()}},
+        anotherTree(),
     };
 }
 
@@ -260,28 +370,27 @@ std::vector<Try> realSwayTries()
     return {
         {Text::tr(
              "Blow, let go, and watch: the trunk swings past its rest, towards where the wind came from."),
-         [](const Timeline &run) {
-             if (framesSinceButton(run) < 1 || blows(run) || std::abs(lean(run)) < 0.5)
-                 return false;
-             const double fromLeft = run.now().at(0).x - run.now().outside.pointer->x;
-             return lean(run) * fromLeft < 0.0;
-         }},
-        {Text::tr("Hold the button at the left edge and stop (**Space**) when the gust has reached some "
-                  "branches, but not all."),
-         [](const Timeline &run) {
-             if (!blows(run))
-                 return false;
-             const auto [least, most] = distances(run);
-             return run.now().gale.front > least && run.now().gale.front < most;
-         }},
+         {blewAndLetGo(),
+          {swungPast, Text::tr("let time run (**Space**) until the trunk swings past its "
+                               "rest, by 0.5° or more. If it does not, blow harder.")}}},
+        Try{Text::tr("Hold the button at the left edge and stop (**Space**) when the gust has reached some "
+                     "branches, but not all."),
+            {blowing(),
+             {gustIsOnItsWay,
+              Text::tr(
+                  "stop when the gust has reached some branches, but not all. Hold the button at the left "
+                  "edge, and press **Space** earlier or later.")}}}
+            .stopped(),
         {Text::tr("Set **damping** to 1, blow, and let go. After 300 frames it still sways: look at the "
                   "energy."),
-         [](const Timeline &run) {
-             return isSetTo(run, "damp", 1.0) && whenLetGo(run) && framesSinceButton(run) >= 300 &&
-                    bend(run) > 1.0;
-         }},
-        {Text::tr("Choose another tree from the gallery and blow at it."),
-         [](const Timeline &run) { return isOtherTree(run) && blows(run) && bend(run) > 10.0; }},
+         {isSet("damp", 1.0),
+          blewAndLetGo(),
+          atLeast(
+              300.0, [](const Timeline &run) { return static_cast<double>(framesSinceButton(run)); },
+              Text::tr("hands off, and let time run for 300 frames. So far: %1."), 0),
+          {[](const Timeline &run) { return bend(run) > 1.0; },
+           Text::tr("blow harder: nothing is bent by more than 1°.")}}},
+        anotherTree(),
     };
 }
 

@@ -6,6 +6,7 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace lessons;
@@ -27,44 +28,58 @@ Step stepOf(const char *id, const QString &title)
     return step;
 }
 
-bool keepsTheTutorialsDamping(const Timeline &run)
+/// How long the leg was when the hand let go, in px; as long as it holds, how long it is.
+double lengthLetGo(const Timeline &run)
 {
-    return isSetTo(run, "damp", 0.9);
+    const std::optional<Carry> carry = lastLetGo(run);
+    if (!carry)
+        return distance(run, "foot", "body");
+    const sim::State then = run.track().stateAt(std::max<std::int64_t>(0, *carry->letGo - 1));
+    return sim::length(then.at(foot) - then.at(body));
 }
 
-/// The pair left by itself: no throw is as fast as this so long after the hand let go.
-bool flewOff(const Timeline &run)
+Condition holdingAnEnd()
 {
-    return isSetTo(run, "k", 0.3) && keepsTheTutorialsDamping(run) && usesMethod(run, "published") &&
-           framesWithoutHand(run) >= 60 && !onStage(middle(run)) && sim::length(momentum(run)) >= 2.0;
+    return {[](const Timeline &run) { return !heldBody(run).empty(); }};
 }
 
-bool staysInItsPlace(const Timeline &run)
+/// No throw is as fast as this so long after the hand let go.
+Condition flewOff()
 {
-    return isSetTo(run, "k", 0.3) && keepsTheTutorialsDamping(run) &&
-           usesMethod(run, "semi_implicit_euler") && run.at().frame >= 100 && framesWithoutHand(run) >= 100 &&
-           sim::length(momentum(run)) < 0.01;
+    return {[](const Timeline &run) { return !onStage(middle(run)) && sim::length(momentum(run)) >= 2.0; },
+            Text::tr("let time run (**Space**) until the pair has left the picture.")};
 }
 
-bool footMovedBodyDidNot(const Timeline &run)
+Condition dampingIs(double value)
 {
-    return hasMoved(run, foot) && !hasMoved(run, body);
+    return isSet("damp", value,
+                 value == 0.9 ? Text::tr("set **damping** to 0.9.") : Text::tr("set **damping** to 0.85."));
 }
 
 std::vector<Try> mutualTries()
 {
+    const Condition springAtThreeTenths = isSet("k", 0.3, Text::tr("set **k** to 0.3."));
     return {
-        {Text::tr(
-             "Stop inside a frame when the foot has moved and the body has not. What does the body see?"),
-         footMovedBodyDidNot},
-        {Text::tr("Set **k** to 0.3 and hands off: the pair flies out of the picture by itself."), flewOff},
+        Try{Text::tr(
+                "Stop inside a frame when the foot has moved and the body has not. What does the body see?"),
+            {insideAFrame(),
+             {[](const Timeline &run) { return hasMoved(run, foot) && !hasMoved(run, body); },
+              Text::tr("press **Shift+→** until the foot has moved and the body has not.")}}}
+            .answered(Text::tr("The foot where it is now. So the body is not pulled back as hard as the foot "
+                               "was pulled.")),
+        {Text::tr("Set **k** to 0.3 and hands off: the pair flies out of the picture by itself."),
+         {springAtThreeTenths, dampingIs(0.9),
+          byMethod("published", Text::tr("choose the method **Published**.")), handsOff(60), flewOff()}},
         {Text::tr("Keep k at 0.3, set **damping** to 0.85, and wait until the pair is still."),
-         [](const Timeline &run) {
-             return isSetTo(run, "k", 0.3) && isSetTo(run, "damp", 0.85) && isStill(run);
-         }},
+         {dampingIs(0.85), springAtThreeTenths, allStill()}},
         {Text::tr("With k at 0.3 and damping at 0.9, choose the method **Semi-implicit Euler** and watch 100 "
                   "frames, hands off."),
-         staysInItsPlace},
+         {byMethod("semi_implicit_euler"),
+          springAtThreeTenths,
+          dampingIs(0.9),
+          handsOff(100),
+          {[](const Timeline &run) { return sim::length(momentum(run)) < 0.01; },
+           Text::tr("press **Home** to begin again: your hand has left the pair a momentum.")}}},
     };
 }
 
@@ -72,18 +87,21 @@ std::vector<Try> legLineTries()
 {
     return {
         {Text::tr("Hold one end and pull so fast that the leg stretches to 100 px or more."),
-         [](const Timeline &run) {
-             return !heldBody(run).empty() && distance(run, "foot", "body") >= 100.0;
-         }},
+         {holdingAnEnd(), atLeast(
+                              100.0, [](const Timeline &run) { return distance(run, "foot", "body"); },
+                              Text::tr("pull faster. The leg is %1 px long."), 0)}},
         {Text::tr("Hold one end and press the leg to under 20 px. Then let go."),
-         [](const Timeline &run) { return !heldBody(run).empty() && distance(run, "foot", "body") < 20.0; }},
+         {{[](const Timeline &run) { return !carries(run).empty(); }},
+          {[](const Timeline &run) { return lengthLetGo(run) < 20.0; },
+           Text::tr("press the leg to under 20 px and let go there. It was %1 px long."), lengthLetGo, 0},
+          {[](const Timeline &run) { return lastLetGo(run).has_value(); }, Text::tr("let go now.")}}},
         {Text::tr("Set **radius** to 100 and wait until the leg is still, 100 px long."),
-         [](const Timeline &run) {
-             return isSetTo(run, "radius", 100.0) && isStill(run) &&
-                    std::abs(distance(run, "foot", "body") - 100.0) < 0.5;
-         }},
+         {isSet("radius", 100.0),
+          allStill(),
+          {[](const Timeline &run) { return std::abs(distance(run, "foot", "body") - 100.0) < 0.5; },
+           Text::tr("pull the two apart, so that the leg becomes 100 px long.")}}},
         {Text::tr("Go back in time, change **k**, and compare with the ghost."),
-         [](const Timeline &run) { return comparesWithGhost(run, "k"); }},
+         {ghostDiffers("k"), besideGhost()}},
     };
 }
 

@@ -167,6 +167,54 @@ Das gilt nur, wenn beide Züge **im selben Moment** genommen werden. Bewegt sich
         <source>Play some seconds, drag the timeline back to the left, type another **k**, and play on for a second.</source>
         <translation>Spiele einige Sekunden ab, zieh die Zeitleiste nach links zurück, gib ein anderes **k** ein und spiele eine Sekunde weiter.</translation>
     </message>
+    <message>
+        <source>let time run (**Space**) until the pair has left the picture.</source>
+        <translation>lass die Zeit laufen (**Leertaste**), bis das Paar die Szene verlassen hat.</translation>
+    </message>
+    <message>
+        <source>set **damping** to 0.9.</source>
+        <translation>setze **Dämpfung** auf 0,9.</translation>
+    </message>
+    <message>
+        <source>set **damping** to 0.85.</source>
+        <translation>setze **Dämpfung** auf 0,85.</translation>
+    </message>
+    <message>
+        <source>set **k** to 0.3.</source>
+        <translation>setze **k** auf 0,3.</translation>
+    </message>
+    <message>
+        <source>press **Shift+→** until the foot has moved and the body has not.</source>
+        <translation>drück **Umschalt+→**, bis der Fuß sich bewegt hat und der Körper noch nicht.</translation>
+    </message>
+    <message>
+        <source>The foot where it is now. So the body is not pulled back as hard as the foot was pulled.</source>
+        <translation>Den Fuß dort, wo er jetzt ist. Also wird der Körper nicht so stark gezogen, wie der Fuß gezogen wurde.</translation>
+    </message>
+    <message>
+        <source>choose the method **Published**.</source>
+        <translation>wähle das Verfahren **Veröffentlicht**.</translation>
+    </message>
+    <message>
+        <source>press **Home** to begin again: your hand has left the pair a momentum.</source>
+        <translation>drück **Pos1**, um neu zu beginnen: Deine Hand hat dem Paar einen Impuls gegeben.</translation>
+    </message>
+    <message>
+        <source>pull faster. The leg is %1&#x202f;px long.</source>
+        <translation>zieh schneller. Das Bein ist %1 px lang.</translation>
+    </message>
+    <message>
+        <source>press the leg to under 20&#x202f;px and let go there. It was %1&#x202f;px long.</source>
+        <translation>drück das Bein auf unter 20 px zusammen und lass dort los. Es war %1 px lang.</translation>
+    </message>
+    <message>
+        <source>let go now.</source>
+        <translation>lass jetzt los.</translation>
+    </message>
+    <message>
+        <source>pull the two apart, so that the leg becomes 100&#x202f;px long.</source>
+        <translation>zieh die beiden auseinander, sodass das Bein 100 px lang wird.</translation>
+    </message>
 </context>
 <context>
     <name>lesson.json</name>

@@ -94,19 +94,50 @@ double nearestBody(const Timeline &run, const std::string &name)
     return least;
 }
 
-/// Whether a hand holds a body, has carried it 40 px or more, and another body is close enough to be pushed.
-bool draggedIntoAnother(const Timeline &run)
+/// How far the creature has walked to the left of where it started, in px.
+double walkedLeft(const Timeline &run)
 {
-    const std::string held = heldBody(run);
-    return isBody(held) && carries(run).back().reach() >= 40.0 &&
-           nearestBody(run, held) < run.values()["distance"];
+    const sim::Scene &scene = run.track().shown().scene;
+    return scene.start.at(scene.find("body")).x - placeOf(run, "body").x;
 }
 
-/// Whether only one of two bodies feels their push, right now.
-bool onePushed(const Timeline &run)
+Condition walkedLeft100()
 {
-    return isSetTo(run, "felt_by", 1.0) && framesSinceSet(run, "felt_by") >= 10 &&
-           nearestBody(run, "creature0.body") < run.values()["distance"];
+    return atLeast(100.0, walkedLeft,
+                   Text::tr("let it walk on to 100 px left of where it began. So far: %1 px."), 0);
+}
+
+/// How far up the hand lifted what it let go of last, in px.
+double lifted(const Timeline &run)
+{
+    const std::optional<Carry> carry = lastLetGo(run);
+    double most = 0.0;
+    for (const HandPlace &place : carry ? carry->path : std::vector<HandPlace>())
+        most = std::max(most, takenFrom(run, *carry).y - place.at.y);
+    return most;
+}
+
+Condition inTheAir()
+{
+    return {[](const Timeline &run) { return !standsOnAFoot(run); },
+            Text::tr("stop at a frame in which no foot touches the ground: go there with **→**.")};
+}
+
+Condition atAWall(const QString &todo)
+{
+    return {touchesAWall, todo};
+}
+
+/// How near the nearest body is to the one in the hand, px.
+double nearestToHand(const Timeline &run)
+{
+    return nearestBody(run, heldBody(run));
+}
+
+Condition nearEnough(std::function<double(const Timeline &)> nearest, const QString &todo)
+{
+    return {[nearest](const Timeline &run) { return nearest(run) < run.values()["distance"]; }, todo, nearest,
+            0};
 }
 
 }
@@ -114,38 +145,36 @@ bool onePushed(const Timeline &run)
 std::vector<Try> groundTries()
 {
     return {
-        {Text::tr("Set **speed** to −0.05 and let the creature walk off to the left."),
-         [](const Timeline &run) { return isSetTo(run, "speed", -0.05) && placeOf(run, "body").x < 170.0; }},
+        {Text::tr("Set **speed** to −0.05 and let the creature walk to 100 px left of where it began."),
+         {isSet("speed", -0.05), walkedLeft100()}},
         {Text::tr("Set **traction** to none for 150 frames: ice. It treads on the spot."),
-         [](const Timeline &run) {
-             return isSetTo(run, "traction", 1.0) && framesSinceSet(run, "traction") >= 150 &&
-                    std::abs(momentum(run).x) < 0.1;
-         }},
-        {Text::tr("Set **bounce** to 0.8 and stop just when a foot bounces."),
-         [](const Timeline &run) { return run.values()["bounce"] >= 0.5 && justBounced(run); }},
-        {Text::tr("Lift the body at least 100 px and let go. It lands on its feet and walks on."),
-         [](const Timeline &run) {
-             const std::optional<Carry> carry = lastLetGo(run, "body");
-             return carry && carry->reach() >= 100.0 && framesWithoutHand(run) >= 60 && standsOnAFoot(run);
-         }},
+         {isSet("traction", 1.0), keptFor("traction", 150)}},
+        Try{Text::tr("Set **bounce** to 0.8 and stop just when a foot bounces."),
+            {isSet("bounce", 0.8),
+             {justBounced, Text::tr("stop at a frame in which a foot on the ground moves up, at 1 px per "
+                                    "frame or more: go there with **→**.")}}}
+            .stopped(),
+        {Text::tr("Lift the body at least 100 px and let go. It lands on its feet and walks on, for 60 "
+                  "frames."),
+         {letGoOf("body"),
+          atLeast(100.0, lifted, Text::tr("lift it 100 px or more. It came %1 px up."), 0),
+          handsOff(60),
+          {standsOnAFoot, Text::tr("let it walk on until a foot stands on the ground.")}}},
     };
 }
 
 std::vector<Try> moreFeetTries()
 {
     return {
-        {Text::tr("Set **feet** to 12 and watch for 200 frames. How much does the body go up and down?"),
-         [](const Timeline &run) {
-             return isSetTo(run, "feet", 12.0) && framesSinceSet(run, "feet") >= 200;
-         }},
-        {Text::tr("Set **spread** to 0 for 200 frames. All feet step together: does it get anywhere?"),
-         [](const Timeline &run) {
-             return isSetTo(run, "spread", 0.0) && framesSinceSet(run, "spread") >= 200;
-         }},
-        {Text::tr("Set **speed** to 0.3 and stop when no foot touches the ground."),
-         [](const Timeline &run) {
-             return run.values()["speed"] >= 0.2 && framesSinceSet(run, "speed") >= 60 && !standsOnAFoot(run);
-         }},
+        Try{Text::tr("Set **feet** to 12 and watch for 200 frames. How much does the body go up and down?"),
+            {isSet("feet", 12.0), keptFor("feet", 200)}}
+            .answered(Text::tr("By less than 1 px: some foot is always on its way down.")),
+        Try{Text::tr("Set **spread** to 0 for 200 frames. All feet step together: does it get anywhere?"),
+            {isSet("spread", 0.0), keptFor("spread", 200)}}
+            .answered(Text::tr("No. The body falls and rises and goes to and fro, but it gets nowhere.")),
+        Try{Text::tr("Set **speed** to 0.3, play 60 frames, and stop when no foot touches the ground."),
+            {isSet("speed", 0.3), keptFor("speed", 60), inTheAir()}}
+            .stopped(),
     };
 }
 
@@ -153,57 +182,61 @@ std::vector<Try> steeringTries()
 {
     return {
         {Text::tr(
-             "Hold the **←** key until the creature walks to the left, and let it walk 100 px that way."),
-         [](const Timeline &run) {
-             return pressed(run, &sim::Keys::left) && clockSpeedOf(run) < 0.0 &&
-                    placeOf(run, "body").x < 170.0;
-         }},
+             "Hold the **←** key until the creature walks to the left, and let it walk to 100 px left of "
+             "where it began."),
+         {{[](const Timeline &run) { return pressed(run, &sim::Keys::left); }},
+          {[](const Timeline &run) { return clockSpeedOf(run) < 0.0; },
+           Text::tr("hold **←** longer, until the clock’s speed is below 0. It is %1 rad per frame."),
+           clockSpeedOf, 3},
+          walkedLeft100()}},
         {Text::tr(
              "Make it as fast as it can with the pointer: hold the button at least 200 px away from it."),
-         [](const Timeline &run) {
-             return pointed(run) && run.values()["top"] > 0.0 &&
-                    std::abs(clockSpeedOf(run)) >= run.values()["top"];
-         }},
+         {{[](const Timeline &run) { return pointed(run) && run.values()["top"] > 0.0; }},
+          {[](const Timeline &run) { return std::abs(clockSpeedOf(run)) >= run.values()["top"]; },
+           Text::tr("hold the button 200 px or more to the left or right of it, while time runs. The clock’s "
+                    "speed is %1 rad per frame."),
+           clockSpeedOf, 3}}},
         {Text::tr("Make it stand: bring the clock to within 0.005 rad/frame of 0."),
-         [](const Timeline &run) {
-             const bool steered =
-                 pointed(run) || pressed(run, &sim::Keys::left) || pressed(run, &sim::Keys::right);
-             return steered && std::abs(clockSpeedOf(run)) <= 0.005;
-         }},
+         {{[](const Timeline &run) {
+              return pointed(run) || pressed(run, &sim::Keys::left) || pressed(run, &sim::Keys::right);
+          }},
+          {[](const Timeline &run) { return std::abs(clockSpeedOf(run)) <= 0.005; },
+           Text::tr("bring the clock’s speed to 0. It is %1 rad per frame."), clockSpeedOf, 3}}},
     };
 }
 
 std::vector<Try> wallsTries()
 {
     return {
-        {Text::tr("Set **at wall** to *walk on* and let it walk against a wall for 200 frames."),
-         [](const Timeline &run) {
-             return isSetTo(run, "at_wall", 1.0) && framesSinceSet(run, "at_wall") >= 200 &&
-                    touchesAWall(run);
-         }},
+        {Text::tr("Set **at wall** to *walk on* and let it walk against a wall, for 200 frames in all."),
+         {isSet("at_wall", 1.0), keptFor("at_wall", 200),
+          atAWall(Text::tr("let it walk on until it touches a wall."))}},
         {Text::tr("Put the walls 150 px apart or closer, and see it turn to the left."),
-         [](const Timeline &run) {
-             return run.values()["right"] - run.values()["left"] <= 150.0 && clockSpeedOf(run) < 0.0;
-         }},
-        {Text::tr("Throw the creature into a wall."),
-         [](const Timeline &run) {
-             return wasThrown(run) && framesWithoutHand(run) <= 40 && touchesAWall(run);
-         }},
+         {{[](const Timeline &run) { return run.values()["right"] - run.values()["left"] <= 150.0; }},
+          {[](const Timeline &run) { return clockSpeedOf(run) < 0.0; },
+           Text::tr("let time run (**Space**) until it turns.")}}},
+        {Text::tr("Throw the creature into a wall, so that it gets there within 40 frames."),
+         {letGoOf(),
+          fastEnough(),
+          {[](const Timeline &run) { return framesWithoutHand(run) <= 40 && touchesAWall(run); },
+           Text::tr("throw it harder or closer to a wall: it has to get there within 40 frames.")}}},
     };
 }
 
 std::vector<Try> companyTries()
 {
     return {
-        {Text::tr("Take one creature by its body and drag it into another. Both feel the push; the one in "
-                  "your hand cannot move."),
-         draggedIntoAnother},
+        {Text::tr("Take one creature by its body and drag it at least 40 px, into another. Both feel the "
+                  "push; the one in your hand cannot move."),
+         {{[](const Timeline &run) { return isBody(heldBody(run)); }},
+          carriedFar(40.0),
+          nearEnough(nearestToHand, Text::tr("drag it into another. The nearest body is %1 px away."))}},
         {Text::tr("Set **felt by** to one, and look at the sum of the pushes while two bodies touch."),
-         onePushed},
+         {isSet("felt_by", 1.0),
+          nearEnough([](const Timeline &run) { return nearestBody(run, "creature0.body"); },
+                     Text::tr("let time run (**Space**) until two bodies touch. They are %1 px apart."))}},
         {Text::tr("Set **creatures** to 5 and watch the crowd for 300 frames."),
-         [](const Timeline &run) {
-             return isSetTo(run, "creatures", 5.0) && framesSinceSet(run, "creatures") >= 300;
-         }},
+         {isSet("creatures", 5.0), keptFor("creatures", 300)}},
     };
 }
 

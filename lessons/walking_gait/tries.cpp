@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 using namespace lessons;
 using sim::Timeline;
@@ -19,27 +20,53 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(WalkingGait)
 };
 
-/// Whether foot 0 was pulled past the body to its right side, let go, and is at rest on the left again.
-bool footCameBack(const Timeline &run)
+/// How far to the right of the body the hand pulled foot 0 in its last carry, in px.
+double pulledPastBody(const Timeline &run)
 {
     const std::optional<Carry> carry = lastLetGo(run, "foot0");
-    const double body = placeOf(run, "body").x;
-    if (!carry || placeOf(run, "foot0").x >= body || !isStill(run))
-        return false;
-    return std::any_of(carry->path.begin(), carry->path.end(),
-                       [&](const HandPlace &place) { return place.at.x > body + 20.0; });
+    double most = -std::numeric_limits<double>::infinity();
+    for (const HandPlace &place : carry ? carry->path : std::vector<HandPlace>())
+        most = std::max(most, place.at.x - placeOf(run, "body").x);
+    return most;
 }
 
-bool carriedBody(const Timeline &run, double reach)
+Condition letGoOfAFoot()
+{
+    return {[](const Timeline &run) {
+        const std::optional<Carry> carry = lastLetGo(run);
+        return carry && carry->body.starts_with("foot");
+    }};
+}
+
+Condition holdingAFoot()
+{
+    return {[](const Timeline &run) { return heldBody(run).starts_with("foot"); }};
+}
+
+double framesHeld(const Timeline &run)
 {
     const std::vector<Carry> all = carries(run);
-    return !all.empty() && all.back().body == "body" && all.back().reach() >= reach;
+    return all.empty() ? 0.0 : static_cast<double>(run.at().frame - all.back().grabbed);
 }
 
-bool pulledAFoot(const Timeline &run, double reach)
+/// How far to one side the hand carried what it took last, in px.
+double carriedAside(const Timeline &run)
 {
-    const std::optional<Carry> carry = lastLetGo(run);
-    return carry && carry->body.starts_with("foot") && carry->reach() >= reach;
+    const std::vector<Carry> all = carries(run);
+    double most = 0.0;
+    for (const HandPlace &place : all.empty() ? std::vector<HandPlace>() : all.back().path)
+        most = std::max(most, std::abs(place.at.x - takenFrom(run, all.back()).x));
+    return most;
+}
+
+/// Whether the hand has taken `body` anywhere in the run.
+bool everTook(const Timeline &run, const std::string &body)
+{
+    const std::vector<sim::Event> &input = run.script().input;
+    return std::any_of(input.begin(), input.end(), [&](const sim::Event &event) {
+        const auto *grab = std::get_if<sim::Grab>(&event.what);
+        return grab && grab->body == body;
+    });
 }
 
 /// How far foot 0 is from the middle of its places, px.
@@ -52,7 +79,7 @@ double swing(const Timeline &run)
 Try carryOver150()
 {
     return {Text::tr("Carry the body at least 150 px. Both feet follow, each on its side."),
-            [](const Timeline &run) { return carriedBody(run, 150.0); }};
+            {tookLast("body"), carriedFar(150.0)}};
 }
 
 }
@@ -60,23 +87,29 @@ Try carryOver150()
 std::vector<Try> bonesTries()
 {
     return {
-        {Text::tr(
-             "Pull foot 0 over to the right of the body, let go, and wait until all is still. Where does "
-             "it end?"),
-         footCameBack},
+        Try{Text::tr("Pull foot 0 to the right of the body, 20 px or more past it, let go, and wait until "
+                     "all is still. Where does it end?"),
+            {letGoOf("foot0"),
+             atLeast(20.0, pulledPastBody,
+                     Text::tr("pull it 20 px or more past the body, to the right. It came %1 px past it."),
+                     0),
+             allStill()}}
+            .answered(Text::tr("On the left again: its bone has an angle of its own, and the spring pulls it "
+                               "to that place from anywhere.")),
         carryOver150(),
         {Text::tr("Stop inside a frame (**Shift+→**) when the springs have pulled and nothing has moved."),
-         springPulledNothingMoved},
+         {insideAFrame(), onlyPulled()}},
     };
 }
 
 std::vector<Try> legsTries()
 {
     return {
-        {Text::tr("Set **leg** to 100 and wait until all is still. How long are the lines?"),
-         [](const Timeline &run) { return isSetTo(run, "leg", 100.0) && isStill(run); }},
+        Try{Text::tr("Set **leg** to 100 and wait until all is still. How long are the lines?"),
+            {isSet("leg", 100.0), allStill()}}
+            .answered(Text::tr("100 px: at rest a line is as long as **leg** says.")),
         {Text::tr("Pull a foot at least 100 px away and let go. The line shows how far the spring swings."),
-         [](const Timeline &run) { return pulledAFoot(run, 100.0); }},
+         {letGoOfAFoot(), carriedFar(100.0)}},
     };
 }
 
@@ -84,9 +117,9 @@ std::vector<Try> feetBelowTries()
 {
     return {
         {Text::tr("Set **drop** to 0, as it was before, and wait until all is still."),
-         [](const Timeline &run) { return isSetTo(run, "drop", 0.0) && isStill(run); }},
+         {isSet("drop", 0.0), allStill()}},
         {Text::tr("Set **drop** so that the feet belong above the body, and wait until all is still."),
-         [](const Timeline &run) { return run.values()["drop"] < 0.0 && isStill(run); }},
+         {{[](const Timeline &run) { return run.values()["drop"] < 0.0; }}, allStill()}},
         carryOver150(),
     };
 }
@@ -94,11 +127,15 @@ std::vector<Try> feetBelowTries()
 std::vector<Try> curvedLegsTries()
 {
     return {
-        {Text::tr("Set **curve** to 0. What do the legs look like?"),
-         [](const Timeline &run) { return isSetTo(run, "curve", 0.0); }},
+        Try{Text::tr("Set **curve** to 0. What do the legs look like?"),
+            [](const Timeline &run) { return isSetTo(run, "curve", 0.0); }}
+            .answered(Text::tr("Straight: the point that bends a leg lies on its foot then.")),
         {Text::tr("Carry the body, go back in time, change **curve**, and compare with the ghost: the "
                   "run is the same."),
-         [](const Timeline &run) { return comparesWithGhost(run, "curve"); }},
+         {ghostDiffers("curve"),
+          {[](const Timeline &run) { return everTook(run, "body"); },
+           Text::tr("carry the body first. Then go back in time, and change **curve** there.")},
+          besideGhost()}},
         {Text::tr("Set **curve** below 0."), [](const Timeline &run) { return run.values()["curve"] < 0.0; }},
     };
 }
@@ -106,15 +143,18 @@ std::vector<Try> curvedLegsTries()
 std::vector<Try> swingTries()
 {
     return {
-        {Text::tr("Set **speed** to −0.05 for at least 60 frames. Which way do the feet go round now?"),
-         [](const Timeline &run) {
-             return isSetTo(run, "speed", -0.05) && framesSinceSet(run, "speed") >= 60;
-         }},
+        Try{Text::tr("Set **speed** to −0.05 for at least 60 frames. Which way do the feet go round now?"),
+            {isSet("speed", -0.05), keptFor("speed", 60)}}
+            .answered(Text::tr("Anticlockwise: the angle of each foot gets smaller from frame to frame.")),
         {Text::tr("Find a speed at which a foot goes round more than 150 px from the middle of its places. "
-                  "Hands off while you measure."),
-         [](const Timeline &run) { return framesWithoutHand(run) >= 120 && swing(run) > 150.0; }},
-        {Text::tr("Carry the body 200 px to the side, slowly. It looks like walking."),
-         [](const Timeline &run) { return carriedBody(run, 200.0); }},
+                  "Hands off for 120 frames while you measure."),
+         {{[](const Timeline &run) { return !isSetTo(run, "speed", 0.05); }},
+          handsOff(120),
+          atLeast(150.0, swing, Text::tr("try another speed. Foot 0 is %1 px from the middle of its places."),
+                  0)}},
+        {Text::tr("Carry the body at least 200 px to the side. If you do it slowly, it looks like walking."),
+         {tookLast("body"),
+          atLeast(200.0, carriedAside, Text::tr("carry it 200 px to the side. It came %1 px."), 0)}},
     };
 }
 
@@ -122,19 +162,13 @@ std::vector<Try> bodyPulledTries()
 {
     return {
         {Text::tr("Pull a foot at least 100 px away and let go. Now the body comes along."),
-         [](const Timeline &run) { return pulledAFoot(run, 100.0); }},
-        {Text::tr(
-             "Set **damping** to 1 and throw the creature. After 100 frames its momentum is what your hand "
-             "gave it."),
-         [](const Timeline &run) {
-             return isSetTo(run, "damp", 1.0) && wasThrown(run) && framesWithoutHand(run) >= 100 &&
-                    sim::length(momentum(run)) >= 1.0;
-         }},
+         {letGoOfAFoot(), carriedFar(100.0)}},
+        {Text::tr("Set **damping** to 1 and throw the creature, at 5 px per frame or more. After 100 frames "
+                  "its momentum is what your hand gave it."),
+         {isSet("damp", 1.0), letGoOf(), fastEnough(), handsOff(100)}},
         {Text::tr("Hold a foot for 60 frames. It feels nothing, but the body still feels its leg."),
-         [](const Timeline &run) {
-             const std::vector<Carry> all = carries(run);
-             return heldBody(run).starts_with("foot") && run.at().frame >= all.back().grabbed + 60;
-         }},
+         {holdingAFoot(),
+          atLeast(60.0, framesHeld, Text::tr("hold it for 60 frames while time runs. So far: %1."), 0)}},
     };
 }
 

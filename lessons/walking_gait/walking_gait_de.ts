@@ -104,20 +104,12 @@ Zwei Körper, die sich näher als **Abstand** sind, schieben einander weg, um **
 Jedes Abstoßen spüren **beide**, in entgegengesetzter Richtung, im selben Moment. Darum ergibt alles Abstoßen zusammen 0, und zwei Figuren, die sich treffen, teilen ihren Impuls neu auf; das Abstoßen macht keinen und verliert keinen. (Der Boden schon: Er hält Füße an.) Steht **Gespürt von** auf *einem*, spürt der zweite nichts. Dann macht jedes Abstoßen Impuls aus dem Nichts.</translation>
     </message>
     <message>
-        <source>Set **speed** to −0.05 and let the creature walk off to the left.</source>
-        <translation>Setze **Tempo** auf −0,05 und lass die Figur nach links davongehen.</translation>
-    </message>
-    <message>
         <source>Set **traction** to none for 150&#x202f;frames: ice. It treads on the spot.</source>
         <translation>Setze **Haftung** 150&#x202f;Bilder lang auf keine: Eis. Sie tritt auf der Stelle.</translation>
     </message>
     <message>
         <source>Set **bounce** to 0.8 and stop just when a foot bounces.</source>
         <translation>Setze **Abprall** auf 0,8 und halte genau dann an, wenn ein Fuß abprallt.</translation>
-    </message>
-    <message>
-        <source>Lift the body at least 100&#x202f;px and let go. It lands on its feet and walks on.</source>
-        <translation>Heb den Körper mindestens 100&#x202f;px an und lass los. Die Figur landet auf den Füßen und geht weiter.</translation>
     </message>
     <message>
         <source>Set **feet** to 12 and watch for 200&#x202f;frames. How much does the body go up and down?</source>
@@ -128,14 +120,6 @@ Jedes Abstoßen spüren **beide**, in entgegengesetzter Richtung, im selben Mome
         <translation>Setze **Verteilung** 200&#x202f;Bilder lang auf 0. Alle Füße treten zugleich auf: Kommt sie vom Fleck?</translation>
     </message>
     <message>
-        <source>Set **speed** to 0.3 and stop when no foot touches the ground.</source>
-        <translation>Setze **Tempo** auf 0,3 und halte an, wenn kein Fuß den Boden berührt.</translation>
-    </message>
-    <message>
-        <source>Hold the **←** key until the creature walks to the left, and let it walk 100&#x202f;px that way.</source>
-        <translation>Halte die Taste **←**, bis die Figur nach links geht, und lass sie 100&#x202f;px in diese Richtung gehen.</translation>
-    </message>
-    <message>
         <source>Make it as fast as it can with the pointer: hold the button at least 200&#x202f;px away from it.</source>
         <translation>Mach sie mit dem Zeiger so schnell wie möglich: Halte die Taste mindestens 200&#x202f;px von ihr entfernt.</translation>
     </message>
@@ -144,20 +128,8 @@ Jedes Abstoßen spüren **beide**, in entgegengesetzter Richtung, im selben Mome
         <translation>Bring sie zum Stehen: Die Uhr muss bis auf 0,005 rad/Bild an 0 heran.</translation>
     </message>
     <message>
-        <source>Set **at wall** to *walk on* and let it walk against a wall for 200&#x202f;frames.</source>
-        <translation>Stelle **An einer Wand** auf *weitergehen* und lass sie 200&#x202f;Bilder lang gegen eine Wand gehen.</translation>
-    </message>
-    <message>
         <source>Put the walls 150&#x202f;px apart or closer, and see it turn to the left.</source>
         <translation>Stelle die Wände 150&#x202f;px oder enger auseinander und sieh, wie sie nach links umkehrt.</translation>
-    </message>
-    <message>
-        <source>Throw the creature into a wall.</source>
-        <translation>Wirf die Figur gegen eine Wand.</translation>
-    </message>
-    <message>
-        <source>Take one creature by its body and drag it into another. Both feel the push; the one in your hand cannot move.</source>
-        <translation>Nimm eine Figur am Körper und zieh sie in eine andere hinein. Beide spüren das Abstoßen; die in deiner Hand kann sich nicht bewegen.</translation>
     </message>
     <message>
         <source>Set **felt by** to one, and look at the sum of the pushes while two bodies touch.</source>
@@ -480,10 +452,6 @@ Von hier an ist k 0,1.</translation>
         <translation>Trag den Körper mindestens 150&#x202f;px. Beide Füße folgen, jeder auf seiner Seite.</translation>
     </message>
     <message>
-        <source>Pull foot 0 over to the right of the body, let go, and wait until all is still. Where does it end?</source>
-        <translation>Zieh Fuß 0 auf die rechte Seite des Körpers, lass los und warte, bis alles still ist. Wo endet er?</translation>
-    </message>
-    <message>
         <source>Stop inside a frame (**Shift+→**) when the springs have pulled and nothing has moved.</source>
         <translation>Halte innerhalb eines Bildes an (**Umschalt+→**), wenn die Federn gezogen haben und sich nichts bewegt hat.</translation>
     </message>
@@ -520,20 +488,8 @@ Von hier an ist k 0,1.</translation>
         <translation>Setze **Tempo** für mindestens 60&#x202f;Bilder auf −0,05. In welche Richtung kreisen die Füße jetzt?</translation>
     </message>
     <message>
-        <source>Find a speed at which a foot goes round more than 150&#x202f;px from the middle of its places. Hands off while you measure.</source>
-        <translation>Finde ein Tempo, bei dem ein Fuß mehr als 150&#x202f;px von der Mitte seiner Orte entfernt kreist. Hände weg, während du misst.</translation>
-    </message>
-    <message>
-        <source>Carry the body 200&#x202f;px to the side, slowly. It looks like walking.</source>
-        <translation>Trag den Körper 200&#x202f;px zur Seite, langsam. Es sieht aus wie Gehen.</translation>
-    </message>
-    <message>
         <source>Pull a foot at least 100&#x202f;px away and let go. Now the body comes along.</source>
         <translation>Zieh einen Fuß mindestens 100&#x202f;px weg und lass los. Jetzt kommt der Körper mit.</translation>
-    </message>
-    <message>
-        <source>Set **damping** to 1 and throw the creature. After 100&#x202f;frames its momentum is what your hand gave it.</source>
-        <translation>Setze **Dämpfung** auf 1 und wirf die Figur. Nach 100&#x202f;Bildern ist ihr Impuls, was deine Hand ihr gab.</translation>
     </message>
     <message>
         <source>Hold a foot for 60&#x202f;frames. It feels nothing, but the body still feels its leg.</source>
@@ -814,6 +770,146 @@ Die Uhr macht nur a größer, Bild für Bild. Dann schwingt x hin und her, und y
     <message>
         <source>Type 5 into the field beside **Creatures**, press **Space**, and wait ten seconds.</source>
         <translation>Gib 5 in das Feld neben **Figuren** ein, drück die **Leertaste** und warte zehn Sekunden.</translation>
+    </message>
+    <message>
+        <source>let it walk on to 100&#x202f;px left of where it began. So far: %1&#x202f;px.</source>
+        <translation>lass sie weitergehen, bis 100 px links von ihrem Anfang. Bisher: %1 px.</translation>
+    </message>
+    <message>
+        <source>stop at a frame in which no foot touches the ground: go there with **→**.</source>
+        <translation>halte bei einem Bild an, in dem kein Fuß den Boden berührt: Geh mit **→** dorthin.</translation>
+    </message>
+    <message>
+        <source>Set **speed** to −0.05 and let the creature walk to 100&#x202f;px left of where it began.</source>
+        <translation>Setze **Tempo** auf −0,05 und lass die Figur bis 100 px links von ihrem Anfang gehen.</translation>
+    </message>
+    <message>
+        <source>stop at a frame in which a foot on the ground moves up, at 1&#x202f;px per frame or more: go there with **→**.</source>
+        <translation>halte bei einem Bild an, in dem ein Fuß am Boden nach oben geht, mit 1 px pro Bild oder mehr: Geh mit **→** dorthin.</translation>
+    </message>
+    <message>
+        <source>Lift the body at least 100&#x202f;px and let go. It lands on its feet and walks on, for 60&#x202f;frames.</source>
+        <translation>Heb den Körper mindestens 100 px an und lass los. Die Figur landet auf den Füßen und geht weiter, 60 Bilder lang.</translation>
+    </message>
+    <message>
+        <source>lift it 100&#x202f;px or more. It came %1&#x202f;px up.</source>
+        <translation>heb ihn 100 px oder mehr. Er kam %1 px hoch.</translation>
+    </message>
+    <message>
+        <source>let it walk on until a foot stands on the ground.</source>
+        <translation>lass sie weitergehen, bis ein Fuß am Boden steht.</translation>
+    </message>
+    <message>
+        <source>By less than 1&#x202f;px: some foot is always on its way down.</source>
+        <translation>Um weniger als 1 px: Irgendein Fuß ist immer auf dem Weg nach unten.</translation>
+    </message>
+    <message>
+        <source>No. The body falls and rises and goes to and fro, but it gets nowhere.</source>
+        <translation>Nein. Der Körper fällt und steigt und geht hin und her, aber er kommt nicht vom Fleck.</translation>
+    </message>
+    <message>
+        <source>Set **speed** to 0.3, play 60&#x202f;frames, and stop when no foot touches the ground.</source>
+        <translation>Setze **Tempo** auf 0,3, spiele 60 Bilder und halte an, wenn kein Fuß den Boden berührt.</translation>
+    </message>
+    <message>
+        <source>Hold the **←** key until the creature walks to the left, and let it walk to 100&#x202f;px left of where it began.</source>
+        <translation>Halte die Taste **←**, bis die Figur nach links geht, und lass sie bis 100 px links von ihrem Anfang gehen.</translation>
+    </message>
+    <message>
+        <source>hold **←** longer, until the clock’s speed is below 0. It is %1&#x202f;rad per frame.</source>
+        <translation>halte **←** länger, bis das Tempo der Uhr unter 0 ist. Es ist %1 rad pro Bild.</translation>
+    </message>
+    <message>
+        <source>hold the button 200&#x202f;px or more to the left or right of it, while time runs. The clock’s speed is %1&#x202f;rad per frame.</source>
+        <translation>halte die Taste 200 px oder mehr links oder rechts von ihr, während die Zeit läuft. Das Tempo der Uhr ist %1 rad pro Bild.</translation>
+    </message>
+    <message>
+        <source>bring the clock’s speed to 0. It is %1&#x202f;rad per frame.</source>
+        <translation>bring das Tempo der Uhr auf 0. Es ist %1 rad pro Bild.</translation>
+    </message>
+    <message>
+        <source>Set **at wall** to *walk on* and let it walk against a wall, for 200&#x202f;frames in all.</source>
+        <translation>Stelle **An einer Wand** auf *weitergehen* und lass sie gegen eine Wand gehen, 200 Bilder insgesamt.</translation>
+    </message>
+    <message>
+        <source>let it walk on until it touches a wall.</source>
+        <translation>lass sie weitergehen, bis sie eine Wand berührt.</translation>
+    </message>
+    <message>
+        <source>let time run (**Space**) until it turns.</source>
+        <translation>lass die Zeit laufen (**Leertaste**), bis sie umkehrt.</translation>
+    </message>
+    <message>
+        <source>Throw the creature into a wall, so that it gets there within 40&#x202f;frames.</source>
+        <translation>Wirf die Figur so gegen eine Wand, dass sie in höchstens 40 Bildern dort ist.</translation>
+    </message>
+    <message>
+        <source>throw it harder or closer to a wall: it has to get there within 40&#x202f;frames.</source>
+        <translation>wirf sie kräftiger oder näher an einer Wand: Sie muss in höchstens 40 Bildern dort sein.</translation>
+    </message>
+    <message>
+        <source>Take one creature by its body and drag it at least 40&#x202f;px, into another. Both feel the push; the one in your hand cannot move.</source>
+        <translation>Nimm eine Figur am Körper und zieh sie mindestens 40 px weit, in eine andere hinein. Beide spüren das Abstoßen; die in deiner Hand kann sich nicht bewegen.</translation>
+    </message>
+    <message>
+        <source>drag it into another. The nearest body is %1&#x202f;px away.</source>
+        <translation>zieh sie in eine andere hinein. Der nächste Körper ist %1 px entfernt.</translation>
+    </message>
+    <message>
+        <source>let time run (**Space**) until two bodies touch. They are %1&#x202f;px apart.</source>
+        <translation>lass die Zeit laufen (**Leertaste**), bis zwei Körper sich berühren. Sie sind %1 px auseinander.</translation>
+    </message>
+    <message>
+        <source>Pull foot 0 to the right of the body, 20&#x202f;px or more past it, let go, and wait until all is still. Where does it end?</source>
+        <translation>Zieh Fuß 0 auf die rechte Seite des Körpers, 20 px oder mehr an ihm vorbei, lass los und warte, bis alles still ist. Wo endet er?</translation>
+    </message>
+    <message>
+        <source>pull it 20&#x202f;px or more past the body, to the right. It came %1&#x202f;px past it.</source>
+        <translation>zieh ihn 20 px oder mehr am Körper vorbei, nach rechts. Er kam %1 px vorbei.</translation>
+    </message>
+    <message>
+        <source>On the left again: its bone has an angle of its own, and the spring pulls it to that place from anywhere.</source>
+        <translation>Wieder links: Sein Knochen hat einen eigenen Winkel, und die Feder zieht ihn von überall dorthin.</translation>
+    </message>
+    <message>
+        <source>100&#x202f;px: at rest a line is as long as **leg** says.</source>
+        <translation>100 px: In Ruhe ist eine Linie so lang, wie **Bein** sagt.</translation>
+    </message>
+    <message>
+        <source>Straight: the point that bends a leg lies on its foot then.</source>
+        <translation>Gerade: Der Punkt, der ein Bein biegt, liegt dann auf seinem Fuß.</translation>
+    </message>
+    <message>
+        <source>carry the body first. Then go back in time, and change **curve** there.</source>
+        <translation>trag zuerst den Körper. Geh dann in der Zeit zurück und ändere dort **Bogen**.</translation>
+    </message>
+    <message>
+        <source>Anticlockwise: the angle of each foot gets smaller from frame to frame.</source>
+        <translation>Gegen den Uhrzeigersinn: Der Winkel jedes Fußes wird von Bild zu Bild kleiner.</translation>
+    </message>
+    <message>
+        <source>Find a speed at which a foot goes round more than 150&#x202f;px from the middle of its places. Hands off for 120&#x202f;frames while you measure.</source>
+        <translation>Finde ein Tempo, bei dem ein Fuß mehr als 150 px von der Mitte seiner Orte entfernt kreist. Hände weg, 120 Bilder lang, während du misst.</translation>
+    </message>
+    <message>
+        <source>try another speed. Foot 0 is %1&#x202f;px from the middle of its places.</source>
+        <translation>versuche ein anderes Tempo. Fuß 0 ist %1 px von der Mitte seiner Orte entfernt.</translation>
+    </message>
+    <message>
+        <source>Carry the body at least 200&#x202f;px to the side. If you do it slowly, it looks like walking.</source>
+        <translation>Trag den Körper mindestens 200 px zur Seite. Wenn du es langsam tust, sieht es aus wie Gehen.</translation>
+    </message>
+    <message>
+        <source>carry it 200&#x202f;px to the side. It came %1&#x202f;px.</source>
+        <translation>trag ihn 200 px zur Seite. Er kam %1 px weit.</translation>
+    </message>
+    <message>
+        <source>Set **damping** to 1 and throw the creature, at 5&#x202f;px per frame or more. After 100&#x202f;frames its momentum is what your hand gave it.</source>
+        <translation>Setze **Dämpfung** auf 1 und wirf die Figur, mit 5 px pro Bild oder mehr. Nach 100 Bildern ist ihr Impuls, was deine Hand ihr gab.</translation>
+    </message>
+    <message>
+        <source>hold it for 60&#x202f;frames while time runs. So far: %1.</source>
+        <translation>halte ihn 60 Bilder lang, während die Zeit läuft. Bisher: %1.</translation>
     </message>
 </context>
 <context>

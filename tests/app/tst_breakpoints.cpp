@@ -150,7 +150,7 @@ private slots:
         bench.session.runTo({10, 0});
         QCOMPARE(bench.session.stoppedBy()->sentence,
                  QString("Stopped at frame 4 before gravity: frame == 4 and phase == \"gravity\"."));
-        bench.session.rewind();
+        bench.session.restart();
         QVERIFY(!bench.session.stoppedBy());
         bench.session.breakpoints().remove(bench.session.breakpoints().all().front().id);
         const CodePlace place = placeOf("sim/effects/walls.h", "x.y = room.floor - half");
@@ -168,10 +168,10 @@ private slots:
         points.setOn(points.all().front().id, false);
         QVERIFY(!points.isAnyOn());
         QVERIFY(bench.stops(Way::frames, 5).empty());
-        bench.session.rewind();
+        bench.session.restart();
         points.setOn(points.all().front().id, true);
         QCOMPARE(bench.stops(Way::frames, 5).size(), std::size_t(1));
-        bench.session.rewind();
+        bench.session.restart();
         points.remove(points.all().front().id);
         QVERIFY(bench.stops(Way::frames, 5).empty());
     }
@@ -253,7 +253,7 @@ private slots:
         bench.session.breakpoints().add("foot5.y > 0 and frame == 2");
         bench.session.setParameter("feet", 3);
         QVERIFY(bench.stops(Way::frames, 5).empty());
-        bench.session.rewind();
+        bench.session.restart();
         bench.session.setParameter("feet", 6);
         QCOMPARE(bench.stops(Way::frames, 5).size(), std::size_t(1));
     }
@@ -264,7 +264,7 @@ private slots:
         bench.session.goTo({6, 0});
         bench.session.setParameter("gravity", 2.0);
         bench.session.setParameter("feet", 7); // other bodies in one and the same run
-        bench.session.rewind();
+        bench.session.restart();
         bench.session.breakpoints().add("gravity > 1");
         bench.session.runTo({9, 0});
         QCOMPARE(bench.at(), (sim::Cursor{6, 0}));

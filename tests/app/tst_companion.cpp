@@ -150,7 +150,7 @@ void CompanionTest::itTakesOverWhatIsChanged()
     QVERIFY(isBeside(session));
     session.setMethod("semi_implicit_euler");
     QVERIFY(isBeside(session));
-    session.rewind();
+    session.goTo({});
     session.setParameter("damp", 0.9); // for the whole run
     for (int i = 0; i < 14; ++i)
         session.frameForward();

@@ -92,6 +92,9 @@ private slots:
     void theNextHintIsTheFirstThatIsNotShown();
     void hintsAreRememberedUntilTheProgramEnds();
     void whatIsDoneNeedsNoHint();
+    void whatIsBegunSaysWhatIsMissing();
+    void whatIsToStopCountsOnlyWhileTheRunStands();
+    void anAnswerAppearsWhenItsQuestionIsTickedOff();
     void aWordIsLinkedWhereItStandsFirst();
     void aWordOpensACard_data();
     void aWordOpensACard();
@@ -128,7 +131,7 @@ void LearningAidsTest::aHintIsShownWhenItIsAskedFor()
         QTest::mouseClick(lampOf(box), Qt::LeftButton);
     }
     QVERIFY(box.showsHint());
-    QCOMPARE(box.findChild<NarrationText *>()->toPlainText(), QString("Press Right five times."));
+    QCOMPARE(box.findChild<NarrationText *>("hintText")->toPlainText(), QString("Press Right five times."));
     QTRY_VERIFY(box.height() > high);
     QVERIFY(!bench.boxes()[1]->showsHint());
     QTest::mouseClick(lampOf(box), Qt::LeftButton);
@@ -166,6 +169,84 @@ void LearningAidsTest::whatIsDoneNeedsNoHint()
         bench.world.session.frameForward();
     QVERIFY(bench.isDone());
     QVERIFY(!bench.boxes()[0]->showsHint() && !lampOf(*bench.boxes()[0])->isVisible());
+}
+
+namespace {
+
+/// A thing to try that is begun at frame 1 and done at frame 5.
+lessons::Try toFrameFive()
+{
+    const auto frame = [](const sim::Timeline &run) { return static_cast<double>(run.at().frame); };
+    return {"Go to frame 5. What is there?",
+            {lessons::atLeast(1.0, frame, {}),
+             lessons::atLeast(5.0, frame, "go on to frame **5**. This is frame %1.", 0)}};
+}
+
+LessonLibrary lessonsWith(const lessons::Try &one)
+{
+    LessonLibrary library = twoLessons();
+    library.lessons[0].steps[0].tries = {one, one};
+    return library;
+}
+
+NarrationText *textOf(const TryBox &box, const char *name)
+{
+    return box.findChild<NarrationText *>(name);
+}
+
+}
+
+void LearningAidsTest::whatIsBegunSaysWhatIsMissing()
+{
+    World world{lessonsWith(toFrameFive())};
+    LearnPanel panel(world.session, world.theme);
+    show(panel, {280, 732});
+    const TryBox &box = *panel.findChild<TryBox *>();
+    QVERIFY(!textOf(box, "todoText")->isVisible());
+    world.session.goTo({3, 0});
+    QTRY_VERIFY(textOf(box, "todoText")->isVisible());
+    QCOMPARE(textOf(box, "todoText")->toPlainText(),
+             QString("Still to do: go on to frame 5. This is frame 3."));
+    QCOMPARE(box.findChild<TryRow *>()->accessibleDescription(), textOf(box, "todoText")->toPlainText());
+    world.session.goTo({5, 0});
+    QVERIFY(box.isDone());
+    QVERIFY(!textOf(box, "todoText")->isVisible());
+    QVERIFY(box.findChild<TryRow *>()->accessibleDescription().isEmpty());
+}
+
+void LearningAidsTest::whatIsToStopCountsOnlyWhileTheRunStands()
+{
+    World world{lessonsWith(toFrameFive().stopped())};
+    LearnPanel panel(world.session, world.theme);
+    show(panel, {280, 732});
+    const TryBox &box = *panel.findChild<TryBox *>();
+    world.session.play();
+    QTRY_VERIFY(world.session.timeline().at().frame > 6);
+    QVERIFY(world.session.isPlaying());
+    QVERIFY(!box.isDone());
+    QTRY_VERIFY(textOf(box, "todoText")->toPlainText().contains("Space"));
+    world.session.pause();
+    QVERIFY(box.isDone());
+}
+
+void LearningAidsTest::anAnswerAppearsWhenItsQuestionIsTickedOff()
+{
+    World world{lessonsWith(toFrameFive().answered("Nothing *new*."))};
+    LearnPanel panel(world.session, world.theme);
+    show(panel, {280, 732});
+    const auto found = panel.findChildren<TryBox *>();
+    TryBox &first = *found[0], &second = *found[1];
+    QVERIFY(!textOf(first, "answerText")->isVisible());
+    QVERIFY(!lampOf(first)->isVisible()); // it has no hint
+    world.session.goTo({5, 0});
+    QCOMPARE(textOf(second, "answerText")->toPlainText(), QString("Nothing new."));
+    QVERIFY(textOf(second, "answerText")->isVisible()); // of what was done last
+    QVERIFY(!textOf(first, "answerText")->isVisible());
+    QVERIFY(lampOf(first)->accessibleName().startsWith("Answer"));
+    QTest::mouseClick(lampOf(first), Qt::LeftButton);
+    QVERIFY(textOf(first, "answerText")->isVisible());
+    QTest::mouseClick(lampOf(first), Qt::LeftButton);
+    QVERIFY(!textOf(first, "answerText")->isVisible());
 }
 
 void LearningAidsTest::aWordIsLinkedWhereItStandsFirst()

@@ -59,7 +59,7 @@ void ParameterPanelTest::theRowsFollowValuesThatChangeInTime()
     const auto *slider = rowOf(panel, "k")->findChild<ParameterSlider *>();
     QSignalSpy changed(&world.session, &Session::runChanged);
     QCOMPARE(box->text(), QString("0.60"));
-    world.session.rewind();
+    world.session.goTo({});
     QCOMPARE(box->text(), QString("0.20"));
     QCOMPARE(slider->value(), 20);
     world.session.goTo({3, 0});

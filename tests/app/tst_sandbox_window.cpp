@@ -182,7 +182,7 @@ private slots:
         const sim::Vec2 from = now.at(1) - sim::Vec2{100, 200};
         const double rad = 30.0 / 180.0 * 3.141592653589793;
         QVERIFY(from.x * std::sin(rad) - from.y * std::cos(rad) > 12.0 - 1e-6); // half of its width
-        bench.session().rewind();
+        bench.session().restart();
         bench.session().undo();
         bench.session().undo();
         bench.session().undo();

@@ -37,6 +37,9 @@ private slots:
     void aClickSelectsAndChangesNothing_data();
     void aClickSelectsAndChangesNothing();
     void aPressTakesHoldAtOnceWhileTheRunPlays();
+    void aHandThatTakesSomethingStartsTime_data();
+    void aHandThatTakesSomethingStartsTime();
+    void theHandOfAReplayedRunIsSeen();
     void theHandReachesTwelvePixels_data();
     void theHandReachesTwelvePixels();
     void theNearestOfTwoBodiesIsTaken();
@@ -124,6 +127,67 @@ void SceneViewTest::aPressTakesHoldAtOnceWhileTheRunPlays()
     bench.release(bench.onScreen("body"));
     QVERIFY(!bench.session.isHolding());
     QCOMPARE(handEvents(bench.session), QStringList({"grab body", "release"}));
+}
+
+void SceneViewTest::aHandThatTakesSomethingStartsTime_data()
+{
+    QTest::addColumn<int>("computed");
+    QTest::addColumn<int>("frame");
+    QTest::addColumn<int>("phase");
+    QTest::addColumn<bool>("starts");
+    QTest::newRow("at the start") << 0 << 0 << 0 << true;
+    QTest::newRow("at the start of a run that went on") << 20 << 0 << 0 << true;
+    QTest::newRow("at the end") << 20 << 20 << 0 << true;
+    QTest::newRow("in the past") << 20 << 10 << 0 << false;
+    QTest::newRow("inside a frame") << 20 << 20 << 2 << false;
+}
+
+void SceneViewTest::aHandThatTakesSomethingStartsTime()
+{
+    QFETCH(int, computed);
+    QFETCH(int, frame);
+    QFETCH(int, phase);
+    QFETCH(bool, starts);
+    SceneBench bench;
+    bench.goTo(computed);
+    bench.session.goTo({frame, phase});
+    const QSignalSpy said(&bench.session, &Session::said);
+    const QPoint at = bench.onScreen("foot0");
+    bench.press(at);
+    QVERIFY(!bench.session.isPlaying()); // a click changes nothing
+    bench.move(at + QPoint(0, 30));
+    QCOMPARE(bench.session.isPlaying(), starts);
+    QVERIFY(bench.session.isHolding());
+    QVERIFY(!said.isEmpty());
+    QVERIFY(said.constLast().constFirst().toString().contains("Space"));
+    if (starts)
+        QTRY_VERIFY(bench.session.timeline().at().frame > frame + 1);
+    else
+        QCOMPARE(bench.session.timeline().at(), (sim::Cursor{frame, phase}));
+    bench.release(at + QPoint(0, 30));
+    bench.session.pause();
+}
+
+void SceneViewTest::theHandOfAReplayedRunIsSeen()
+{
+    SceneBench bench;
+    const auto inked = [&] { return bench.pixels(bench.theme.tokens().ink); };
+    bench.goTo(5);
+    bench.session.grab("foot0");
+    bench.session.moveHand({200, 150});
+    bench.session.frameForward();
+    QVERIFY(!bench.session.recordedHand()); // the learner's own
+    bench.session.letGo();
+    bench.goTo(20);
+    QVERIFY(!bench.session.recordedHand());
+    bench.goTo(6);
+    QVERIFY(bench.session.recordedHand());
+    QVERIFY(*bench.session.recordedHand() == (sim::Vec2{200, 150}));
+    QVERIFY(bench.view.accessibleDescription().contains("hand"));
+    const int withHand = inked();
+    bench.session.goTo({8, 0});
+    QVERIFY(!bench.session.recordedHand());
+    QVERIFY(withHand > inked() + 20);
 }
 
 void SceneViewTest::theHandReachesTwelvePixels_data()

@@ -64,6 +64,75 @@ private slots:
         QVERIFY(sim::sameBits(session.timeline().now(), before));
     }
 
+    void restartingIsFreshWithTheParametersAsTheyAre()
+    {
+        World world;
+        Session &session = world.session;
+        session.goTo({10, 0});
+        session.setParameter("k", 0.5);
+        session.grab("foot");
+        session.moveHand({310, 220});
+        session.frameForward();
+        session.letGo();
+        session.goTo({30, 0});
+        const sim::State before = session.timeline().now();
+        QVERIFY(session.hasInput());
+        session.restart();
+        QCOMPARE(session.timeline().at(), sim::Cursor{});
+        QVERIFY(!session.isPlaying());
+        QVERIFY(!session.hasInput());
+        QVERIFY(!session.timeline().ghost());
+        QCOMPARE(session.branches().all().size(), std::size_t(1)); // the run as it was
+        QCOMPARE(session.parameter("k"), 0.5);
+        sim::Script fresh = session.step().script();
+        fresh.values.set("k", 0.5);
+        sim::Timeline expected(fresh);
+        expected.seek({30, 0});
+        session.goTo({30, 0});
+        QVERIFY(sim::sameBits(session.timeline().now(), expected.now()));
+        session.undo();
+        session.goTo({30, 0});
+        QVERIFY(sim::sameBits(session.timeline().now(), before));
+    }
+
+    void restartingWhatNobodyTouchedIsGoingToTheStart()
+    {
+        World world;
+        Session &session = world.session;
+        session.goTo({20, 0});
+        session.restart();
+        QCOMPARE(session.timeline().at(), sim::Cursor{});
+        QCOMPARE(session.timeline().computed(), 20);
+        QCOMPARE(session.deeds().count(), 0);
+        QVERIFY(session.branches().all().empty());
+    }
+
+    void repeatingDoesAgainWhatWasDone()
+    {
+        World world;
+        Session &session = world.session;
+        session.goTo({4, 0});
+        session.grab("foot");
+        session.moveHand({310, 220});
+        session.frameForward();
+        session.frameForward();
+        session.letGo();
+        session.goTo({15, 0});
+        const sim::State before = session.timeline().now();
+        QVERIFY(!session.recordedHand());
+        session.repeat();
+        QVERIFY(session.isPlaying());
+        QCOMPARE(session.timeline().at(), sim::Cursor{});
+        QVERIFY(session.hasInput());
+        session.pause();
+        session.goTo({5, 0}); // the hand of then is seen
+        QVERIFY(session.recordedHand());
+        QVERIFY(*session.recordedHand() == (sim::Vec2{310, 220}));
+        session.goTo({15, 0});
+        QVERIFY(!session.recordedHand());
+        QVERIFY(sim::sameBits(session.timeline().now(), before));
+    }
+
     void aBodyInTheHandIsLetGoBeforeItIsUndone()
     {
         World world;

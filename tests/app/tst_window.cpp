@@ -52,6 +52,7 @@ private slots:
     void aThrowByMouseIsTheSameRunInTrace();
     void keysDoWhatTheHelpPageSays_data();
     void keysDoWhatTheHelpPageSays();
+    void homeRestartsAndWithShiftItRepeats();
     void pageKeysWalkThroughAllStepsOfAllLessons();
     void scrubbingTheTimelineComesBackToTheSameBits();
     void aParameterChangedInThePastLeavesAGhost();
@@ -131,6 +132,31 @@ void WindowTest::keysDoWhatTheHelpPageSays()
     QTest::keyClick(&bench.view, Qt::Key(key), Qt::KeyboardModifiers(modifiers));
     QTEST(int(bench.frame()), "frame");
     QTEST(bench.phase(), "phase");
+}
+
+void WindowTest::homeRestartsAndWithShiftItRepeats()
+{
+    Bench bench;
+    bench.session.goTo({5, 0});
+    bench.session.grab("foot");
+    bench.session.moveHand({200, 150});
+    bench.session.frameForward();
+    bench.session.letGo();
+    bench.session.goTo({12, 0});
+    const sim::State end = bench.session.timeline().now();
+    QTest::keyClick(&bench.view, Qt::Key_Home, Qt::ShiftModifier);
+    QVERIFY(bench.session.isPlaying());
+    QVERIFY(bench.session.hasInput());
+    bench.session.pause();
+    bench.session.goTo({12, 0});
+    QVERIFY(sim::sameBits(bench.session.timeline().now(), end));
+    QTest::keyClick(&bench.view, Qt::Key_Home);
+    QCOMPARE(bench.frame(), 0);
+    QVERIFY(!bench.session.isPlaying());
+    QVERIFY(!bench.session.hasInput());
+    QTest::keyClick(&bench.view, Qt::Key_Z, Qt::ControlModifier);
+    bench.session.goTo({12, 0});
+    QVERIFY(sim::sameBits(bench.session.timeline().now(), end));
 }
 
 void WindowTest::pageKeysWalkThroughAllStepsOfAllLessons()

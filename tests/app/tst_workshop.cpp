@@ -218,7 +218,7 @@ private slots:
         QVERIFY(world.plan() == before);
         QCOMPARE(world.lastSaid(),
                  QString("Building happens at the start of the run: press Home to go there."));
-        world.session.rewind();
+        world.session.restart();
         QVERIFY(world.bench.canBuild());
         world.bench.use({10, 10}, -1);
         QCOMPARE(world.plan().points.size(), before.points.size() + 1);

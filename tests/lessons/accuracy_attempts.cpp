@@ -124,6 +124,24 @@ std::vector<Attempt> attempts()
              p.set("bounce", 0.0);
              p.playUntilDone(1500);
          }},
+        // Near misses, and what is still to do then
+        {"big_step", 0, "not far enough", [](Player &p) { withStep(p, "semi_implicit_euler", 0.125, 40); },
+         "go on to frame 100. This is frame 40."},
+        {"big_step", 2, "set on the way",
+         [](Player &p) {
+             p.play(20);
+             p.set("k", 0.02);
+             p.play(100);
+         },
+         "set **k** at frame 0: press **Home**."},
+        {"halve", 3, "too dear", [](Player &p) { withStep(p, "rk4", 0.125, 60); },
+         "choose something cheaper. This needs 32 computations a frame."},
+        {"adapt", 1, "too slow",
+         [](Player &p) {
+             p.drag("foot", p.at("foot") + sim::Vec2{20, 0}, 10);
+             p.play(5);
+         },
+         "let go while the mouse moves, at 5 px per frame or more. Yours left at 2.0."},
     };
 }
 

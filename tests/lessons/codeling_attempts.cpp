@@ -131,6 +131,29 @@ std::vector<Attempt> attempts()
              p.set("water", 0.5);
              p.play(20);
          }},
+        // Near misses, and what is still to do then
+        {"motor", 0, "too close",
+         [](Player &p) {
+             p.play(5);
+             p.target(p.at("lead") + sim::Vec2{60, 80});
+             p.play(200);
+         },
+         "click 150 px away or more. That was 100 px."},
+        {"motor", 2, "too slow",
+         [](Player &p) {
+             p.drag("lead", p.at("lead") + sim::Vec2{20, 0}, 10);
+             p.play(100);
+         },
+         "let go while the mouse moves, at 5 px per frame or more. Yours left at 2.0."},
+        {"squash_stretch", 2, "not 1",
+         [](Player &p) {
+             p.target({500, 80});
+             p.play(40);
+             p.goTo(5);
+             p.set("soft", 0.5);
+             p.play(20);
+         },
+         "set **soft** to 1 there."},
     };
 }
 

@@ -72,6 +72,27 @@ std::vector<Attempt> attempts()
              p.drag("body", {262, 300}, 20);
              p.playUntilDone(900);
          }},
+        // Near misses, and what is still to do then
+        {"walls", 0, "too slow",
+         [](Player &p) {
+             p.drag("body", p.at("body") + sim::Vec2{-40, 0}, 20);
+             p.play(20);
+         },
+         "let go while the mouse moves, at 5 px per frame or more. Yours left at 2.0."},
+        {"walls", 3, "not over the top",
+         [](Player &p) {
+             p.drag("body", p.at("body") + sim::Vec2{60, 0}, 10);
+             p.play(20);
+         },
+         "throw it upwards, and harder: the body has to get above y = 0."},
+        {"gravity", 0, "held on the floor",
+         [](Player &p) {
+             p.play(100);
+             p.grab("body");
+             p.carryTo({270, 380}, 20);
+             p.play(100);
+         },
+         "hold it still, high over the floor, until the feet hang still."},
     };
 }
 

@@ -162,6 +162,26 @@ std::vector<Attempt> attempts()
              p.set("case", caseCalled("stiffness_1e3"));
              p.playUntilDone(400);
          }},
+        // Near misses, and what is still to do then
+        {"limit", 1, "set on the way",
+         [](Player &p) {
+             p.play(20);
+             p.set("k", 3.9);
+             p.play(100);
+         },
+         "press **Home**, and set **k** to 3.9 there."},
+        {"one_place", 2, "for a moment only",
+         [](Player &p) {
+             p.useMethod("semi_implicit_euler");
+             p.play(60);
+             p.set("radius", 0);
+             p.play(5);
+             p.set("radius", 50);
+             p.play(100);
+         },
+         "set **radius** to 0, play on for 60 frames, and set it to 50 again."},
+        {"long_run", 0, "not far enough", [](Player &p) { p.goTo(2000); },
+         "play on to frame 5000. This is frame 2000."},
     };
 }
 

@@ -59,6 +59,25 @@ std::vector<Attempt> attempts()
              p.useStep(0.5);
              p.playUntilDone(600);
          }},
+        // Near misses, and what is still to do then
+        {"two_feet", 0, "not far enough",
+         [](Player &p) {
+             p.drag("foot0", p.at("foot0") + sim::Vec2{50, 0}, 20);
+             p.play(400);
+         },
+         "carry it 100 px or more. It came 50 px."},
+        {"any_number", 1, "too short",
+         [](Player &p) {
+             p.set("feet", 12.0);
+             p.play(150);
+         },
+         "let time run for 200 frames with this value. So far: 150."},
+        {"grown_feet", 0, "by the published method",
+         [](Player &p) {
+             p.set("feet", 16.0);
+             p.play(5);
+         },
+         "choose the method **Semi-implicit Euler**."},
     };
 }
 

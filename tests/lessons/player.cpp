@@ -17,6 +17,8 @@ void RunPlayer::look()
 {
     m_done = m_done || (m_try.done(m_run) &&
                         (!m_try.budget || lessons::keeps(*m_try.budget, m_run.script(), m_timing)));
+    const bool isOpen = !m_done && m_try.conditions.begun(m_run) && !m_try.done(m_run);
+    m_wasSilent = m_wasSilent || (isOpen && todo().isEmpty());
 }
 
 void RunPlayer::play(int frames)

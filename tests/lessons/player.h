@@ -73,6 +73,10 @@ public:
     void stepPhases(int count) override;
 
     bool done() const override { return m_done; }
+    /// What is still to do; empty where nobody has begun.
+    QString todo() const { return m_try.conditions.todo(m_run); }
+    /// Whether the try was begun and not done at some moment when nothing said what was missing.
+    bool wasSilent() const { return m_wasSilent; }
     const sim::Timeline &run() const override { return m_run; }
 
 private:
@@ -84,6 +88,7 @@ private:
     lessons::Try m_try;
     lessons::Timing m_timing;
     bool m_done = false;
+    bool m_wasSilent = false;
 };
 
 }

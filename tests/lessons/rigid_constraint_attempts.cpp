@@ -150,6 +150,26 @@ std::vector<Attempt> attempts()
              p.set("iterations", 2.0);
              p.play(20);
          }},
+        // Near misses, and what is still to do then
+        {"pair", 0, "not far enough",
+         [](Player &p) {
+             lead(p, p.at("p0") + sim::Vec2{60, 80}, 10);
+         },
+         "lead p0 150 px away or more, with the mouse button down. So far: 100 px."},
+        {"verlet", 0, "too slow",
+         [](Player &p) {
+             p.play(10);
+             p.drag("p0", p.at("p0") + sim::Vec2{-20, 0}, 10);
+             p.play(5);
+         },
+         "let go while the mouse moves, at 5 px per frame or more. Yours left at 2.0."},
+        {"ragdoll", 0, "not far enough",
+         [](Player &p) {
+             p.play(100);
+             p.drag("p0", p.at("p0") + sim::Vec2{0, -20}, 20);
+             p.play(1000);
+         },
+         "carry it 50 px or more. It came 20 px."},
     };
 }
 

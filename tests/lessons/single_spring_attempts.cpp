@@ -102,6 +102,88 @@ std::vector<Attempt> attempts()
              p.playUntilDone(300);
          }},
         {"radial", 3, "stopped inside", [](Player &p) { p.stepPhases(1); }},
+        // Near misses, and what is still to do then
+        {"drag", 0, "to the cross, let go at once",
+         [](Player &p) {
+             p.grab("foot");
+             p.carryTo({270, 205}, 20);
+             p.letGo();
+             p.play(1);
+         },
+         "hold it still for a moment before you let go. Yours left at 8.6 px per frame."},
+        {"drag", 0, "beside the cross",
+         [](Player &p) {
+             p.grab("foot");
+             p.carryTo({300, 240}, 30);
+             p.play(5);
+             p.letGo();
+             p.play(200);
+         },
+         "let go within 15 px of the cross. Yours lies 50.0 px from it."},
+        {"drag", 1, "too slow",
+         [](Player &p) {
+             p.drag("foot", {440, 120}, 20);
+             p.play(200);
+         },
+         "let go while the mouse moves, at 5 px per frame or more. Yours left at 1.0."},
+        {"drag", 1, "not yet still",
+         [](Player &p) {
+             p.drag("foot", {150, 150}, 12);
+             p.play(5);
+         },
+         "let time run (**Space**) until nothing moves."},
+        {"drag", 2, "too slow",
+         [](Player &p) {
+             p.set("damp", 1.0);
+             p.drag("foot", {440, 120}, 20);
+             p.play(100);
+         },
+         "let go while the mouse moves, at 5 px per frame or more. Yours left at 1.0."},
+        {"drag", 2, "after 40 frames",
+         [](Player &p) {
+             p.set("damp", 1.0);
+             p.drag("foot", {150, 150}, 12);
+             p.play(40);
+         },
+         "let it glide for 60 frames with this damping. So far: 39."},
+        {"fixed_centre", 0, "not far enough",
+         [](Player &p) {
+             p.drag("foot", {270, 250}, 20);
+             p.play(300);
+         },
+         "let go at least 100 px from the cross. Yours left 50 px from it."},
+        {"fixed_centre", 3, "gone on for five frames",
+         [](Player &p) {
+             p.play(90);
+             p.goTo(30);
+             p.set("damp", 0.7);
+             p.play(5);
+         },
+         "play on for 10 frames from where the two part. So far: 4."},
+        {"moving_body", 0, "not far enough",
+         [](Player &p) {
+             p.drag("body", {370, 200}, 20);
+             p.play(300);
+         },
+         "carry it 200 px or more. It came 100 px."},
+        {"offset", 1, "only −5",
+         [](Player &p) {
+             p.set("offset", -5.0);
+             p.play(300);
+         },
+         "set **offset** to −10 or less. It is −5."},
+        {"radial", 0, "on the right",
+         [](Player &p) {
+             p.drag("foot", {350, 205}, 20);
+             p.play(300);
+         },
+         "let go closer to the body, on its left: the foot came to rest elsewhere."},
+        {"radial", 1, "beside it",
+         [](Player &p) {
+             p.grab("foot");
+             p.carryTo({320, 250}, 10);
+         },
+         "hold it straight below the body. It is off by 45°."},
     };
 }
 

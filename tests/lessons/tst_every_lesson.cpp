@@ -94,6 +94,79 @@ class EveryLesson : public QObject
         return scriptOf(stepOfRow(), method.toStdString(), h);
     }
 
+    /// What hand, pointer, target and keys can do, all in one run; each step takes what it lets in.
+    static std::vector<sim::Event> busyInput(const sim::Scene &scene, const lessons::Step &step)
+    {
+        const std::string body = scene.names.back(), other = scene.names.front();
+        const sim::Vec2 at = scene.start.at(scene.find(body));
+        std::vector<sim::Event> input = {{2, sim::Grab{other}},
+                                         {2, sim::Move{{300, 300}}},
+                                         {8, sim::Move{{250, 260}}},
+                                         {9, sim::Move{{200, 240}}},
+                                         {10, sim::Release{}},
+                                         {14, sim::Grab{body}},
+                                         {14, sim::Move{at}},
+                                         {20, sim::Move{at + sim::Vec2{40, -30}}},
+                                         {21, sim::Move{at + sim::Vec2{80, -40}}},
+                                         {22, sim::Release{}}};
+        if (step.can(lessons::Does::pointer)) {
+            input.push_back({30, sim::Pointer{{200, 200}, true}});
+            input.push_back({60, sim::Pointer{{320, 120}, false}});
+        }
+        if (step.can(lessons::Does::target))
+            input.push_back({30, sim::Target{{400, 120}}});
+        if (step.can(lessons::Does::keys))
+            input.push_back({70, sim::Key{&sim::Keys::right, true}});
+        return input;
+    }
+
+    /// Another value than the preset that a learner can choose.
+    static double otherValue(const lessons::Parameter &parameter)
+    {
+        if (!parameter.choices.isEmpty())
+            return parameter.preset == 0.0 ? 1.0 : 0.0;
+        return parameter.preset == parameter.sliderMax ? parameter.sliderMin : parameter.sliderMax;
+    }
+
+    static bool sameLook(const lessons::Look &a, const lessons::Look &b)
+    {
+        const auto curves = [](const lessons::Look &look) {
+            std::vector<double> all{look.ground.value_or(0.0)};
+            for (const lessons::LegLook &leg : look.legs)
+                all.push_back(leg.curve);
+            for (const lessons::StickLook &stick : look.sticks)
+                all.push_back(stick.length);
+            if (look.tree)
+                all.insert(all.end(), look.tree->length.begin(), look.tree->length.end());
+            if (look.room)
+                all.insert(all.end(), {look.room->left, look.room->right, look.room->floor});
+            return all;
+        };
+        return curves(a) == curves(b);
+    }
+
+    /// Whether another value of `parameter` makes another run, or another picture of the same run.
+    static bool differsBy(const lessons::Step &step, const lessons::Parameter &parameter)
+    {
+        sim::Script script = step.script(), other = script;
+        other.values.set(parameter.id.toStdString(), otherValue(parameter));
+        const sim::Scene scene = sim::sceneOf(script, script.values);
+        const sim::Scene changed = sim::sceneOf(other, other.values);
+        if (scene.names != changed.names ||
+            !sameLook(step.look(scene, script.values), step.look(changed, other.values)))
+            return true;
+        if (script.input.empty())
+            script.input = other.input = busyInput(scene, step);
+        sim::Timeline a(script), b(other);
+        for (int frame = 0; frame < 200; ++frame) {
+            if (!sim::sameBits(a.now(), b.now()))
+                return true;
+            a.stepRow();
+            b.stepRow();
+        }
+        return false;
+    }
+
     /// What a hand can take, or a dozen of them where there are many.
     static std::vector<std::string> someBodies(const lessons::Step &step)
     {
@@ -215,8 +288,11 @@ private slots:
         const lessons::Step step = stepOfRow();
         sim::Timeline run(step.script());
         for (int frame = 0; frame <= 600; ++frame) {
-            for (const lessons::Try &one : step.tries)
+            for (const lessons::Try &one : step.tries) {
                 QVERIFY2(!one.done(run), qPrintable(u"frame %1: %2"_qs.arg(frame).arg(one.text)));
+                QVERIFY2(!one.conditions.begun(run),
+                         qPrintable(one.text)); // and nothing is said to be missing
+            }
             run.stepRow();
         }
     }
@@ -238,6 +314,48 @@ private slots:
                     QVERIFY2(!one.done(run), qPrintable(one.text));
                 run.stepRow();
             }
+        }
+    }
+
+    void everyParameterThatIsOfferedActs_data() { addStepRows(); }
+    void everyParameterThatIsOfferedActs()
+    {
+        const lessons::Step step = stepOfRow();
+        const sim::Script script = step.script();
+        const sim::Scene scene = sim::sceneOf(script, script.values);
+        for (const lessons::Parameter &parameter : step.parameters) {
+            const bool isOffered =
+                parameter.effects.isEmpty() ||
+                std::any_of(scene.effects.begin(), scene.effects.end(), [&](const sim::EffectPtr &one) {
+                    return parameter.effects.contains(QString::fromStdString(one->id()));
+                });
+            if (isOffered)
+                QVERIFY2(differsBy(step, parameter), qPrintable(parameter.id));
+        }
+    }
+
+    void everyConditionButTheFirstSaysWhatIsMissing_data() { addStepRows(); }
+    void everyConditionButTheFirstSaysWhatIsMissing()
+    {
+        for (const lessons::Try &one : stepOfRow().tries) {
+            const std::vector<lessons::Condition> &all = one.conditions.all();
+            QVERIFY2(!all.empty(), qPrintable(one.text));
+            for (std::size_t i = 1; i < all.size(); ++i) {
+                QVERIFY2(all[i].todo.endsWith('.'), qPrintable(one.text));
+                QVERIFY2(all[i].todo.front().isLower(), qPrintable(all[i].todo));
+                QCOMPARE(all[i].todo.contains("%1"), all[i].measured != nullptr);
+            }
+        }
+    }
+
+    void whatStopsAtAMomentAndWhatAsksSomethingSaySo_data() { addStepRows(); }
+    void whatStopsAtAMomentAndWhatAsksSomethingSaySo()
+    {
+        for (const lessons::Try &one : stepOfRow().tries) {
+            const bool asks = one.text.contains('?');
+            QVERIFY2(asks == !one.answer.isEmpty(), qPrintable(one.text));
+            const bool stops = one.text.contains("and stop ") && !one.text.contains("stop inside a frame");
+            QVERIFY2(one.whileStopped == stops, qPrintable(one.text));
         }
     }
 

@@ -45,6 +45,7 @@ std::vector<Attempt> attempts()
              p.grab("foot");
              p.carryTo(p.at("body"), 5);
              p.letGo();
+             p.play(1);
          }},
         {"leg_line", 2, "a long leg",
          [](Player &p) {
@@ -59,6 +60,26 @@ std::vector<Attempt> attempts()
              p.set("k", 0.1);
              p.play(30);
          }},
+        // Near misses, and what is still to do then
+        {"mutual", 3, "by the other method",
+         [](Player &p) {
+             p.set("k", 0.3);
+             p.useMethod("semi_implicit_euler");
+             p.play(50);
+         },
+         "hands off, and let time run for 100 frames. So far: 50."},
+        {"leg_line", 0, "a little",
+         [](Player &p) {
+             p.grab("foot");
+             p.carryTo(p.at("foot") + sim::Vec2{5, 0}, 5);
+         },
+         "pull faster. The leg is 33 px long."},
+        {"leg_line", 1, "pressed, and still in the hand",
+         [](Player &p) {
+             p.grab("foot");
+             p.carryTo(p.at("body"), 5);
+         },
+         "let go now."},
     };
 }
 

@@ -90,6 +90,42 @@ std::vector<Attempt> standing()
              p.grab("foot1");
              p.playUntilDone(80);
          }},
+        // Near misses, and what is still to do then
+        {"bones", 0, "not over to the right",
+         [](Player &p) {
+             p.drag("foot0", {150, 200}, 20);
+             p.play(300);
+         },
+         "pull it 20 px or more past the body, to the right. It came −20 px past it."},
+        {"curved_legs", 1, "without carrying",
+         [](Player &p) {
+             p.play(30);
+             p.goTo(5);
+             p.set("curve", 120.0);
+             p.play(20);
+         },
+         "carry the body first. Then go back in time, and change **curve** there."},
+        {"swing", 2, "up and down",
+         [](Player &p) {
+             p.drag("body", p.at("body") + sim::Vec2{0, -100}, 100);
+         },
+         "carry it 200 px to the side. It came 0 px."},
+        {"ground", 0, "not yet there",
+         [](Player &p) {
+             p.set("speed", -0.05);
+             p.play(3);
+         },
+         "let it walk on to 100 px left of where it began. So far: 0 px."},
+        {"ground", 2, "before any foot bounces", [](Player &p) { p.set("bounce", 0.8); },
+         "stop at a frame in which a foot on the ground moves up, at 1 px per frame or more: go there with "
+         "**→**."},
+        {"ground", 3, "carried to the side",
+         [](Player &p) {
+             p.play(50);
+             p.drag("body", p.at("body") + sim::Vec2{140, 0}, 30);
+             p.play(3);
+         },
+         "lift it 100 px or more. It came 0 px up."},
     };
 }
 

@@ -24,6 +24,8 @@ constexpr int largeWindow = 1600; ///< px wide, from where the type is larger
 constexpr int buttonHeight = 32;
 constexpr int titleHeight = 24;
 constexpr int headingHeight = 20;
+constexpr int todoMilliseconds =
+    300; ///< between two looks at what is still to do: faster words cannot be read
 
 }
 
@@ -49,6 +51,14 @@ Narration::Narration(Session &session, const Glossary &glossary, const Theme &th
     column->addWidget(makeButtons());
     connect(&session, &Session::stepOpened, this, &Narration::open);
     connect(&session.progress(), &Progress::changed, this, &Narration::showProgress);
+    m_todoDue.setSingleShot(true);
+    m_todoDue.setInterval(todoMilliseconds);
+    connect(&m_todoDue, &QTimer::timeout, this, &Narration::showTodos);
+    for (const auto change : {&Session::moved, &Session::runChanged, &Session::playingChanged})
+        connect(&session, change, this, [this] {
+            if (!m_todoDue.isActive())
+                m_todoDue.start();
+        });
     connect(&theme, &Theme::changed, this, &Narration::dress);
     open();
     dress();
@@ -137,7 +147,9 @@ void Narration::open()
     nameButtons();
     m_area->verticalScrollBar()->setValue(0);
     fitText();
+    m_isOpen = false; // what was done before shows its answer when asked
     showProgress();
+    m_isOpen = true;
 }
 
 void Narration::addTries()
@@ -151,6 +163,7 @@ void Narration::addTries()
         m_tryColumn->addWidget(m_tries.back());
         connect(m_tries.back(), &TryBox::hintAsked, this,
                 [this, number](bool shown) { remember(number, shown); });
+        connect(m_tries.back(), &TryBox::answerAsked, this, &Narration::heightChanged);
     }
     m_heading->setVisible(!m_tries.empty());
 }
@@ -237,11 +250,33 @@ void Narration::showProgress()
 {
     const QString lesson = m_session.lesson().id;
     const QString step = m_session.step().id;
-    for (int i = 0; i < static_cast<int>(m_tries.size()); ++i)
-        m_tries[static_cast<std::size_t>(i)]->setDone(m_session.progress().isDone(lesson, step, i));
+    for (std::size_t i = 0; i < m_tries.size(); ++i) {
+        const bool isNew = !m_tries[i]->isDone();
+        m_tries[i]->setDone(m_session.progress().isDone(lesson, step, static_cast<int>(i)));
+        if (isNew && m_tries[i]->isDone() && m_isOpen)
+            showAnswerOf(i);
+    }
     const bool done = m_session.isStepDone(m_session.lesson(), m_session.step());
     m_next->setPrimary(done);
     m_next->setIcon(m_theme.icon("right", done ? m_theme.tokens().buttonText : m_theme.tokens().ink));
+}
+
+void Narration::showAnswerOf(std::size_t number)
+{
+    for (TryBox *one : m_tries) {
+        if (one->isDone())
+            one->showAnswer(one == m_tries[number]);
+    }
+    emit heightChanged();
+}
+
+void Narration::showTodos()
+{
+    bool changed = false;
+    for (std::size_t i = 0; i < m_tries.size(); ++i)
+        changed = m_tries[i]->setTodo(m_session.todo(static_cast<int>(i))) || changed;
+    if (changed)
+        emit heightChanged();
 }
 
 void Narration::dress()

@@ -4,6 +4,7 @@
 #include "app/ui/theme/theme.h"
 
 #include <QSet>
+#include <QTimer>
 #include <QWidget>
 
 #include <vector>
@@ -66,6 +67,9 @@ private:
     void remember(std::size_t number, bool shown);
     QString keyOf(std::size_t number) const;
     void showProgress();
+    /// Shows the answer of the thing to try that was done just now, and puts those before away.
+    void showAnswerOf(std::size_t number);
+    void showTodos();
     void dress();
 
     Session &m_session;
@@ -80,6 +84,8 @@ private:
     std::vector<TryBox *> m_tries;
     QVBoxLayout *m_whyColumn = nullptr;
     std::vector<WhyBox *> m_whys;
+    QTimer m_todoDue;
+    bool m_isOpen = false; ///< whether what is shown as done was done while the step is open
     QSet<QString> m_hints; ///< those that are shown, by step and number, until the program ends
     QPushButton *m_back = nullptr;
     StepButton *m_next = nullptr;

@@ -28,52 +28,107 @@ TryBox::TryBox(const lessons::Try &what, const Theme &theme, QWidget *parent)
     column->setContentsMargins(left, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(m_row);
-    if (what.hint.isEmpty())
+    m_todo = addText("todoText", {});
+    if (!what.hint.isEmpty())
+        m_hint = addText("hintText", what.hint);
+    if (!what.answer.isEmpty())
+        m_answer = addText("answerText", what.answer);
+    if (!m_hint && !m_answer)
         return;
     m_button = new QToolButton(this);
     m_button->setObjectName("hint");
     m_button->setCheckable(true);
     m_button->setIconSize({14, 14});
     m_button->setGeometry(QRect(buttonPlace, buttonSize));
-    m_row->setMinimumHeight(leastHeight);
     m_button->setFocusPolicy(Qt::TabFocus);
-    m_button->setAccessibleName(tr("Hint: %1").arg(plainText(what.text)));
-    m_hint = new NarrationText(theme, this, NarrationText::Kind::aside);
-    m_hint->setObjectName("hintText");
-    m_hint->setText(what.hint);
-    m_hint->hide();
-    auto *indented = new QVBoxLayout; // takes no room while the hint is hidden
+    connect(m_button, &QToolButton::clicked, this, &TryBox::press);
+    connect(&theme, &Theme::changed, this, &TryBox::dress);
+    setDone(false);
+}
+
+NarrationText *TryBox::addText(const QString &name, const QString &text)
+{
+    auto *made = new NarrationText(m_theme, this, NarrationText::Kind::aside);
+    made->setObjectName(name);
+    made->setText(text);
+    made->hide();
+    auto *indented = new QVBoxLayout; // takes no room while the text is hidden
     indented->setContentsMargins(hintLeft, 0, 0, 4);
-    indented->addWidget(m_hint);
-    column->addLayout(indented);
-    connect(m_button, &QToolButton::clicked, this, [this](bool shown) {
+    indented->addWidget(made);
+    static_cast<QVBoxLayout *>(layout())->addLayout(indented);
+    return made;
+}
+
+void TryBox::press(bool shown)
+{
+    if (isDone()) {
+        showAnswer(shown);
+        emit answerAsked(shown);
+    } else {
         showHint(shown);
         emit hintAsked(shown);
-    });
-    connect(&theme, &Theme::changed, this, &TryBox::dress);
-    dress();
+    }
 }
 
 void TryBox::dress()
 {
+    const bool shown = m_button->isChecked();
     m_button->setIcon(m_theme.icon("hint"));
-    m_button->setToolTip(m_button->isChecked() ? tr("Put the hint away") : tr("Show a hint (H)"));
+    if (isDone())
+        m_button->setToolTip(shown ? tr("Put the answer away") : tr("Show the answer"));
+    else
+        m_button->setToolTip(shown ? tr("Put the hint away") : tr("Show a hint (H)"));
+    m_button->setAccessibleName(isDone() ? tr("Answer: %1").arg(m_row->plain())
+                                         : tr("Hint: %1").arg(m_row->plain()));
 }
 
 void TryBox::setDone(bool done)
 {
     m_row->setDone(done);
+    if (done)
+        setTodo({});
     if (!m_button)
         return;
+    const bool hasMore = done ? m_answer != nullptr : m_hint != nullptr;
     if (done)
         showHint(false);
-    m_button->setVisible(!done);
-    m_row->setMinimumHeight(done ? 0 : leastHeight);
+    else
+        showAnswer(false);
+    m_button->setVisible(hasMore);
+    m_row->setMinimumHeight(hasMore ? leastHeight : 0);
+    dress();
+}
+
+bool TryBox::isDone() const
+{
+    return m_row->isChecked();
+}
+
+bool TryBox::setTodo(const QString &todo)
+{
+    if (todo == m_todoText)
+        return false;
+    m_todoText = todo;
+    const QString text = todo.isEmpty() ? QString() : tr("**Still to do:** %1").arg(todo);
+    if (!todo.isEmpty())
+        m_todo->setText(text);
+    m_todo->setVisible(!todo.isEmpty());
+    m_row->setTodo(plainText(text));
+    return true;
+}
+
+void TryBox::showAnswer(bool shown)
+{
+    if (!m_answer)
+        return;
+    m_button->setChecked(shown);
+    m_answer->setVisible(shown);
+    dress();
 }
 
 bool TryBox::hasHint() const
 {
-    return m_button && !m_row->isChecked();
+    return m_hint && !isDone();
 }
 
 bool TryBox::showsHint() const
@@ -83,7 +138,7 @@ bool TryBox::showsHint() const
 
 void TryBox::showHint(bool shown)
 {
-    if (!m_button)
+    if (!m_hint)
         return;
     m_button->setChecked(shown);
     m_hint->setVisible(shown);

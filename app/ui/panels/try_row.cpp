@@ -44,10 +44,14 @@ void TryRow::dress()
 {
     const QColor color = isChecked() ? m_theme.tokens().ink3 : m_theme.tokens().ink;
     setProse(m_document, m_text, {13, lineHeight, 0, color, color, QFont::Medium}, m_theme);
-    setAccessibleName(isChecked() ? tr("%1 done").arg(plainText(m_text))
-                                  : tr("%1 not yet").arg(plainText(m_text)));
+    setAccessibleName(isChecked() ? tr("%1 done").arg(plain()) : tr("%1 not yet").arg(plain()));
     updateGeometry();
     update();
+}
+
+QString TryRow::plain() const
+{
+    return plainText(m_text);
 }
 
 void TryRow::nextCheckState()

@@ -17,6 +17,10 @@ public:
     TryRow(const QString &text, const Theme &theme, QWidget *parent = nullptr);
 
     void setDone(bool done);
+    /// Says, to those who cannot see it, what is still to do; plain text, which may be empty.
+    void setTodo(const QString &todo) { setAccessibleDescription(todo); }
+    /// Its text without marks.
+    QString plain() const;
     bool hasHeightForWidth() const override { return true; }
     int heightForWidth(int width) const override;
     QSize sizeHint() const override;

@@ -142,7 +142,7 @@ QWidget *BuildPanel::page()
     start->setToolTip(tr("Go to frame 0, where the scene can be changed (Home)"));
     connect(start, &QPushButton::clicked, this, [this] {
         m_session.pause();
-        m_session.rewind();
+        m_session.restart();
     });
     auto *row = new QHBoxLayout(m_away);
     row->setContentsMargins(sideMargin, 0, sideMargin, 8);

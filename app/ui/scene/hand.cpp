@@ -52,6 +52,7 @@ void Hand::carry(sim::Vec2 place, QPointF pointer)
             return;
         m_holds = true;
         m_session.grab(*m_body);
+        m_session.startTimeByHand();
     }
     m_session.moveHand(place + m_offset);
 }

@@ -16,7 +16,7 @@ public:
     static int bodyAt(const Shown &shown, const Camera &camera, QPointF place);
 
     /// Selects the body, and takes hold of it at once while the run plays. While it stands, only carrying
-    /// takes hold, so that a click selects and changes nothing.
+    /// takes hold, so that a click selects and changes nothing; at the start and at the end of the run that starts time.
     void press(const QString &body, sim::Vec2 where, sim::Vec2 place, QPointF pointer);
     /// Carries the body to where the pointer is, at `place` in the scene.
     void carry(sim::Vec2 place, QPointF pointer);

@@ -51,6 +51,41 @@ void NameLayer::draw(const Canvas &canvas) const
     drawWords(canvas, {from, shown.name, shown.figures, canvas.tokens().ink});
 }
 
+namespace {
+
+/// A hand with its fingertip at `tip`, px of the screen.
+QPainterPath handAt(QPointF tip)
+{
+    QPainterPath hand;
+    hand.addRoundedRect(QRectF(-2.2, 0.0, 4.4, 15.0), 2.2, 2.2); // the finger that holds
+    for (int finger = 0; finger < 3; ++finger) {
+        QPainterPath folded;
+        folded.addRoundedRect(QRectF(1.6 + 4.0 * finger, 7.0 + finger, 4.6, 8.0), 2.3, 2.3);
+        hand |= folded;
+    }
+    QPainterPath palm, thumb;
+    palm.addRoundedRect(QRectF(-2.2, 10.5, 16.4, 12.5), 5.0, 5.0);
+    thumb.addRoundedRect(QRectF(-7.5, 11.0, 9.0, 4.6), 2.3, 2.3);
+    hand |= palm;
+    hand |= thumb;
+    return hand.translated(tip);
+}
+
+}
+
+void RecordedHandLayer::draw(const Canvas &canvas) const
+{
+    const std::optional<sim::Vec2> place = m_session.recordedHand();
+    if (!place)
+        return;
+    canvas.painter.setPen(QPen(canvas.tokens().scene, 4.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    canvas.painter.setBrush(canvas.tokens().scene);
+    const QPainterPath hand = handAt(canvas.camera.at(*place));
+    canvas.painter.drawPath(hand);
+    canvas.painter.setPen(QPen(canvas.tokens().ink, 1.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    canvas.painter.drawPath(hand);
+}
+
 void ArrowLayer::draw(const Canvas &canvas) const
 {
     for (const Arrow &arrow : velocityArrows(canvas.shown, canvas.camera, canvas.theme))

@@ -32,6 +32,7 @@ enum class Height {
     guides,
     arrows,
     names,
+    hands,
 };
 
 /// All things of one kind, drawn together.
@@ -278,6 +279,22 @@ public:
 
 protected:
     void draw(const Canvas &canvas) const override;
+};
+
+/// The hand of a run that is played again, so that nothing seems to move by itself.
+class RecordedHandLayer : public Layer
+{
+public:
+    RecordedHandLayer(const Session &session, const Shown &shown, const Theme &theme)
+        : Layer(shown, theme, Height::hands), m_session(session)
+    {
+    }
+
+protected:
+    void draw(const Canvas &canvas) const override;
+
+private:
+    const Session &m_session;
 };
 
 /// Pulls and velocities.

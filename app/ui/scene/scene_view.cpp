@@ -63,6 +63,7 @@ SceneView::SceneView(Session &session, const Theme &theme, QWidget *parent)
     addLayers<RoomLayer, ShadowLayer, LimbLayer, SkinLayer, ChainLayer, LegLayer, SpringLayer, StickLayer,
               BodyLayer, RestLayer, GuideLayer, NameLayer>(m_scene, m_beside, theme);
     m_scene.addItem(new NameLayer(m_shown, theme));
+    m_scene.addItem(new RecordedHandLayer(session, m_shown, theme));
     setScene(&m_scene);
 
     connect(&session, &Session::stepOpened, this, &SceneView::open);
@@ -164,6 +165,10 @@ void SceneView::describe()
                             m_shown.state().speed(m_shown.selected));
     if (!m_shown.caption.isEmpty())
         text += ". " + m_shown.caption;
+    if (const std::optional<sim::Vec2> hand = m_session.recordedHand())
+        text +=
+            ". " +
+            tr("The hand of the recorded run is at %1, %2").arg(hand->x, 0, 'f', 0).arg(hand->y, 0, 'f', 0);
     if (m_beside.points() > 0)
         text += ". " + tr("Beside it: %1").arg(m_beside.name);
     if (m_shown.reference && m_shown.extras.reference)

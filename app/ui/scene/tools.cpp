@@ -65,8 +65,10 @@ bool Tools::press(sim::Vec2 place)
     if (can(lessons::Does::pointer)) {
         m_pointing = true;
         moveTo(place);
+        m_session.sayThatTimeStands();
     } else if (can(lessons::Does::target)) {
         m_session.aim(place);
+        m_session.sayThatTimeStands();
     }
     return any();
 }

@@ -159,7 +159,7 @@ void TimelineStrip::keyPressEvent(QKeyEvent *event)
     case Qt::Key_Right:
         return step(true, shift);
     case Qt::Key_Home:
-        return m_session.rewind();
+        return shift ? m_session.repeat() : m_session.restart();
     case Qt::Key_End:
         return scrubTo(m_session.timeline().computed());
     default:

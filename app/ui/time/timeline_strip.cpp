@@ -27,8 +27,8 @@ TimelineStrip::TimelineStrip(Session &session, const Theme &theme, QWidget *pare
     setObjectName("timeline");
     setAccessibleName(tr("Timeline"));
     setAccessibleDescription(
-        tr("Left and Right: one frame. With Shift: one phase. Home: frame 0. End: the last "
-           "computed frame. Menu: the other runs."));
+        tr("Left and Right: one frame. With Shift: one phase. Home: restart. With Shift: repeat the run. "
+           "End: the last computed frame. Menu: the other runs."));
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setAttribute(Qt::WA_OpaquePaintEvent);

@@ -75,7 +75,7 @@ void TransportBar::build()
 {
     m_layout->setContentsMargins(12, 0, 12, 0);
     m_layout->setSpacing(0);
-    m_reset = addButton("reset", 32, 28, &TransportBar::rewind);
+    m_reset = addButton("reset", 32, 28, &TransportBar::restart);
     addSpace(14);
     m_phaseBack = addButton("phaseBack", 32, 28, &TransportBar::phaseBack);
     addSpace(4);
@@ -214,7 +214,7 @@ void TransportBar::showButtons()
     const bool inside = m_session.timeline().at().phase > 0;
     const QString noPast = whyNoPast();
     const QString noFuture = whyNoFuture();
-    describe(m_reset, tr("Back to frame 0"), tr("Home"), noPast);
+    showRestart();
     describe(m_phaseBack, tr("One phase back"), tr("Shift+←"), noPast);
     describe(m_frameBack, inside ? tr("Back to the start of this frame") : tr("One frame back"), tr("←"),
              noPast);
@@ -230,6 +230,18 @@ void TransportBar::showButtons()
         m_cancel->setEnabled(canStop);
         showPlay();
     }
+}
+
+void TransportBar::showRestart()
+{
+    const bool repeats = m_session.hasInput();
+    describe(m_reset, tr("Restart"), tr("Home"), repeats ? QString() : whyNoPast());
+    if (!m_reset->isEnabled())
+        return;
+    QStringList tip{m_reset->toolTip(), tr("A fresh run from frame 0, with the parameters as they are now.")};
+    if (repeats)
+        tip << tr("Shift+Home repeats this run instead, with all that was done in it.");
+    m_reset->setToolTip(tip.join('\n'));
 }
 
 void TransportBar::showPlay()

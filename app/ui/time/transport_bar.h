@@ -68,7 +68,8 @@ private:
     void fit();
     QString whyNoPast() const;
     QString whyNoFuture() const;
-    void rewind() { m_session.rewind(); }
+    void restart() { m_session.restart(); }
+    void showRestart();
     void phaseBack() { m_session.phaseBack(); }
     void frameBack() { m_session.frameBack(); }
     void frameForward() { m_session.frameForward(); }

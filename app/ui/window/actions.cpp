@@ -119,7 +119,9 @@ void MainWindow::makeTimeActions()
     add(tr("Frame &back"), {QKeySequence(Qt::Key_Left)}, group, [this] { m_session.frameBack(); });
     add(tr("&Next phase"), {QKeySequence("Shift+Right")}, group, [this] { m_session.phaseForward(); });
     add(tr("P&hase back"), {QKeySequence("Shift+Left")}, group, [this] { m_session.phaseBack(); });
-    add(tr("To the &start"), {QKeySequence(Qt::Key_Home)}, group, [this] { m_session.rewind(); });
+    add(tr("Re&start"), {QKeySequence(Qt::Key_Home)}, group, [this] { m_session.restart(); });
+    add(tr("Repea&t the run, with all that was done in it"), {QKeySequence("Shift+Home")}, group,
+        [this] { m_session.repeat(); });
     add(tr("To the &end of what was computed"), {QKeySequence(Qt::Key_End)}, group, end);
     m_run->addAction(m_transport->goToFrameAction());
     m_commands->list(m_transport->goToFrameAction(), group);

@@ -80,7 +80,7 @@ void ByHand::aStepIsReadAndDone()
     for (std::size_t i = 0; i < step.tries.size(); ++i) {
         const std::vector<Attempt> all = attempts();
         const auto found = std::find_if(all.begin(), all.end(), [&](const Attempt &attempt) {
-            return step.id == attempt.step && attempt.number == i;
+            return step.id == attempt.step && attempt.number == i && !attempt.isNearMiss();
         });
         QVERIFY2(found != all.end(), qPrintable(step.tries[i].text));
         followTry(*found);
