@@ -91,11 +91,11 @@ void CodeCard::paintEvent(QPaintEvent *)
 {
     const Tokens &t = m_theme.tokens();
     QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(t.line2);
     painter.setBrush(t.panel);
     // Square, like the other cards: without a compositor, rounded corners would be black.
-    painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
+    painter.drawRect(rect().adjusted(0, 0, -1, -1));
+    painter.setRenderHint(QPainter::Antialiasing);
     const QRect inside = rect().adjusted(padding, padding, -padding, -padding);
     painter.setFont(m_theme.mono(12));
     painter.setPen(t.ink);
