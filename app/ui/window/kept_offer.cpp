@@ -2,6 +2,7 @@
 
 #include "app/model/refusal.h"
 #include "app/model/same_run.h"
+#include "app/ui/panels/dialog_place.h"
 #include "app/ui/window/experiment_files.h"
 #include "app/ui/window/kept_list.h"
 #include "app/ui/window/notice.h"
@@ -108,6 +109,7 @@ void KeptOffer::showList()
         connect(m_list, &KeptList::deletes, this, &KeptOffer::erase);
     }
     m_notice.say({});
+    placeOverParent(*m_list);
     m_list->show();
     m_list->raise();
     m_list->activateWindow();
