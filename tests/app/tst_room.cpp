@@ -237,7 +237,8 @@ private slots:
     void aWindowThatComesBackToItsSizeIsAsItWas_data()
     {
         QTest::addColumn<QSize>("size");
-        for (const QSize size : sizes)
+        // Of each of them to all others and back: the usual ones, and the smallest.
+        for (const QSize size : {sizes[0], sizes[1], sizes[4], sizes[8], sizes[9]})
             QTest::newRow(qPrintable(nameOf(size))) << size;
     }
 
