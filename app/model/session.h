@@ -94,8 +94,8 @@ public:
     /// Where the recorded hand holds something at the moment of shown(), or where the recorded pointer has its button
     /// down, px; empty where there is none, and while the learner's own hand does it.
     std::optional<sim::Vec2> recordedHand() const;
-    /// A hand has taken hold of something while time stands: starts time at the start of the run and at its end, where
-    /// nothing comes after the cursor. In a scene that is built, inside a frame and in the past it stays, and says so.
+    /// A hand is about to take hold of something while time stands: starts time at the start of the run and at its end,
+    /// where nothing comes after the cursor. In a scene that is built, inside a frame and in the past time stays.
     void startTimeByHand();
     /// While time stands, says so to a learner whose pointer acts.
     void sayThatTimeStands();

@@ -209,14 +209,11 @@ std::optional<sim::Vec2> Session::recordedHand() const
 void Session::startTimeByHand()
 {
     const sim::Cursor at = m_timeline->at();
-    if (isPlaying() || isWorkshop() || m_timeline->stop())
+    const bool isAtAnEnd = at.phase == 0 && (at.frame == 0 || at.frame >= m_timeline->computed());
+    if (isPlaying() || isWorkshop() || m_timeline->stop() || !isAtAnEnd)
         return;
-    if (at.phase == 0 && (at.frame == 0 || at.frame >= m_timeline->computed())) {
-        play();
-        emit said(tr("Time runs while your hand moves things. Space stops it."));
-    } else {
-        sayThatTimeStands();
-    }
+    play();
+    emit said(tr("Time runs while your hand moves things. Space stops it."));
 }
 
 void Session::sayThatTimeStands()

@@ -309,7 +309,8 @@ std::vector<Try> restTries()
                return last && last->kind == sim::Kind::spring;
            },
            Text::tr("press **Shift+→** until the return is the last phase that was done.")},
-          atLeast(1.0, bend, Text::tr("blow for a while first: nothing is bent by more than 1°."), 0)}},
+          {[](const Timeline &run) { return bend(run) > 1.0; },
+           Text::tr("blow for a while first: nothing is bent by more than 1°.")}}},
     };
 }
 

@@ -145,7 +145,34 @@ class EveryLesson : public QObject
         return curves(a) == curves(b);
     }
 
-    /// Whether another value of `parameter` makes another run, or another picture of the same run.
+    static bool differInTime(const sim::Script &one, const sim::Script &other, int frames)
+    {
+        sim::Timeline a(one), b(other);
+        for (int frame = 0; frame < frames; ++frame) {
+            if (!sim::sameBits(a.now(), b.now()))
+                return true;
+            a.stepRow();
+            b.stepRow();
+        }
+        return false;
+    }
+
+    /// What the code shows of the first frame.
+    static std::vector<std::variant<double, sim::Vec2>> valuesInCode(const sim::Script &script)
+    {
+        const sim::Scene scene = sim::sceneOf(script, script.values);
+        sim::State state = scene.start;
+        std::vector<std::variant<double, sim::Vec2>> all;
+        for (const sim::Phase &phase : sim::compose(scene, *script.method, script.step).phases) {
+            const sim::State before = state;
+            phase.run(state);
+            for (const sim::Live &live : phase.explain(before, state, phase.points.first))
+                all.push_back(live.value);
+        }
+        return all;
+    }
+
+    /// Whether another value of `parameter` makes another run, another picture of it, or other numbers in the code.
     static bool differsBy(const lessons::Step &step, const lessons::Parameter &parameter)
     {
         sim::Script script = step.script(), other = script;
@@ -155,16 +182,10 @@ class EveryLesson : public QObject
         if (scene.names != changed.names ||
             !sameLook(step.look(scene, script.values), step.look(changed, other.values)))
             return true;
-        if (script.input.empty())
-            script.input = other.input = busyInput(scene, step);
-        sim::Timeline a(script), b(other);
-        for (int frame = 0; frame < 200; ++frame) {
-            if (!sim::sameBits(a.now(), b.now()))
-                return true;
-            a.stepRow();
-            b.stepRow();
-        }
-        return false;
+        if (differInTime(script, other, 600) || valuesInCode(script) != valuesInCode(other))
+            return true;
+        script.input = other.input = busyInput(scene, step);
+        return differInTime(script, other, 200);
     }
 
     /// What a hand can take, or a dozen of them where there are many.

@@ -94,6 +94,8 @@ void TryBox::setDone(bool done)
         showHint(false);
     else
         showAnswer(false);
+    const NarrationText *asked = done ? m_answer : m_hint;
+    m_button->setChecked(asked && !asked->isHidden());
     m_button->setVisible(hasMore);
     m_row->setMinimumHeight(hasMore ? leastHeight : 0);
     dress();
@@ -121,8 +123,9 @@ void TryBox::showAnswer(bool shown)
 {
     if (!m_answer)
         return;
-    m_button->setChecked(shown);
     m_answer->setVisible(shown);
+    if (isDone())
+        m_button->setChecked(shown);
     dress();
 }
 
@@ -140,8 +143,9 @@ void TryBox::showHint(bool shown)
 {
     if (!m_hint)
         return;
-    m_button->setChecked(shown);
     m_hint->setVisible(shown);
+    if (!isDone())
+        m_button->setChecked(shown);
     dress();
 }
 

@@ -51,8 +51,9 @@ void Hand::carry(sim::Vec2 place, QPointF pointer)
         if (QLineF(m_pressed, pointer).length() < clickSlack)
             return;
         m_holds = true;
+        m_session.startTimeByHand(); // before the grab, which makes the cursor the end of the run
         m_session.grab(*m_body);
-        m_session.startTimeByHand();
+        m_session.sayThatTimeStands();
     }
     m_session.moveHand(place + m_offset);
 }
