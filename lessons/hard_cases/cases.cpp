@@ -1,5 +1,6 @@
 #include "cases.h"
 
+#include "lessons/api/choice_group.h"
 #include "lessons/api/creature.h"
 #include "lessons/api/parameters.h"
 #include "sim/effects/ground.h"
@@ -91,7 +92,7 @@ Parameter caseParameter()
     QStringList ids, titles, helps;
     for (const sim::HardCase &one : shownCases()) {
         ids << QString::fromStdString(one.id);
-        titles << phrase(one.title);
+        titles << lessons::grouped(phrase(one.family), phrase(one.title));
         helps << phrase(one.story);
     }
     Parameter parameter = choice("case", Text::tr("Case"),

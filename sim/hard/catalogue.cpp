@@ -25,12 +25,30 @@ HardCase caseOf(const char *id, const char *title, const char *story, Scene (*sc
 
 std::vector<HardCase> hardCases()
 {
+    struct Family
+    {
+        const char *title;
+        std::vector<HardCase> (*cases)();
+    };
+    static constexpr Family families[] = {
+        {SIM_TEXT("Stiff springs"), hard::stiffSprings},
+        {SIM_TEXT("Many feet on one body"), hard::manyFeet},
+        {SIM_TEXT("All in one place"), hard::crampedPlaces},
+        {SIM_TEXT("Torn by a hand"), hard::roughHands},
+        {SIM_TEXT("Walls and walking"), hard::wallsAndWalking},
+        {SIM_TEXT("Sticks that contradict"), hard::rigidSticks},
+        {SIM_TEXT("Swimmers"), hard::swimmers},
+        {SIM_TEXT("Trees in wind"), hard::windyTrees},
+        {SIM_TEXT("Unusual steps"), hard::oddSteps},
+        {SIM_TEXT("Long runs"), hard::longRuns},
+        {SIM_TEXT("Input that is refused"), hard::badInput},
+    };
     std::vector<HardCase> all;
-    for (const auto family : {hard::stiffSprings, hard::manyFeet, hard::crampedPlaces, hard::roughHands,
-                              hard::wallsAndWalking, hard::rigidSticks, hard::swimmers, hard::windyTrees,
-                              hard::oddSteps, hard::longRuns, hard::badInput}) {
-        std::vector<HardCase> cases = family();
-        std::move(cases.begin(), cases.end(), std::back_inserter(all));
+    for (const Family &family : families) {
+        for (HardCase &one : family.cases()) {
+            one.family = family.title;
+            all.push_back(std::move(one));
+        }
     }
     return all;
 }

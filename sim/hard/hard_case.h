@@ -83,12 +83,13 @@ struct Bounds
 /// An experiment that breaks careless methods: a plain value.
 struct HardCase
 {
-    std::string id;    ///< names it in files and on the command line
-    std::string title; ///< in English; see SIM_TEXT
-    std::string story; ///< one sentence in English: what makes it hard; see SIM_TEXT
-    Script script;     ///< scene, values and input; a method and its step are put in by scriptOf()
-    RunSize brief;     ///< enough to see it, in about a second
-    RunSize full;      ///< the size that the story tells
+    std::string id;     ///< names it in files and on the command line
+    std::string title;  ///< in English; see SIM_TEXT
+    std::string family; ///< in English, what it has in common with others: "Stiff springs"; see SIM_TEXT
+    std::string story;  ///< one sentence in English: what makes it hard; see SIM_TEXT
+    Script script;      ///< scene, values and input; a method and its step are put in by scriptOf()
+    RunSize brief;      ///< enough to see it, in about a second
+    RunSize full;       ///< the size that the story tells
     std::vector<Ask> asks;
     std::optional<Stiffest> stiffest; ///< at any time of the run; set if it asks for `swings` or `rests`
     double bounces = 0.0;             ///< the most that happen in a frame

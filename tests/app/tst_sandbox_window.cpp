@@ -1,10 +1,12 @@
 // Building in the window: the way there, fields, effects, examples.
 
 #include "app/ui/code/stop_list.h"
+#include "app/ui/panels/grouped_choice.h"
 #include "app/ui/time/transport_bar.h"
 #include "sandbox_bench.h"
 
 #include <QLineEdit>
+#include <QMenu>
 
 using namespace app;
 using namespace sandbox_bench;
@@ -15,6 +17,57 @@ class SandboxWindow : public QObject
 
 private slots:
     void initTestCase() { prepareProgram(); }
+
+    void aLengthThatADragLeftIsShownRounded()
+    {
+        Bench bench;
+        bench.build();
+        bench.key(Qt::Key_S);
+        bench.drag({100, 100}, {190, 160});
+        bench.key(Qt::Key_V);
+        const double length = bench.plan().springs.back().length;
+        QVERIFY(length != std::round(length));
+        const auto *box = bench.row("length")->findChild<NumberBox *>();
+        QVERIFY2(!box->text().contains(QChar(0x2026)), qPrintable(box->text()));
+        QVERIFY(std::abs(box->text().toDouble() - length) < 0.01);
+        QVERIFY2(box->toolTip().contains(box->exactText(length)), qPrintable(box->toolTip()));
+        bench.click({100, 100}); // looking elsewhere and back changes nothing
+        QCOMPARE(bench.plan().springs.back().length, length);
+    }
+
+    void theTorturePanelAsksForACaseByItsKind()
+    {
+        Bench bench;
+        bench.session().openStep("hard_cases", "torture");
+        const QList<GroupedChoice *> all = bench.window.findChildren<GroupedChoice *>();
+        QVERIFY(!all.isEmpty());
+        QTRY_VERIFY(std::any_of(all.begin(), all.end(), [](const auto *one) { return one->isVisible(); }));
+        GroupedChoice *choice =
+            *std::find_if(all.begin(), all.end(), [](const auto *one) { return one->isVisible(); });
+        const QString before = choice->currentText();
+        QTest::mouseClick(choice, Qt::LeftButton);
+        auto *menu = choice->findChild<QMenu *>(QString(), Qt::FindDirectChildrenOnly);
+        QVERIFY(menu && menu->isVisible());
+        int cases = 0;
+        QMenu *other = nullptr;
+        for (const QAction *group : menu->actions()) {
+            QVERIFY(group->menu());
+            QVERIFY2(group->menu()->actions().size() <= 15, qPrintable(group->text()));
+            cases += static_cast<int>(group->menu()->actions().size());
+            if (group != menu->activeAction())
+                other = group->menu();
+        }
+        QCOMPARE(cases, choice->count());
+        QVERIFY(menu->actions().size() >= 6);
+        const QString wanted = other->actions().front()->text();
+        menu->setActiveAction(other->menuAction());
+        QTest::keyClick(menu, Qt::Key_Right);
+        QTest::keyClick(other, Qt::Key_Return);
+        QCOMPARE(choice->currentText(), wanted);
+        QVERIFY(wanted != before);
+        QCOMPARE(bench.session().parameter("case"), double(choice->currentIndex()));
+        QCOMPARE(bench.session().deeds().undoText(), QString("Change case"));
+    }
 
     void theWayThereAndBack()
     {

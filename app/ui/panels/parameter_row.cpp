@@ -2,8 +2,10 @@
 
 #include "app/model/numbers.h"
 
+#include "app/ui/panels/grouped_choice.h"
 #include "app/ui/panels/number_box.h"
 #include "app/ui/panels/parameter_slider.h"
+#include "lessons/api/choice_group.h"
 
 #include <QAbstractItemView>
 #include <QComboBox>
@@ -83,8 +85,12 @@ void ParameterRow::makeFields()
 
 void ParameterRow::makeChoice()
 {
-    m_choice = new QComboBox(this);
-    m_choice->addItems(m_parameter.choiceTitles.isEmpty() ? m_parameter.choices : m_parameter.choiceTitles);
+    const QStringList &titles =
+        m_parameter.choiceTitles.isEmpty() ? m_parameter.choices : m_parameter.choiceTitles;
+    m_choice =
+        lessons::groupOf(titles.front()).isEmpty() ? new QComboBox(this) : new GroupedChoice(titles, this);
+    for (const QString &title : titles)
+        m_choice->addItem(lessons::withoutGroup(title));
     for (int i = 0; i < m_parameter.choiceHelps.size(); ++i)
         m_choice->setItemData(i, m_parameter.choiceHelps[i], Qt::ToolTipRole);
     m_choice->setItemDelegate(

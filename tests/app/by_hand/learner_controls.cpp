@@ -126,10 +126,32 @@ void Learner::key(bool sim::Keys::*key, bool down)
         QTest::keyClick(&m_view, Qt::Key_Space);
 }
 
+/// Takes item `row` of a menu that has a submenu for each kind, by keys.
+static void chooseByKind(QMenu &menu, int row)
+{
+    for (QAction *group : menu.actions()) {
+        const auto count = static_cast<int>(group->menu()->actions().size());
+        if (row >= count) {
+            row -= count;
+            continue;
+        }
+        menu.setActiveAction(group);
+        QTest::keyClick(&menu, Qt::Key_Right);
+        group->menu()->setActiveAction(group->menu()->actions()[row]);
+        QTest::keyClick(group->menu(), Qt::Key_Return);
+        return;
+    }
+}
+
 void Learner::chooseFrom(QWidget &field, int row)
 {
     auto &box = static_cast<QComboBox &>(field);
     QTest::mouseClick(&box, Qt::LeftButton);
+    if (auto *menu = box.findChild<QMenu *>(QString(), Qt::FindDirectChildrenOnly)) {
+        chooseByKind(*menu, row);
+        comeBack();
+        return;
+    }
     QTest::keyClick(box.view(), Qt::Key_Home);
     for (int i = 0; i < row; ++i)
         QTest::keyClick(box.view(), Qt::Key_Down);
