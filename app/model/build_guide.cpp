@@ -26,6 +26,7 @@ BuildGuide::BuildGuide(Session &session, Workbench &bench, QObject *parent)
     : QObject(parent), m_session(session), m_bench(bench)
 {
     connect(&bench, &Workbench::changed, this, &BuildGuide::follow);
+    connect(&bench, &Workbench::replaced, this, &BuildGuide::leave);
     connect(&session, &Session::moved, this, &BuildGuide::follow);
     connect(&session, &Session::runChanged, this, &BuildGuide::follow);
     connect(&session, &Session::playingChanged, this, &BuildGuide::follow);

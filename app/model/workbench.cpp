@@ -59,9 +59,14 @@ void Workbench::follow()
     } else {
         m_chosen = within(*now, m_chosen);
     }
+    const bool isAnother = now && m_seen && !m_isChanging &&
+                           std::max(now->points.size(), m_seen->points.size()) >
+                               std::min(now->points.size(), m_seen->points.size()) + 1;
     m_seen = now;
     m_couldBuild = can;
     emit changed();
+    if (isAnother)
+        emit replaced();
 }
 
 void Workbench::followSelection()

@@ -77,6 +77,8 @@ public:
 signals:
     /// Tool, choice, or whether and what is built.
     void changed();
+    /// Another scene stands in the place of the one that was built: an example, a new one, or what undo brought back.
+    void replaced();
 
 private:
     void follow();

@@ -4612,6 +4612,10 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>Erstes Bauen</translation>
     </message>
     <message>
+        <source>With keys: arrow keys move the cross in the picture, Return clicks there, Tab goes to fields and switches.</source>
+        <translation>Mit Tasten: Pfeiltasten bewegen das Kreuz im Bild, die Eingabetaste klickt dort, Tab geht zu Feldern und Schaltern.</translation>
+    </message>
+    <message>
         <source>Restart</source>
         <translation>Neu beginnen</translation>
     </message>

@@ -1,9 +1,12 @@
 // The guided first build: a creature that walks, with the mouse and with keys alone.
 
 #include "app/model/build_guide.h"
+#include "app/model/workshop.h"
 #include "app/ui/sandbox/guide_box.h"
 #include "app/ui/sandbox/guide_ring.h"
 #include "sandbox_bench.h"
+
+#include <QScrollBar>
 
 using namespace app;
 using namespace sandbox_bench;
@@ -94,6 +97,20 @@ private slots:
         QVERIFY(bench.said().startsWith("It walks"));
     }
 
+    void afterTheLastSwitchSpacePlays()
+    {
+        Guided bench;
+        bench.giveFeet();
+        bench.clickWhatIsAsked(bench.tool("Choose"));
+        bench.type("speed", "0.05");
+        QVERIFY(qobject_cast<NumberBox *>(QApplication::focusWidget())); // which would take a space
+        bench.clickWhatIsAsked(bench.effect("Ground"));
+        bench.clickWhatIsAsked(bench.effect("Walls"));
+        QWidget *focus = QApplication::focusWidget();
+        QTest::keyClick(focus ? focus : &bench.window, Qt::Key_Space);
+        QVERIFY(bench.session().isPlaying());
+    }
+
     void keysAloneDoIt()
     {
         Guided bench;
@@ -178,6 +195,19 @@ private slots:
         QVERIFY(bench.plan().feet.empty());
         bench.session().undo();
         QVERIFY(bench.plan() == built);
+    }
+
+    void anExampleEndsItAndIsSeenWhole()
+    {
+        Guided bench;
+        bench.giveFeet();
+        bench.view().horizontalScrollBar()->setValue(bench.view().horizontalScrollBar()->maximum());
+        QVERIFY(!bench.view().viewport()->rect().contains(bench.on(bench.plan().points[0].x)));
+        const lessons::Example &bridge = bench.session().step().examples[1];
+        QVERIFY(takeExample(bench.session(), bridge));
+        QVERIFY(!bench.guide().isOn());
+        for (const sim::BuiltPoint &point : bench.plan().points)
+            QVERIFY(bench.view().viewport()->rect().contains(bench.on(point.x)));
     }
 
     void anotherLessonEndsIt()

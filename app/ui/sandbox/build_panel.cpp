@@ -11,7 +11,9 @@
 #include "app/ui/sandbox/property_row.h"
 #include "app/ui/theme/icons.h"
 
+#include <QAbstractSpinBox>
 #include <QAction>
+#include <QApplication>
 #include <QCheckBox>
 #include <QGridLayout>
 #include <QLabel>
@@ -250,6 +252,9 @@ void BuildPanel::pointOut()
         return; // the window goes
     QWidget *asked = m_guide.isOn() && m_bench.isOpen() ? askedControl() : nullptr;
     m_ring->setWidget(asked);
+    auto *field = qobject_cast<QAbstractSpinBox *>(QApplication::focusWidget());
+    if (asked && m_guide.step() == BuildGuide::Step::play && isAncestorOf(field))
+        field->clearFocus(); // else Space would go into the number, and not play
     if (!asked || !m_area->isAncestorOf(asked))
         return;
     QTimer::singleShot(0, asked, [this, asked] { // once it is laid out

@@ -19,6 +19,9 @@ GuideBox::GuideBox(BuildGuide &guide, QWidget *parent)
     setObjectName("guide");
     setAttribute(Qt::WA_StyledBackground);
     setAccessibleName(tr("First build"));
+    setToolTip(
+        tr("With keys: arrow keys move the cross in the picture, Return clicks there, Tab goes to fields and "
+           "switches."));
     m_count->setObjectName("caption");
     m_text->setWordWrap(true);
     m_text->setMinimumHeight(3 * m_text->fontMetrics().lineSpacing()); // what is below does not jump

@@ -67,6 +67,8 @@ SceneBuilder::SceneBuilder(Session &session, Workbench &bench, const BuildGuide 
     view.viewport()->installEventFilter(this);
     connect(&bench, &Workbench::changed, this, &SceneBuilder::refresh);
     connect(&guide, &BuildGuide::changed, this, &SceneBuilder::refresh);
+    connect(&bench, &Workbench::replaced, &view,
+            &SceneView::fit); // the picture may have gone along with the last one
     connect(&session, &Session::selectionChanged, this, [this] {
         // The keys that choose a body take the keyboard's cross along.
         const int point = m_view.shown().selected;
