@@ -1,5 +1,5 @@
 # What Springstep needs, as Debian 12 packages, each with what it is for; read by app/run, tests/run,
-# tests/bench/run and .ci/run.
+# tests/bench/run, tests/fuzz/run and .ci/run.
 
 app_packages=(
     "g++                     the C++20 compiler"
@@ -15,12 +15,15 @@ app_packages=(
     "libqcustomplot-dev      axes and grids of the plots"
     "rapidjson-dev           reads experiment files with the line of every value"
     "libgif-dev              writes films as GIF files"
+    "libvpx-dev              encodes films as video"
+    "pkg-config              finds libvpx"
     "zlib1g-dev              makes experiments short enough for a message"
     "fonts-inter             the typeface of the window"
     "fonts-hack              the typeface of code and numbers"
 )
 test_packages=(
     "libbenchmark-dev        tests/bench"
+    "libwebm-dev             reads films again, to compare their pictures"
     "valgrind                counts the instructions that effects take"
 )
 # Others' solvers, to compare ours with; the benchmarks run without them, too.
@@ -29,6 +32,10 @@ bench_packages=(
     "libsundials-dev         tests/bench: SUNDIALS' CVODE"
     "libbox2d-dev            tests/bench: Box2D, a physics engine, on the same springs"
     "libchipmunk-dev         tests/bench: Chipmunk, likewise"
+)
+fuzz_packages=(
+    "clang-14                builds the fuzzers"
+    "libclang-rt-14-dev      libFuzzer, which runs them"
 )
 format_packages=(
     "clang-format-14         checks the layout of the code"

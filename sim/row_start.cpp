@@ -69,11 +69,22 @@ auto firstAfter(const Script &script, std::int64_t frame)
 
 }
 
+bool setsParameters(const Script &script, std::int64_t rowEnd)
+{
+    for (auto event = firstAfter(script, rowEnd - script.step.rowFrames);
+         event != script.input.end() && event->frame <= rowEnd; ++event) {
+        if (std::holds_alternative<Set>(event->what))
+            return true;
+    }
+    return false;
+}
+
 void beginRow(State &state, const Script &script, const std::shared_ptr<const Segment> &before,
               const std::shared_ptr<const Segment> &now, std::int64_t rowEnd)
 {
     const int rowFrames = script.step.rowFrames;
-    if (before != now)
+    if (before != now ||
+        setsParameters(script, rowEnd)) // to the values that it has: they start anew all the same
         state = carryOver(state, before->scene, now->scene);
     if (state.hold.point >= 0)
         forgetAhead(state);
@@ -109,8 +120,7 @@ std::optional<std::int64_t> nextInput(const Script &script, std::int64_t frame)
     const auto event = firstAfter(script, frame);
     if (event == script.input.end())
         return {};
-    const std::int64_t rowFrames = script.step.rowFrames;
-    return std::max<std::int64_t>(1, (event->frame + rowFrames - 1) / rowFrames) * rowFrames;
+    return rowEndOf(event->frame, script.step.rowFrames);
 }
 
 }

@@ -9,6 +9,9 @@ namespace sim {
 void beginRow(State &state, const Script &script, const std::shared_ptr<const Segment> &before,
               const std::shared_ptr<const Segment> &now, std::int64_t rowEnd);
 
+/// Whether a parameter is set, to whatever value, at the start of the row that ends at `rowEnd`.
+bool setsParameters(const Script &script, std::int64_t rowEnd);
+
 /// The points that a hand takes hold of at the start of the row that ends at `rowEnd`.
 std::vector<int> grabbedIn(const Script &script, const Scene &scene, std::int64_t rowEnd);
 

@@ -32,6 +32,11 @@ struct Unfit
 
 }
 
+std::int64_t rowEndOf(std::int64_t frame, int rowFrames)
+{
+    return std::max<std::int64_t>(1, (frame + rowFrames - 1) / rowFrames) * rowFrames;
+}
+
 Scene sceneOf(const Script &script, const Values &values)
 {
     Scene scene = script.build(values);

@@ -91,6 +91,10 @@ struct Script
     std::vector<Event> input; ///< by frame; within a frame in the order in which they are applied
 };
 
+/// The end of the row whose computation an event of `frame` precedes. Frame 0 is the start: its events come with the first
+/// row.
+std::int64_t rowEndOf(std::int64_t frame, int rowFrames);
+
 /// The scene of `script` for `values`: built, with its bodies' starts, without the effects that are off.
 /// @throws Error "start-not-finite" (body) when a body's start is no place or no velocity; what build() throws
 Scene sceneOf(const Script &script, const Values &values);

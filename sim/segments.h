@@ -17,7 +17,8 @@ struct Segment
     Pipeline pipeline;
 };
 
-/// The stretches of a run, each composed when it is asked for.
+/// The stretches of a run, each composed when it is asked for: once for all those in which the values are the same, as long
+/// as they are among the last ones.
 class Segments
 {
 public:
@@ -32,15 +33,21 @@ public:
     void check(const Script &script, std::int64_t frame) const;
     /// The segment of the row that ends at `rowEnd`. `script` is the one that these are of.
     std::shared_ptr<const Segment> at(const Script &script, std::int64_t rowEnd) const;
+    /// Whether no parameter is set between the rows that end at `one` and at `other`.
+    bool isSameStretch(std::int64_t one, std::int64_t other) const;
 
 private:
+    /// Parameters change with the row that ends at `frame`: all events before `end` of the script's input have happened.
     struct Change
     {
-        std::int64_t frame;
-        Values values;
+        std::int64_t frame = 0;
+        std::size_t end = 0;
     };
-    std::vector<Change>
-        m_changes; ///< values in force from a row's end on, by frame; the first is the start's
+    const Change &changeBefore(std::int64_t rowEnd) const;
+    /// The values from `change` on.
+    const Values &valuesAt(const Script &script, const Change &change) const;
+
+    std::vector<Change> m_changes; ///< by frame; the first is the start
     struct Composed
     {
         std::int64_t from = -1; ///< frame of its change
@@ -48,6 +55,9 @@ private:
     };
     /// The segments last asked for, the latest first: those before and after a change are asked for in turn.
     mutable std::array<Composed, 2> m_composed;
+    mutable Values m_values;        ///< that valuesAt() found last
+    mutable std::size_t m_end = 0;  ///< and the event before which they hold
+    mutable bool m_isBegun = false; ///< whether they are of this script
 };
 
 }

@@ -123,7 +123,7 @@ void Track::beginRow(Cursor target)
     const int held = m_now.hold.point;
     begin(m_now, rowEnd);
     const std::shared_ptr<const Segment> segment = segmentAt(rowEnd);
-    if (segment != m_segment)
+    if (segment != m_segment || setsParameters(m_script, rowEnd))
         m_blocks.wakeAll();
     m_segment = segment;
     if (!m_blocks.asleep().empty()) {

@@ -80,7 +80,7 @@ void Track::blocksFallAsleep()
 {
     const State *mark = m_watch.mark();
     if (!m_segment->pipeline.blocks.empty() && mark && mark->frame + rowFrames() == m_at.frame &&
-        segmentAt(mark->frame) == segmentAt(m_at.frame))
+        m_segments.isSameStretch(mark->frame, m_at.frame))
         m_blocks.look(m_segment->pipeline, *mark, m_now);
 }
 

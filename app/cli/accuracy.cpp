@@ -52,7 +52,7 @@ void writePlot(const QString &path, const AccuracyReport &report)
     const QByteArray picture = accuracyPlot(report);
     if (!file.open(QIODevice::WriteOnly) || file.write(picture) != picture.size() || !file.commit())
         throw Refusal(Text::tr("%1: the picture cannot be written: %2. Choose another folder or name.")
-                          .arg(oneLine(path), oneLine(file.errorString())));
+                          .arg(shownPath(path), oneLine(file.errorString())));
 }
 
 int answer(const AccuracyRequest &request, const LessonLibrary &library)

@@ -139,7 +139,7 @@ void describeProgram(QCommandLineParser &parser)
                  "  hardcases [--case ID] [--json]              tells which methods hold where runs break\n"
                  "  cost FILE|LESSON/STEP [--json] [--frame N]  measures what each effect costs in a frame\n"
                  "  screenshot LESSON/STEP --frame N OUT.png    draws the window\n"
-                 "  film FILE OUT.gif|OUT_%04d.png              makes a film of an experiment's run"));
+                 "  film FILE OUT.webm|OUT.gif|OUT_%04d.png     makes a film of an experiment's run"));
     parser.addPositionalArgument("FILE", Text::tr("An experiment to open."), "[FILE | VERB ...]");
     parser.addOption({{"v", "version"}, Text::tr("Prints the version.")});
 }

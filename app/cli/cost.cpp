@@ -32,9 +32,15 @@ struct Beginning
     sim::State state;
 };
 
-Beginning beginningOf(const sim::Script &script, std::int64_t frame, const sim::GoesOn &goesOn)
+Beginning beginningOf(const sim::Script &script, std::int64_t frame)
 {
     sim::Track track(script, 0);
+    StatusLine status;
+    const auto goesOn = [&] {
+        if (status.isDue())
+            status.show(Text::tr("Frame %1 of %2").arg(track.at().frame).arg(frame));
+        return !isInterrupted();
+    };
     if (!track.seek({frame, 0}, goesOn))
         return {};
     if (track.stop() && track.stop()->frame < frame)
@@ -63,16 +69,20 @@ std::vector<UnusedEffect> unusedEffects(const sim::Script &script, const sim::Pi
     return unused;
 }
 
-sim::FrameCost measure(sim::CostMeter &meter, const sim::GoesOn &goesOn)
+sim::FrameCost measure(sim::CostMeter &meter)
 {
     StatusLine status;
     const auto start = std::chrono::steady_clock::now();
-    for (int rounds = 1; meter.round(goesOn) && rounds < mostRounds; ++rounds) {
+    int rounds = 0;
+    const auto goesOn = [&] {
+        if (status.isDue())
+            status.show(Text::tr("Measured %1 times").arg(rounds));
+        return !isInterrupted();
+    };
+    while (meter.round(goesOn) && ++rounds < mostRounds) {
         const Seconds spent = std::chrono::steady_clock::now() - start;
         if (rounds >= fewestRounds && spent > longEnough)
             break;
-        if (status.isDue())
-            status.show(Text::tr("Measured %1 times").arg(rounds));
     }
     return meter.result();
 }
@@ -82,11 +92,10 @@ int answer(const CostRequest &request, const LessonLibrary &library)
     const Experiment experiment = experimentNamed(request.what, library);
     const sim::Script &script = experiment.script;
     listenForInterrupt();
-    const auto goesOn = [] { return !isInterrupted(); };
-    Beginning beginning = beginningOf(script, request.frame, goesOn);
+    Beginning beginning = beginningOf(script, request.frame);
     if (!isInterrupted()) {
         sim::CostMeter meter(beginning.scene, script.method, script.step, std::move(beginning.state));
-        const CostReport report{request.what, script.method, script.step, measure(meter, goesOn),
+        const CostReport report{request.what, script.method, script.step, measure(meter),
                                 unusedEffects(script, meter.pipeline())};
         if (!isInterrupted()) {
             print(request.asJson ? costJson(report) : costTable(report));

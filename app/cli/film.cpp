@@ -1,10 +1,13 @@
 #include "app/cli/film.h"
 
+#include "app/cli/experiment_named.h"
 #include "app/cli/terminal.h"
 #include "app/model/sentences.h"
 #include "app/ui/film/film.h"
 
 #include <QCoreApplication>
+
+#include <optional>
 
 namespace app {
 
@@ -18,7 +21,7 @@ struct Text
 FilmPlan planOf(const FilmRequest &request, const LessonLibrary &library)
 {
     FilmPlan plan;
-    plan.experiment = readExperiment(request.file, library);
+    plan.experiment = experimentIn(request.file, library);
     plan.out = request.out;
     plan.size = request.size;
     plan.scheme = request.scheme;
@@ -65,7 +68,9 @@ int makeFilm(const FilmRequest &request)
         const LessonLibrary library = LessonLibrary::load(LessonLibrary::folders());
         const FilmPlan plan = planOf(request, library);
         listenForInterrupt();
+        std::optional<Waiting> waiting(Text::tr("Setting up the run"));
         Film film(plan, library);
+        waiting.reset();
         return shoot(film, plan.to);
     } catch (const Refusal &refusal) {
         say(refusal.sentence());

@@ -15,7 +15,7 @@ namespace app {
 struct FilmRequest
 {
     QString file;
-    QString out; ///< a GIF's name, or that of a PNG for each frame
+    QString out; ///< the name of a WebM or GIF file, or that of a PNG for each frame
     QSize size{640, 480};
     Scheme scheme = Scheme::light;
     std::int64_t from = 0;

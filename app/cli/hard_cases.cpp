@@ -37,7 +37,7 @@ int refuseCase(const QString &wanted)
     QStringList ids;
     for (const sim::HardCase &one : sim::hardCases())
         ids << QString::fromStdString(one.id);
-    say(Text::tr("There is no case %1; there is %2.").arg(quoted(wanted), quotedList(ids)));
+    say(Text::tr("There is no case %1; there is %2.").arg(quoted(wanted), quotedList(ids, wanted)));
     return exitBadUse;
 }
 

@@ -120,10 +120,10 @@ int listLessons(bool asJson)
     const LessonLibrary library = LessonLibrary::load(LessonLibrary::folders());
     print(asJson ? jsonList(library) : readableList(library));
     for (const LessonProblem &problem : library.problems)
-        say(oneLine(problem.file) + ": " + problem.why);
+        say(shownPath(problem.file) + ": " + problem.why);
     if (library.lessons.empty())
         say(Text::tr("No lesson was found in %1; SPRINGSTEP_LESSONS can name a folder that has them.")
-                .arg(oneLine(LessonLibrary::folders().join(", "))));
+                .arg(shownPath(LessonLibrary::folders().join(", "))));
     return exitDone;
 }
 

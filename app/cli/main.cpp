@@ -8,6 +8,8 @@
 
 #include <QApplication>
 
+#include <new>
+
 namespace {
 
 bool hasDisplay()
@@ -100,15 +102,8 @@ int start(int argc, char **argv, const app::FilmRequest &request)
     return app::makeFilm(request);
 }
 
-}
-
-int main(int argc, char **argv)
+int run(int argc, char **argv)
 {
-    QCoreApplication::setApplicationName("springstep");
-    QCoreApplication::setOrganizationName("springstep");
-    QCoreApplication::setApplicationVersion(SPRINGSTEP_VERSION);
-    QGuiApplication::setApplicationDisplayName("Springstep");
-    qInstallMessageHandler(dropNotes);
     const auto command = readCommand(argc, argv);
     if (const int *done = std::get_if<int>(&command))
         return *done;
@@ -117,4 +112,21 @@ int main(int argc, char **argv)
     if (const auto *film = std::get_if<app::FilmRequest>(&command))
         return start(argc, argv, *film);
     return start(argc, argv, std::get<app::ScreenshotRequest>(command));
+}
+
+}
+
+int main(int argc, char **argv)
+{
+    app::endWithASentenceWithoutMemory();
+    QCoreApplication::setApplicationName("springstep");
+    QCoreApplication::setOrganizationName("springstep");
+    QCoreApplication::setApplicationVersion(SPRINGSTEP_VERSION);
+    QGuiApplication::setApplicationDisplayName("Springstep");
+    qInstallMessageHandler(dropNotes);
+    try {
+        return run(argc, argv);
+    } catch (const std::bad_alloc &) {
+        return app::sayNoMemory();
+    }
 }

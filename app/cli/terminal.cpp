@@ -1,12 +1,18 @@
 #include "app/cli/terminal.h"
 
+#include "app/model/words.h"
+
 #include <QCoreApplication>
 
 #include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <exception>
+#include <new>
+#include <system_error>
 #include <unistd.h>
 
 namespace app {
@@ -18,6 +24,26 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(Terminal)
 };
 
+/// Made while there is memory.
+QByteArray noMemory;
+
+/// Whether the exception under way says that there is no memory left, or none for another thread.
+bool isWithoutMemory()
+{
+    try {
+        if (std::current_exception())
+            throw;
+    } catch (const std::bad_alloc &) {
+        return true;
+    } catch (const std::system_error &error) {
+        return error.code() == std::errc::resource_unavailable_try_again ||
+               error.code() == std::errc::not_enough_memory;
+    } catch (...) {
+        return false;
+    }
+    return false;
+}
+
 std::atomic<bool> interrupted = false;
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler sets it");
 
@@ -25,7 +51,29 @@ static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler sets it"
 
 void say(const QString &sentence)
 {
-    std::fprintf(stderr, "%s\n", sentence.toUtf8().constData());
+    std::fprintf(stderr, "%s\n", escaped(sentence).toUtf8().constData());
+}
+
+int sayNoMemory()
+{
+    [[maybe_unused]] const ssize_t written = // by what needs no memory itself
+        ::write(STDERR_FILENO, noMemory.constData(), static_cast<std::size_t>(noMemory.size()));
+    return exitBadUse;
+}
+
+void endWithASentenceWithoutMemory()
+{
+    noMemory =
+        Text::tr(
+            "springstep: there is not enough memory for this; close other programs, or give it a smaller "
+            "experiment.")
+            .toUtf8() +
+        '\n';
+    std::set_terminate([] {
+        if (isWithoutMemory())
+            _exit(sayNoMemory());
+        std::abort();
+    });
 }
 
 void print(const QString &text)
@@ -80,6 +128,11 @@ StatusLine::StatusLine()
 
 StatusLine::~StatusLine()
 {
+    wipe();
+}
+
+void StatusLine::wipe()
+{
     if (m_isShown)
         std::fputs("\r\x1b[K", stderr);
 }
@@ -87,7 +140,46 @@ StatusLine::~StatusLine()
 void StatusLine::show(const QString &text)
 {
     m_next = std::chrono::steady_clock::now() + std::chrono::milliseconds(200);
-    std::fprintf(stderr, "\r\x1b[K%s", text.toUtf8().constData());
+    std::fprintf(stderr, "\r\x1b[K%s", escaped(text).toUtf8().constData());
+}
+
+Waiting::Waiting(const QString &what) : m_what(what)
+{
+    if (!isatty(STDERR_FILENO))
+        return;
+    listenForInterrupt();
+    m_watch = std::thread(&Waiting::watch, this);
+}
+
+Waiting::~Waiting()
+{
+    if (!m_watch.joinable())
+        return;
+    {
+        const std::lock_guard lock(m_lock);
+        m_ends = true;
+    }
+    m_isOver.notify_one();
+    m_watch.join();
+}
+
+void Waiting::watch()
+{
+    const auto start = std::chrono::steady_clock::now();
+    StatusLine line;
+    std::unique_lock lock(m_lock);
+    while (!m_isOver.wait_for(lock, std::chrono::milliseconds(50), [this] { return m_ends; })) {
+        if (isInterrupted()) {
+            line.wipe();
+            say(Text::tr("Stopped: %1").arg(m_what));
+            _exit(exitInterrupted);
+        }
+        const auto spent = std::chrono::steady_clock::now() - start;
+        if (line.isDue())
+            line.show(Text::tr("%1… %2 s")
+                          .arg(m_what)
+                          .arg(std::chrono::duration_cast<std::chrono::seconds>(spent).count()));
+    }
 }
 
 RunProgress::RunProgress(std::int64_t frames) : m_frames(frames)

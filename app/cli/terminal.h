@@ -3,8 +3,11 @@
 #include <QString>
 
 #include <chrono>
+#include <condition_variable>
 #include <cstdint>
+#include <mutex>
 #include <string>
+#include <thread>
 
 /// What the command line says, and how it stops.
 namespace app {
@@ -14,6 +17,11 @@ enum ExitCode { exitDone = 0, exitNo = 1, exitBadUse = 2, exitInterrupted = 130 
 
 /// Writes one line to stderr.
 void say(const QString &sentence);
+/// Says that there is not enough memory. Returns the exit code.
+int sayNoMemory();
+/// From now on a program that has no memory left where nothing can catch that (in another thread, say) says so, and ends
+/// with exitBadUse.
+void endWithASentenceWithoutMemory();
 /// Writes text to stdout.
 void print(const QString &text);
 
@@ -51,12 +59,34 @@ public:
     /// Whether it is time to show another text.
     bool isDue() const { return m_isShown && std::chrono::steady_clock::now() >= m_next; }
     void show(const QString &text);
+    /// Takes away what it shows.
+    void wipe();
     /// Shows nothing from now on.
     void hide() { m_isShown = false; }
 
 private:
     bool m_isShown;
     std::chrono::steady_clock::time_point m_next;
+};
+
+/// Says what takes long, on stderr while that is a terminal, where nothing tells how far it is: from half a second on, with
+/// the seconds that it took so far. Ctrl+C ends the program.
+class Waiting
+{
+public:
+    explicit Waiting(const QString &what);
+    ~Waiting();
+    Waiting(const Waiting &) = delete;
+    Waiting &operator=(const Waiting &) = delete;
+
+private:
+    void watch();
+
+    QString m_what;
+    std::mutex m_lock;
+    std::condition_variable m_isOver;
+    bool m_ends = false;
+    std::thread m_watch; ///< only where there is a terminal
 };
 
 /// How far a run is, on a status line while stdout is another place than the terminal.

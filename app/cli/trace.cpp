@@ -1,5 +1,6 @@
 #include "app/cli/trace.h"
 
+#include "app/cli/experiment_named.h"
 #include "app/cli/terminal.h"
 #include "app/model/experiment.h"
 #include "app/model/sentences.h"
@@ -7,6 +8,7 @@
 #include <QCoreApplication>
 
 #include <charconv>
+#include <optional>
 
 namespace app {
 
@@ -66,32 +68,39 @@ void appendRow(std::string &text, const sim::Track &track, lessons::Columns colu
     }
 }
 
-/// Writes the rows up to frame `frames`. Returns whether all were written; if not, the caller asks why.
-bool writeRows(sim::Track &track, std::int64_t frames, lessons::Columns columns, Output &output)
+/// Writes the rows up to frame `frames`, and sets `last` to the last one. Returns whether all were written; if not, the
+/// caller asks why.
+bool writeRows(sim::Track &track, std::int64_t frames, lessons::Columns columns, Output &output,
+               std::int64_t &last)
 {
     RunProgress progress(frames);
     output.buffer() += titles(columns);
     appendRow(output.buffer(), track, columns);
     for (std::int64_t frame = track.rowFrames(); frame <= frames; frame += track.rowFrames()) {
-        if (isInterrupted())
-            return false;
-        track.seek({frame, 0});
-        if (track.stop())
+        // Asked within a row, too: one can take long.
+        const auto goesOn = [&] {
+            progress.at(last);
+            return !isInterrupted();
+        };
+        if (!goesOn() || !track.seek({frame, 0}, goesOn) || track.stop())
             return false;
         appendRow(output.buffer(), track, columns);
+        last = frame;
         if (!output.rowDone())
             return false;
-        progress.at(frame);
     }
     return true;
 }
 
 int writeTrace(const Experiment &experiment, lessons::Columns columns)
 {
+    std::optional<Waiting> waiting(Text::tr("Setting up the run"));
     sim::Track track(experiment.script, historyBudget);
+    waiting.reset();
     Output output;
     listenForInterrupt();
-    const bool isWhole = writeRows(track, experiment.frames, columns, output);
+    std::int64_t last = 0;
+    const bool isWhole = writeRows(track, experiment.frames, columns, output, last);
     if (!output.flush()) {
         if (output.failure().isEmpty())
             return exitDone;
@@ -105,7 +114,7 @@ int writeTrace(const Experiment &experiment, lessons::Columns columns)
         say(sentenceFor(*track.stop()));
         return exitNo;
     }
-    say(Text::tr("Stopped at frame %1 of %2.").arg(track.at().frame).arg(experiment.frames));
+    say(Text::tr("Stopped at frame %1 of %2.").arg(last).arg(experiment.frames));
     return exitInterrupted;
 }
 
@@ -115,7 +124,7 @@ int trace(const QString &file)
 {
     try {
         const LessonLibrary library = LessonLibrary::load(LessonLibrary::folders());
-        const Experiment experiment = readExperiment(file, library);
+        const Experiment experiment = experimentIn(file, library);
         const lessons::Step *step = library.lesson(experiment.lesson)->step(experiment.step);
         return writeTrace(experiment, step->columns);
     } catch (const Refusal &refusal) {

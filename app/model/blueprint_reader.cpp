@@ -214,7 +214,7 @@ private:
                 refuse(m_file, value.line,
                        tr("a scene cannot have the effect %1; it can have %2, and its springs, sticks and "
                           "feet act of themselves.")
-                           .arg(quoted(id), quotedList(known)));
+                           .arg(quoted(id), quotedList(known, id)));
             std::vector<std::string> &all = m_plan.effects;
             if (std::find(all.begin(), all.end(), id.toStdString()) != all.end())
                 refuse(m_file, value.line, tr("the effect %1 is given twice; keep one.").arg(quoted(id)));

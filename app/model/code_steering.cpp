@@ -82,7 +82,7 @@ double typedValue(const lessons::Parameter &parameter, const QString &text)
         return static_cast<double>(choice);
     if (!parameter.choices.isEmpty())
         throw Refusal(Text::tr("%1 can be %2, and not %3.")
-                          .arg(parameter.name, quotedList(parameter.choices), quoted(text)));
+                          .arg(parameter.name, quotedList(parameter.choices, text), quoted(text)));
     bool isNumber = false;
     const double value = QLocale::c().toDouble(plain, &isNumber);
     const bool fits = isNumber && std::isfinite(value) && value >= parameter.min && value <= parameter.max;

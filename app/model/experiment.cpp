@@ -19,27 +19,27 @@ struct Text
 [[noreturn]] void refuseLarge(const QString &path)
 {
     throw Refusal(Text::tr("%1: the file is larger than %2 MiB, which is the most for an experiment.")
-                      .arg(oneLine(path), QString::number(largestExperiment >> 20)));
+                      .arg(shownPath(path), QString::number(largestExperiment >> 20)));
 }
 
 QByteArray readFile(const QString &path)
 {
     const QFileInfo info(path);
     if (info.isDir())
-        throw Refusal(Text::tr("%1: this is a folder; give the file of an experiment.").arg(oneLine(path)));
+        throw Refusal(Text::tr("%1: this is a folder; give the file of an experiment.").arg(shownPath(path)));
     if (!info.exists())
-        throw Refusal(Text::tr("%1: there is no such file; check its name and folder.").arg(oneLine(path)));
+        throw Refusal(Text::tr("%1: there is no such file; check its name and folder.").arg(shownPath(path)));
     if (info.size() > largestExperiment)
         refuseLarge(path);
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
         throw Refusal(
-            Text::tr("%1: the file cannot be read: %2.").arg(oneLine(path), oneLine(file.errorString())));
+            Text::tr("%1: the file cannot be read: %2.").arg(shownPath(path), oneLine(file.errorString())));
     // Pipes and devices have no size beforehand.
     const QByteArray text = file.read(largestExperiment + 1);
     if (file.error() != QFileDevice::NoError)
         throw Refusal(
-            Text::tr("%1: the file cannot be read: %2.").arg(oneLine(path), oneLine(file.errorString())));
+            Text::tr("%1: the file cannot be read: %2.").arg(shownPath(path), oneLine(file.errorString())));
     if (text.size() > largestExperiment)
         refuseLarge(path);
     return text;
@@ -47,20 +47,20 @@ QByteArray readFile(const QString &path)
 
 }
 
-QString lessonIds(const LessonLibrary &library)
+QString lessonIds(const LessonLibrary &library, const QString &given)
 {
     QStringList ids;
     for (std::size_t i = 0; i < library.entries(); ++i)
         ids.push_back(library.entry(i).id);
-    return quotedList(ids);
+    return quotedList(ids, given);
 }
 
-QString stepIds(const LessonEntry &lesson)
+QString stepIds(const LessonEntry &lesson, const QString &given)
 {
     QStringList ids;
     for (const lessons::Step &step : lesson.steps)
         ids.push_back(step.id);
-    return quotedList(ids);
+    return quotedList(ids, given);
 }
 
 QString noLesson(const QString &id, const LessonLibrary &library)
@@ -70,13 +70,13 @@ QString noLesson(const QString &id, const LessonLibrary &library)
                    "there is no lesson %1, as no lesson is installed; SPRINGSTEP_LESSONS can name the folder "
                    "that has them.")
             .arg(quoted(id));
-    return Text::tr("there is no lesson %1; there is %2.").arg(quoted(id), lessonIds(library));
+    return Text::tr("there is no lesson %1; there is %2.").arg(quoted(id), lessonIds(library, id));
 }
 
 QString noStep(const QString &id, const LessonEntry &lesson)
 {
     return Text::tr("the lesson %1 has no step %2; it has %3.")
-        .arg(quoted(lesson.id), quoted(id), stepIds(lesson));
+        .arg(quoted(lesson.id), quoted(id), stepIds(lesson, id));
 }
 
 Experiment readExperiment(const QString &path, const LessonLibrary &library)
@@ -90,7 +90,7 @@ void writeExperiment(const QString &path, const Experiment &experiment, const Le
     QSaveFile file(path);
     if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit())
         throw Refusal(Text::tr("%1: the file cannot be written: %2. Choose another folder or name.")
-                          .arg(oneLine(path), oneLine(file.errorString())));
+                          .arg(shownPath(path), oneLine(file.errorString())));
 }
 
 Experiment newExperiment(const QString &lesson, const QString &step, const LessonLibrary &library)

@@ -22,7 +22,7 @@ struct Experiment
     Branches branches = {};    ///< runs beside it, and what the learner calls this one
 };
 
-constexpr qint64 largestExperiment = 64 << 20; ///< bytes
+constexpr qint64 largestExperiment = 32 << 20; ///< bytes
 constexpr std::int64_t mostFrames = 10'000'000;
 constexpr std::size_t mostBranchEvents =
     2'000'000; ///< of all branches together: what they share, each has again
@@ -43,9 +43,9 @@ void writeExperiment(const QString &path, const Experiment &experiment, const Le
 /// An untouched experiment of a step. @throws Refusal for names that are not there, listing what there is
 Experiment newExperiment(const QString &lesson, const QString &step, const LessonLibrary &library);
 
-/// The ids that there are, as messages list them.
-QString lessonIds(const LessonLibrary &library);
-QString stepIds(const LessonEntry &lesson);
+/// The ids that there are, as messages list them: the nearest to `given` first, where not all fit.
+QString lessonIds(const LessonLibrary &library, const QString &given = {});
+QString stepIds(const LessonEntry &lesson, const QString &given = {});
 /// "there is no lesson ID; there is ...": what messages say about a name that is not there.
 QString noLesson(const QString &id, const LessonLibrary &library);
 QString noStep(const QString &id, const LessonEntry &lesson);

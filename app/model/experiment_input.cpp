@@ -50,7 +50,7 @@ private:
         }
         refuse(m_file, value.line,
                tr("the step %1 has no event %2; it knows %3.")
-                   .arg(quoted(m_step.id), quoted(id), quotedList(m_ids)));
+                   .arg(quoted(m_step.id), quoted(id), quotedList(m_ids, id)));
     }
 
     decltype(sim::Event::what) what(const QString &id, const JsonFields &fields) const
@@ -95,7 +95,7 @@ private:
                 return one.key;
         }
         refuse(m_file, fields.find("key")->line,
-               tr("there is no key %1; there is %2.").arg(quoted(given), quotedList(names)));
+               tr("there is no key %1; there is %2.").arg(quoted(given), quotedList(names, given)));
     }
 
     sim::Set set(const JsonFields &fields) const

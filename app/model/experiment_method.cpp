@@ -20,7 +20,7 @@ QString noMethod(const QString &id)
     QStringList ids;
     for (const sim::MethodPtr &method : sim::allMethods())
         ids.push_back(QString::fromStdString(method->id()));
-    return Text::tr("there is no method %1; there is %2.").arg(quoted(id), quotedList(ids));
+    return Text::tr("there is no method %1; there is %2.").arg(quoted(id), quotedList(ids, id));
 }
 
 sim::StepSize readH(const QString &file, const JsonValue &value)

@@ -13,6 +13,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 namespace app {
@@ -168,7 +169,8 @@ private:
         const auto newScene = [this](const sim::Scene &scene, int) {
             if (m_names.empty())
                 m_startNames = scene.names;
-            m_names.insert(scene.names.begin(), scene.names.end());
+            if (scene.names != m_sceneNames)
+                m_names.insert(scene.names.begin(), scene.names.end());
             for (const sim::EffectPtr &effect : scene.effects)
                 m_effects.insert(effect->id());
             m_sceneNames = scene.names;
@@ -207,7 +209,7 @@ private:
             if (!m_effects.contains(id.toStdString()))
                 refuse(m_file, value.line,
                        tr("the step %1 has no effect %2; it has %3.")
-                           .arg(quoted(m_step.id), quoted(id), listed(m_effects)));
+                           .arg(quoted(m_step.id), quoted(id), listed(m_effects, id)));
             script().effectsOff.push_back(id.toStdString());
         }
     }
@@ -248,18 +250,33 @@ private:
         script().bodies.clear();
     }
 
-    /// Composes the scene of every stretch of the run, so that none is refused in the middle of it.
+    /// Composes the scene of every stretch of the run, so that none is refused in the middle of it: once for all those
+    /// with the same values.
     void composeAll()
     {
         sim::Values values = script().values;
         compose(values, m_fields.line());
+        std::set<std::map<std::string, double>> composed = {values.all()};
+        const ReadEvent *last = nullptr; // of the row under way
+        const auto endRow = [&] {
+            if (last && composed.insert(values.all()).second)
+                compose(values, last->line);
+        };
         for (const ReadEvent &read : m_events) {
             const auto *set = std::get_if<sim::Set>(&read.event.what);
             if (!set)
                 continue;
+            if (last && rowOf(*last) != rowOf(read))
+                endRow();
             values.set(set->parameter, set->value);
-            compose(values, read.line);
+            last = &read;
         }
+        endRow();
+    }
+
+    std::int64_t rowOf(const ReadEvent &read)
+    {
+        return sim::rowEndOf(read.event.frame, script().step.rowFrames);
     }
 
     void compose(const sim::Values &values, int line)
@@ -274,16 +291,16 @@ private:
     static QString noBody(const std::string &body, const std::vector<std::string> &names)
     {
         return tr("there is no body %1 here; there is %2.")
-            .arg(quoted(QString::fromStdString(body)), listed(names));
+            .arg(quoted(QString::fromStdString(body)), listed(names, QString::fromStdString(body)));
     }
 
     template <class Texts>
-    static QString listed(const Texts &texts)
+    static QString listed(const Texts &texts, const QString &given)
     {
         QStringList list;
         for (const std::string &text : texts)
             list.push_back(QString::fromStdString(text));
-        return quotedList(list);
+        return quotedList(list, given);
     }
 
     const QString &m_file;

@@ -289,7 +289,12 @@ QByteArray experimentText(const Experiment &experiment, const LessonLibrary &lib
         writeName(name, !own.name.isEmpty(), own.isKept, writer);
     writeRun(experiment.script, experiment.frames, *step, writer);
     writer.block("branches", "[]", branchEntries(branches, experiment.script, *step));
-    return (writer.text() + '\n').toUtf8();
+    QByteArray text = (writer.text() + '\n').toUtf8();
+    if (text.size() > largestExperiment || !hasFewEnoughValues(text))
+        throw Refusal(
+            Text::tr("Not saved: the run has more input than a file can have. Start it again, or go back and "
+                     "change it earlier."));
+    return text;
 }
 
 }

@@ -2,6 +2,7 @@
 
 #include "app/model/gif_file.h"
 #include "app/model/refusal.h"
+#include "app/model/webm_file.h"
 #include "app/model/words.h"
 
 #include <QCoreApplication>
@@ -55,6 +56,21 @@ private:
     std::int64_t m_end = 0; ///< hundredths of a second
 };
 
+class Video : public FilmFile
+{
+public:
+    Video(const QString &name, QSize size) : m_file(name, size) {}
+
+    void add(const QImage &picture, std::int64_t, double until) override
+    {
+        m_file.add(picture, std::llround(1000.0 * until));
+    }
+    void finish() override { m_file.finish(); }
+
+private:
+    WebmFile m_file;
+};
+
 class Pictures : public FilmFile
 {
 public:
@@ -65,7 +81,7 @@ public:
         QSaveFile file(pictureName(m_name, frame));
         if (!file.open(QIODevice::WriteOnly) || !picture.save(&file, "PNG") || !file.commit())
             throw Refusal(Text::tr("%1 cannot be written: %2. Make room, or choose another folder.")
-                              .arg(quoted(file.fileName()), oneLine(file.errorString())));
+                              .arg(shownPath(file.fileName()), oneLine(file.errorString())));
     }
     void finish() override {}
 
@@ -79,13 +95,16 @@ FilmKind filmKind(const QString &name)
 {
     if (name.endsWith(".gif", Qt::CaseInsensitive))
         return FilmKind::gif;
+    if (name.endsWith(".webm", Qt::CaseInsensitive))
+        return FilmKind::video;
     const QRegularExpressionMatch number = numberIn(name);
     const bool isOne = number.hasMatch() && name.mid(fileIn(name)).count('%') == 1;
     if (name.endsWith(".png", Qt::CaseInsensitive) && isOne)
         return FilmKind::pictures;
-    throw Refusal(Text::tr("%1 is no film's name: it ends in .gif, or, for a picture of each frame, in .png "
-                           "with %04d where the frame's number goes, such as walk_%04d.png.")
-                      .arg(quoted(name)));
+    throw Refusal(
+        Text::tr("%1 is no film's name: it ends in .webm or .gif, or, for a picture of each frame, in .png "
+                 "with %04d where the frame's number goes, such as walk_%04d.png.")
+            .arg(quoted(name)));
 }
 
 QString pictureName(const QString &name, std::int64_t frame)
@@ -99,7 +118,7 @@ QString pictureName(const QString &name, std::int64_t frame)
 QStringList filesInTheWay(const QString &name, std::int64_t from, std::int64_t to)
 {
     const QFileInfo file(name);
-    if (filmKind(name) == FilmKind::gif)
+    if (filmKind(name) != FilmKind::pictures)
         return file.isFile() ? QStringList(file.fileName()) : QStringList();
     // The folder is looked through, not the frames: there may be millions of those.
     const QString pattern = file.fileName();
@@ -123,6 +142,8 @@ std::unique_ptr<FilmFile> beginFilm(const QString &name, QSize size, std::vector
 {
     if (filmKind(name) == FilmKind::gif)
         return std::make_unique<Gif>(name, size, std::move(palette));
+    if (filmKind(name) == FilmKind::video)
+        return std::make_unique<Video>(name, size);
     return std::make_unique<Pictures>(name);
 }
 

@@ -26,10 +26,11 @@ public:
 /// The kinds of films, by the names of their files.
 enum class FilmKind {
     gif,     ///< one GIF file
+    video,   ///< one WebM file
     pictures ///< a PNG file for each picture, with its frame in its name
 };
 
-/// Which kind of film a name asks for: it ends in .gif, or in .png and has one %d or %04d for the number of the frame.
+/// Which kind of film a name asks for: it ends in .gif or .webm, or in .png and has one %d or %04d for the number of the frame.
 /// @throws Refusal: neither
 FilmKind filmKind(const QString &name);
 /// The file of one picture: `name` with the frame's number.
@@ -41,6 +42,9 @@ QStringList filesInTheWay(const QString &name, std::int64_t from, std::int64_t t
 
 /// The most pictures a second that programs show of a GIF: each lasts whole hundredths of a second, two at least.
 constexpr double mostGifRate = 50.0;
+
+/// The most pictures a second of a video: what screens show.
+constexpr double mostVideoRate = 120.0;
 
 /// Begins a film. Only a GIF has a palette. @throws Refusal: `name` is no film's, or it cannot be written
 std::unique_ptr<FilmFile> beginFilm(const QString &name, QSize size, std::vector<QRgb> palette);

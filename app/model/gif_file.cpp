@@ -71,7 +71,7 @@ void GifFile::check(bool done)
 {
     if (!done)
         throw Refusal(Text::tr("%1 cannot be written: %2. Make room, or choose another folder.")
-                          .arg(quoted(m_file.fileName()), oneLine(m_file.errorString())));
+                          .arg(shownPath(m_file.fileName()), oneLine(m_file.errorString())));
 }
 
 QRect GifFile::changed(const std::vector<std::uint8_t> &pixels) const

@@ -1,16 +1,12 @@
 #include "app/model/input_walk.h"
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 namespace app {
 
 namespace {
-
-/// The row whose computation an event of `frame` precedes. Frame 0 is the start: its events belong to the first.
-std::int64_t rowOf(std::int64_t frame, int rowFrames)
-{
-    return std::max<std::int64_t>(1, (frame + rowFrames - 1) / rowFrames);
-}
 
 /// What a hand holds, by name.
 class Hand
@@ -46,14 +42,39 @@ private:
     std::string m_held;
 };
 
-sim::Scene build(const sim::Script &script, const sim::Values &values, int event)
+/// The scenes of a run. Those that were asked for last are not built again: many inputs go to and fro between two values.
+class Scenes
 {
-    try {
-        return script.build(values);
-    } catch (const sim::Error &error) {
-        throw SceneRefused(error, event);
+public:
+    explicit Scenes(const sim::Script &script) : m_script(script) {}
+
+    /// @throws SceneRefused
+    const sim::Scene &of(const sim::Values &values, int event)
+    {
+        const auto found = std::find_if(m_last.begin(), m_last.end(),
+                                        [&](const auto &one) { return one.first == values.all(); });
+        if (found != m_last.end()) {
+            std::rotate(m_last.begin(), found, std::next(found));
+        } else {
+            m_last.insert(m_last.begin(), {values.all(), build(values, event)});
+            m_last.resize(std::min<std::size_t>(m_last.size(), 2));
+        }
+        return m_last.front().second;
     }
-}
+
+private:
+    sim::Scene build(const sim::Values &values, int event) const
+    {
+        try {
+            return m_script.build(values);
+        } catch (const sim::Error &error) {
+            throw SceneRefused(error, event);
+        }
+    }
+
+    const sim::Script &m_script;
+    std::vector<std::pair<std::map<std::string, double>, sim::Scene>> m_last; ///< up to two, the latest first
+};
 
 }
 
@@ -62,15 +83,16 @@ void walkInput(const sim::Script &script, const std::vector<sim::Event> &input,
                const std::function<void(int, EventEffect)> &each)
 {
     sim::Values values = script.values;
-    sim::Scene scene = build(script, values, -1);
-    newScene(scene, -1);
+    Scenes scenes(script);
+    const sim::Scene *scene = &scenes.of(values, -1);
+    newScene(*scene, -1);
     Hand hand;
     const int count = static_cast<int>(input.size());
     for (int first = 0, end = 0; first < count; first = end) {
         const auto at = [&input](int index) -> const sim::Event & { return input[std::size_t(index)]; };
-        const std::int64_t row = rowOf(at(first).frame, script.step.rowFrames);
+        const auto rowOf = [&](int index) { return sim::rowEndOf(at(index).frame, script.step.rowFrames); };
         int changed = -1;
-        for (end = first; end < count && rowOf(at(end).frame, script.step.rowFrames) == row; ++end) {
+        for (end = first; end < count && rowOf(end) == rowOf(first); ++end) {
             const auto *set = std::get_if<sim::Set>(&at(end).what);
             if (!set)
                 continue;
@@ -78,12 +100,12 @@ void walkInput(const sim::Script &script, const std::vector<sim::Event> &input,
             changed = end;
         }
         if (changed >= 0) {
-            scene = build(script, values, changed);
-            newScene(scene, changed);
-            hand.enter(scene);
+            scene = &scenes.of(values, changed);
+            newScene(*scene, changed);
+            hand.enter(*scene);
         }
         for (int index = first; index < end; ++index)
-            each(index, hand.apply(at(index), scene));
+            each(index, hand.apply(at(index), *scene));
     }
 }
 

@@ -4,12 +4,15 @@
 #include "app/model/words.h"
 
 #include <QCoreApplication>
+#include <QSet>
 
 #include <rapidjson/memorystream.h>
 #include <rapidjson/reader.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <new>
 
 namespace app {
 
@@ -20,8 +23,26 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(JsonDocument)
 };
 
-constexpr std::size_t deepest = 16;         ///< far more than an experiment needs
-constexpr std::size_t mostValues = 8 << 20; ///< what 64 MiB of input events hold; bounds the memory
+constexpr std::size_t deepest = 16;      ///< far more than an experiment needs
+constexpr std::size_t mostShared = 4096; ///< different texts whose letters are kept once
+
+/// Memory for RapidJSON, which does not look whether it got any.
+class Memory
+{
+public:
+    void *Malloc(std::size_t size) { return size > 0 ? given(std::malloc(size)) : nullptr; }
+    void *Realloc(void *old, std::size_t, std::size_t size)
+    {
+        if (size > 0)
+            return given(std::realloc(old, size));
+        std::free(old);
+        return nullptr;
+    }
+    static void Free(void *memory) { std::free(memory); }
+
+private:
+    static void *given(void *memory) { return memory ? memory : throw std::bad_alloc(); }
+};
 
 /// Builds the tree while RapidJSON's reader walks through the text: once, without recursion.
 class Builder
@@ -35,7 +56,7 @@ public:
     bool Bool(bool value) { return add({value, line()}); }
     bool String(const char *text, rapidjson::SizeType length, bool)
     {
-        return add({QString::fromUtf8(text, qsizetype(length)), line()});
+        return add({shared(text, length), line()});
     }
     bool RawNumber(const char *text, rapidjson::SizeType length, bool)
     {
@@ -51,7 +72,7 @@ public:
     bool Key(const char *text, rapidjson::SizeType length, bool)
     {
         auto &members = std::get<JsonValue::Object>(m_open.back()->what);
-        members.push_back({QString::fromUtf8(text, qsizetype(length)), {nullptr, line()}});
+        members.push_back({shared(text, length), {nullptr, line()}});
         return true;
     }
     bool StartObject() { return open({JsonValue::Object{}, line()}); }
@@ -101,6 +122,15 @@ private:
         return found == sorted.end() ? nullptr : *std::next(found);
     }
 
+    /// The text as a string. Events have the same few texts again and again: those share their letters.
+    QString shared(const char *text, rapidjson::SizeType length)
+    {
+        const QString string = QString::fromUtf8(text, qsizetype(length));
+        if (m_texts.size() >= qsizetype(mostShared))
+            return m_texts.contains(string) ? *m_texts.constFind(string) : string;
+        return *m_texts.insert(string);
+    }
+
     bool refuse(const QString &why)
     {
         m_refusal = why;
@@ -139,9 +169,10 @@ private:
 
     bool count()
     {
-        if (++m_values <= mostValues)
+        if (++m_values <= mostJsonValues)
             return true;
-        return refuse(Text::tr("an experiment has at most %1 values; here begins one more.").arg(mostValues));
+        return refuse(
+            Text::tr("an experiment has at most %1 values; here begins one more.").arg(mostJsonValues));
     }
 
     bool close()
@@ -154,6 +185,7 @@ private:
     const rapidjson::MemoryStream &m_stream;
     JsonValue m_root;
     std::vector<JsonValue *> m_open;
+    QSet<QString> m_texts;
     std::size_t m_values = 0;
     qsizetype m_counted = 0;
     int m_line = 1;
@@ -196,20 +228,30 @@ QString whatIsWrong(rapidjson::ParseErrorCode code)
 
 }
 
+bool hasFewEnoughValues(const QByteArray &text)
+{
+    // Each value but the first follows a comma, or begins a list or an object.
+    const auto begin =
+        std::count_if(text.begin(), text.end(), [](char c) { return c == ',' || c == '[' || c == '{'; });
+    return std::size_t(begin) < mostJsonValues;
+}
+
 JsonValue parseJson(const QByteArray &text, const QString &name)
 {
-    const QString file = oneLine(name);
+    const QString file = shownPath(name);
     const qsizetype start = text.startsWith("\xEF\xBB\xBF") ? 3 : 0;
     if (const qsizetype zero = text.indexOf('\0'); zero >= 0)
-        throw Refusal(Text::tr("%1: line %2: there is a zero byte; an experiment is JSON text in UTF-8.")
-                          .arg(file, QString::number(1 + text.left(zero).count('\n'))));
-    const QByteArray body = text.sliced(start);
-    if (body.trimmed().isEmpty())
+        throw Refusal(
+            Text::tr("%1: line %2: there is a zero byte; an experiment is JSON text in UTF-8.")
+                .arg(file, QString::number(1 + std::count(text.begin(), text.begin() + zero, '\n'))));
+    const auto body = QByteArray::fromRawData(text.constData() + start, text.size() - start);
+    if (std::all_of(body.begin(), body.end(), [](char c) { return QChar::isSpace(uchar(c)); }))
         throw Refusal(Text::tr("%1: line 1: the file is empty; an experiment begins with {.").arg(file));
 
     rapidjson::MemoryStream stream(body.constData(), std::size_t(body.size()));
     Builder builder(body, stream);
-    rapidjson::Reader reader;
+    Memory memory;
+    rapidjson::GenericReader<rapidjson::UTF8<>, rapidjson::UTF8<>, Memory> reader(&memory);
     constexpr unsigned flags = rapidjson::kParseIterativeFlag | rapidjson::kParseNumbersAsStringsFlag |
                                rapidjson::kParseValidateEncodingFlag;
     const rapidjson::ParseResult result = reader.Parse<flags>(stream, builder);

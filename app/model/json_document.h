@@ -23,7 +23,7 @@ struct JsonValue
     using List = std::vector<JsonValue>;
     using Object = std::vector<JsonMember>; ///< in the order of the text; no two have one name
 
-    std::variant<std::nullptr_t, bool, JsonNumber, QString, List, Object> what = nullptr;
+    std::variant<std::nullptr_t, bool, JsonNumber, QString, List, Object> what;
     int line = 1;
 };
 
@@ -33,6 +33,12 @@ struct JsonMember
     QString name;
     JsonValue value;
 };
+
+constexpr std::size_t mostJsonValues =
+    2 << 20; ///< of one text; two hours of dragging, and a bound of the memory
+
+/// Whether parseJson() takes as many values as this JSON text has; it may have a few less than are counted.
+bool hasFewEnoughValues(const QByteArray &text);
 
 /// Reads a JSON text in UTF-8, with or without a byte order mark. `name` is how messages call it.
 /// @throws Refusal: not JSON, a number that is too large, a name twice in one object, too deep or too much

@@ -28,7 +28,7 @@ struct Text
 
 void refuse(const QString &file, int line, const QString &why)
 {
-    throw Refusal(Text::tr("%1: line %2: %3").arg(oneLine(file), QString::number(line), why));
+    throw Refusal(Text::tr("%1: line %2: %3").arg(shownPath(file), QString::number(line), why));
 }
 
 QString shortText(const JsonValue &value)
@@ -117,7 +117,7 @@ void JsonFields::refuseOthers(const QStringList &known) const
         if (!known.contains(member.name))
             refuse(m_file, member.value.line,
                    Text::tr("%1 has no field %2; there is %3.")
-                       .arg(m_what, quoted(member.name), quotedList(known)));
+                       .arg(m_what, quoted(member.name), quotedList(known, member.name)));
     }
 }
 

@@ -79,20 +79,6 @@ QStringList stepIds(const QJsonObject &data)
     return ids;
 }
 
-LessonEntry describedLesson(const QJsonObject &data)
-{
-    LessonEntry lesson;
-    lesson.id = requireText(data, "id");
-    checkId(lesson.id);
-    const double order = data.value("order").toDouble(-1.0);
-    if (order < 0.0 || order > 1e6 || order != std::floor(order))
-        refuseLesson(Text::tr("its description has no whole number \"order\""));
-    lesson.order = int(order);
-    lesson.title = requireText(data, "title");
-    lesson.summary = requireText(data, "summary");
-    return lesson;
-}
-
 void checkStep(const lessons::Step &step)
 {
     if (!step.scene || !step.look)
@@ -132,13 +118,26 @@ QString told(const QString &text)
 
 }
 
+LessonDescription describedLesson(const QJsonObject &data)
+{
+    LessonEntry lesson;
+    lesson.id = requireText(data, "id");
+    checkId(lesson.id);
+    const double order = data.value("order").toDouble(-1.0);
+    if (order < 0.0 || order > 1e6 || order != std::floor(order))
+        refuseLesson(Text::tr("its description has no whole number \"order\""));
+    lesson.order = int(order);
+    lesson.title = requireText(data, "title");
+    lesson.summary = requireText(data, "summary");
+    return {std::move(lesson), stepIds(data)};
+}
+
 LessonEntry loadLesson(const QString &file, Language *language)
 {
     QPluginLoader loader(file);
     checkInterface(loader);
     const QJsonObject data = loader.metaData().value("MetaData").toObject();
-    LessonEntry lesson = describedLesson(data);
-    const QStringList ids = stepIds(data);
+    auto [lesson, ids] = describedLesson(data);
     QObject *instance = loader.instance();
     if (!instance)
         throw Refusal(Text::tr("It cannot be loaded; build or install it again. The system says: %1.")

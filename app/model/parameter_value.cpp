@@ -23,7 +23,8 @@ double choiceOf(const QString &file, const JsonValue &value, const lessons::Para
     if (position < 0)
         refuse(file, value.line,
                Text::tr("%1 is %2; it can be one of %3.")
-                   .arg(quoted(parameter.id), shortText(value), quotedList(parameter.choices)));
+                   .arg(quoted(parameter.id), shortText(value),
+                        quotedList(parameter.choices, text ? *text : QString())));
     return double(position);
 }
 
@@ -39,7 +40,7 @@ const lessons::Parameter &parameterOf(const QString &file, int line, const lesso
         ids.push_back(parameter.id);
     refuse(file, line,
            Text::tr("the step %1 has no parameter %2; it has %3.")
-               .arg(quoted(step.id), quoted(id), ids.isEmpty() ? Text::tr("none") : quotedList(ids)));
+               .arg(quoted(step.id), quoted(id), ids.isEmpty() ? Text::tr("none") : quotedList(ids, id)));
 }
 
 double parameterValue(const QString &file, const JsonValue &value, const lessons::Parameter &parameter)

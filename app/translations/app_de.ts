@@ -264,6 +264,13 @@
     </message>
 </context>
 <context>
+    <name>Attempt</name>
+    <message>
+        <source>There is not enough memory for it.</source>
+        <translation>Dafür reicht der Speicher nicht.</translation>
+    </message>
+</context>
+<context>
     <name>BlueprintReader</name>
     <message>
         <source>%1 is %2; it can be %3 to %4.</source>
@@ -879,48 +886,8 @@
         <translation>gauge, reasons oder eine Karte: step oder damping (Vorgabe gauge).</translation>
     </message>
     <message>
-        <source>Physically based animation, step by step.
-
-Without a verb the window opens, with an experiment if FILE names one.
-
-Verbs; each has its own --help, and none needs a display:
-  lessons [--json]                            lists lessons, steps, parameters, methods
-  trace FILE                                  writes the run of an experiment as CSV
-  accuracy FILE|LESSON/STEP [--json] [--svg OUT] [--tolerance E]
-                                              measures errors and costs of the methods
-  hardcases [--case ID] [--json]              tells which methods hold where runs break
-  cost FILE|LESSON/STEP [--json] [--frame N]  measures what each effect costs in a frame
-  screenshot LESSON/STEP --frame N OUT.png    draws the window
-  film FILE OUT.gif|OUT_%04d.png              makes a film of an experiment&apos;s run</source>
-        <translation>Physikalisch basierte Animation, Schritt für Schritt.
-
-Ohne Verb öffnet sich das Fenster, mit einem Experiment, wenn FILE eines nennt.
-
-Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
-  lessons [--json]                            listet Lektionen, Schritte, Parameter und Verfahren auf
-  trace FILE                                  schreibt den Lauf eines Experiments als CSV
-  accuracy FILE|LESSON/STEP [--json] [--svg OUT] [--tolerance E]
-                                              misst Fehler und Kosten der Verfahren
-  hardcases [--case ID] [--json]              sagt, welche Verfahren halten, wo Läufe brechen
-  cost FILE|LESSON/STEP [--json] [--frame N]  misst, was jeder Effekt pro Bild kostet
-  screenshot LESSON/STEP --frame N OUT.png    zeichnet das Fenster
-  film FILE OUT.gif|OUT_%04d.png              macht einen Film vom Lauf eines Experiments</translation>
-    </message>
-    <message>
-        <source>--fps is for a GIF; PNG files have no time in them. Leave it out.</source>
-        <translation>--fps ist für ein GIF; PNG-Dateien enthalten keine Zeit. Lass es weg.</translation>
-    </message>
-    <message>
         <source>--fps is %1; it can be %2 to %3.</source>
         <translation>--fps ist %1; möglich ist %2 bis %3.</translation>
-    </message>
-    <message>
-        <source>Makes a film of an experiment&apos;s run: an animated GIF, or a PNG for each frame.</source>
-        <translation>Macht einen Film vom Lauf eines Experiments: ein animiertes GIF oder ein PNG für jedes Bild.</translation>
-    </message>
-    <message>
-        <source>The film: OUT.gif, or OUT_%04d.png with the frame&apos;s number for %04d.</source>
-        <translation>Der Film: OUT.gif, oder OUT_%04d.png mit der Nummer des Bildes für %04d.</translation>
     </message>
     <message>
         <source>Width and height in pixels (default 640x480).</source>
@@ -939,16 +906,60 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>Das letzte Bild (Vorgabe: die Bilder der Datei).</translation>
     </message>
     <message>
-        <source>Frames a second of a GIF, up to 50 (default 30).</source>
-        <translation>Bilder pro Sekunde eines GIFs, bis 50 (Vorgabe 30).</translation>
-    </message>
-    <message>
         <source>--theme is %1; it can be &quot;light&quot;, &quot;dark&quot; or &quot;contrast&quot;.</source>
         <translation>--theme ist %1; möglich ist &quot;light&quot;, &quot;dark&quot; oder &quot;contrast&quot;.</translation>
     </message>
     <message>
         <source>Show the plots.</source>
         <translation>Zeigt die Diagramme.</translation>
+    </message>
+    <message>
+        <source>Physically based animation, step by step.
+
+Without a verb the window opens, with an experiment if FILE names one.
+
+Verbs; each has its own --help, and none needs a display:
+  lessons [--json]                            lists lessons, steps, parameters, methods
+  trace FILE                                  writes the run of an experiment as CSV
+  accuracy FILE|LESSON/STEP [--json] [--svg OUT] [--tolerance E]
+                                              measures errors and costs of the methods
+  hardcases [--case ID] [--json]              tells which methods hold where runs break
+  cost FILE|LESSON/STEP [--json] [--frame N]  measures what each effect costs in a frame
+  screenshot LESSON/STEP --frame N OUT.png    draws the window
+  film FILE OUT.webm|OUT.gif|OUT_%04d.png     makes a film of an experiment&apos;s run</source>
+        <translation>Physikalisch basierte Animation, Schritt für Schritt.
+
+Ohne Verb öffnet sich das Fenster, mit einem Experiment, wenn FILE eines nennt.
+
+Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
+  lessons [--json]                            listet Lektionen, Schritte, Parameter und Verfahren auf
+  trace FILE                                  schreibt den Lauf eines Experiments als CSV
+  accuracy FILE|LESSON/STEP [--json] [--svg OUT] [--tolerance E]
+                                              misst Fehler und Kosten der Verfahren
+  hardcases [--case ID] [--json]              sagt, welche Verfahren halten, wo Läufe brechen
+  cost FILE|LESSON/STEP [--json] [--frame N]  misst, was jeder Effekt pro Bild kostet
+  screenshot LESSON/STEP --frame N OUT.png    zeichnet das Fenster
+  film FILE OUT.webm|OUT.gif|OUT_%04d.png     macht einen Film vom Lauf eines Experiments</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>Liest %1</translation>
+    </message>
+    <message>
+        <source>--fps is for a film in one file; PNG files have no time in them. Leave it out.</source>
+        <translation>--fps ist für einen Film in einer Datei; PNG-Dateien enthalten keine Zeit. Lass es weg.</translation>
+    </message>
+    <message>
+        <source>Makes a film of an experiment&apos;s run: a video (WebM), an animated GIF, or a PNG for each frame.</source>
+        <translation>Macht einen Film vom Lauf eines Experiments: ein Video (WebM), ein animiertes GIF oder ein PNG für jedes Bild.</translation>
+    </message>
+    <message>
+        <source>The film: OUT.webm, OUT.gif, or OUT_%04d.png with the frame&apos;s number for %04d.</source>
+        <translation>Der Film: OUT.webm, OUT.gif oder OUT_%04d.png mit der Nummer des Bildes für %04d.</translation>
+    </message>
+    <message>
+        <source>Frames a second, up to 50 in a GIF and 120 in a video (default 30).</source>
+        <translation>Bilder pro Sekunde, bis 50 in einem GIF und 120 in einem Video (Vorgabe 30).</translation>
     </message>
 </context>
 <context>
@@ -1135,6 +1146,10 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     <message>
         <source>Each line is measured by itself; effects and method come to %1 of the whole frame.</source>
         <translation>Jede Zeile wird für sich gemessen; Effekte und Verfahren ergeben zusammen %1 des ganzen Bildes.</translation>
+    </message>
+    <message>
+        <source>Frame %1 of %2</source>
+        <translation>Bild %1 von %2</translation>
     </message>
 </context>
 <context>
@@ -1590,6 +1605,10 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <source>Not saved: there are more runs beside this one than a file can have: %1 with %2 events together. Delete some that you named or keep, in “Runs”.</source>
         <translation>Nicht gespeichert: Neben diesem Lauf gibt es mehr, als eine Datei haben kann: %1 mit zusammen %2 Ereignissen. Lösche in „Läufe“ einige, die du benannt hast oder behältst.</translation>
     </message>
+    <message>
+        <source>Not saved: the run has more input than a file can have. Start it again, or go back and change it earlier.</source>
+        <translation>Nicht gespeichert: Der Lauf hat mehr Eingaben, als eine Datei haben kann. Beginne ihn neu, oder geh zurück und ändere ihn früher.</translation>
+    </message>
 </context>
 <context>
     <name>ExperimentInput</name>
@@ -1702,8 +1721,8 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>%1 lässt sich nicht schreiben: %2. Schaffe Platz oder wähle einen anderen Ordner.</translation>
     </message>
     <message>
-        <source>%1 is no film&apos;s name: it ends in .gif, or, for a picture of each frame, in .png with %04d where the frame&apos;s number goes, such as walk_%04d.png.</source>
-        <translation>%1 ist kein Name für einen Film: Der endet auf .gif oder, für eine Datei pro Bild, auf .png, mit %04d dort, wo die Nummer des Bildes hinkommt, zum Beispiel walk_%04d.png.</translation>
+        <source>%1 is no film&apos;s name: it ends in .webm or .gif, or, for a picture of each frame, in .png with %04d where the frame&apos;s number goes, such as walk_%04d.png.</source>
+        <translation>%1 ist kein Name für einen Film: Der endet auf .webm oder .gif oder, für eine Datei pro Bild, auf .png, mit %04d dort, wo die Nummer des Bildes hinkommt, zum Beispiel walk_%04d.png.</translation>
     </message>
 </context>
 <context>
@@ -1715,6 +1734,10 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     <message>
         <source>Stopped at frame %1 of %2.</source>
         <translation>Angehalten bei Bild %1 von %2.</translation>
+    </message>
+    <message>
+        <source>Setting up the run</source>
+        <translation>Bereitet den Lauf vor</translation>
     </message>
 </context>
 <context>
@@ -3143,6 +3166,18 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <source>Frame %1 of %2</source>
         <translation>Bild %1 von %2</translation>
     </message>
+    <message>
+        <source>springstep: there is not enough memory for this; close other programs, or give it a smaller experiment.</source>
+        <translation>springstep: Der Speicher reicht nicht; schließe andere Programme, oder gib ein kleineres Experiment an.</translation>
+    </message>
+    <message>
+        <source>Stopped: %1</source>
+        <translation>Abgebrochen: %1</translation>
+    </message>
+    <message>
+        <source>%1… %2 s</source>
+        <translation>%1 … %2 s</translation>
+    </message>
 </context>
 <context>
     <name>Text</name>
@@ -3192,6 +3227,24 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     <message>
         <source>Stopped at frame %1 of %2.</source>
         <translation>Angehalten bei Bild %1 von %2.</translation>
+    </message>
+    <message>
+        <source>Setting up the run</source>
+        <translation>Bereitet den Lauf vor</translation>
+    </message>
+</context>
+<context>
+    <name>WebmFile</name>
+    <message>
+        <source>%1 cannot be written: %2. Make room, or choose another folder.</source>
+        <translation>%1 lässt sich nicht schreiben: %2. Schaffe Platz oder wähle einen anderen Ordner.</translation>
+    </message>
+</context>
+<context>
+    <name>Words</name>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 und %2 weitere</translation>
     </message>
 </context>
 <context>
@@ -4309,10 +4362,6 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <translation>&amp;Datei</translation>
     </message>
     <message>
-        <source>A name that ends in .gif makes one file. A name such as walk_%04d.png makes a picture of each frame, with its number in place of %04d.</source>
-        <translation>Ein Name, der auf .gif endet, ergibt eine Datei. Ein Name wie walk_%04d.png ergibt für jedes Bild eine Datei, mit seiner Nummer anstelle von %04d.</translation>
-    </message>
-    <message>
         <source>&amp;Make the film</source>
         <translation>Film e&amp;rstellen</translation>
     </message>
@@ -4372,6 +4421,10 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <source>Make the film, and write over what is there</source>
         <translation>Den Film erstellen und überschreiben, was schon da ist</translation>
     </message>
+    <message>
+        <source>A name that ends in .webm or .gif makes one file. A name such as walk_%04d.png makes a picture of each frame, with its number in place of %04d.</source>
+        <translation>Ein Name, der auf .webm oder .gif endet, ergibt eine Datei. Ein Name wie walk_%04d.png ergibt für jedes Bild eine Datei, mit seiner Nummer anstelle von %04d.</translation>
+    </message>
 </context>
 <context>
     <name>app::FilmName</name>
@@ -4404,8 +4457,8 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <translation>Film vom Lauf</translation>
     </message>
     <message>
-        <source>Films (*.gif);;Pictures of each frame (*.png)</source>
-        <translation>Filme (*.gif);;Jedes Bild als Datei (*.png)</translation>
+        <source>Films (*.gif *.webm);;Pictures of each frame (*.png)</source>
+        <translation>Filme (*.gif *.webm);;Jedes Bild als Datei (*.png)</translation>
     </message>
 </context>
 <context>

@@ -175,7 +175,7 @@ private slots:
         QCOMPARE(refusalOf(folder.path()),
                  folder.path() + ": this is a folder; give the file of an experiment.");
         QCOMPARE(refusalOf("/dev/zero"),
-                 "/dev/zero: the file is larger than 64 MiB, which is the most for an "
+                 "/dev/zero: the file is larger than 32 MiB, which is the most for an "
                  "experiment.");
     }
 
@@ -187,7 +187,7 @@ private slots:
         QVERIFY(file.open(QIODevice::WriteOnly) &&
                 file.resize(qint64{1} << 30)); // takes no room: all of it a hole
         QCOMPARE(refusalOf(path),
-                 path + ": the file is larger than 64 MiB, which is the most for an experiment.");
+                 path + ": the file is larger than 32 MiB, which is the most for an experiment.");
     }
 
     void damagedFilesAreReadOrRefusedInOneLine()

@@ -340,7 +340,7 @@ void FilesTest::whatIsPastedAndNoExperimentIsRefusedWithASentence_data()
     const QByteArray zeros = qCompress(QByteArray(qsizetype(100) << 20, '\0'), 9).mid(4);
     QTest::newRow("a bomb") << "springstep:" +
                                    QString::fromLatin1(zeros.toBase64(QByteArray::Base64UrlEncoding))
-                            << "64 MiB";
+                            << "32 MiB";
 }
 
 void FilesTest::whatIsPastedAndNoExperimentIsRefusedWithASentence()

@@ -206,7 +206,7 @@ void MalformedTest::aFileThatIsTooLargeIsRefusedUnread()
     QVERIFY(file.open(QFile::WriteOnly) && file.resize(qint64(1) << 30)); // takes no room on the disk
     file.close();
     bench.window.openFile(file.fileName());
-    QVERIFY2(bench.notice.sentence().contains("64 MiB"), qPrintable(bench.notice.sentence()));
+    QVERIFY2(bench.notice.sentence().contains("32 MiB"), qPrintable(bench.notice.sentence()));
     QCOMPARE(textOf(bench), before);
 }
 

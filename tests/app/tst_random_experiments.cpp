@@ -2,6 +2,7 @@
 // nothing that is shown or written is infinite or no number. Environment variables choose others:
 //   SPRINGSTEP_RANDOM_SEED   the seed, 1 to begin with
 //   SPRINGSTEP_RANDOM_COUNT  how many
+//   SPRINGSTEP_RANDOM_FIRST  the number of the first, 1 to begin with: many can be done in slices, one after the other
 //   SPRINGSTEP_RANDOM_ONLY   the number of a single one
 
 #include "random_trial.h"
@@ -32,6 +33,7 @@ class TestRandomExperiments : public QObject
     const Experiments m_experiments{m_library};
     const std::uint64_t m_seed = setting("SPRINGSTEP_RANDOM_SEED", 1);
     const std::uint64_t m_count = setting("SPRINGSTEP_RANDOM_COUNT", RANDOM_EXPERIMENTS);
+    const std::uint64_t m_first = setting("SPRINGSTEP_RANDOM_FIRST", 1);
     std::map<Outcome::End, std::uint64_t> m_ends;
     std::map<QString, std::uint64_t> m_lessons;
     std::map<QString, std::uint64_t> m_methods;
@@ -51,8 +53,8 @@ private slots:
     void initTestCase()
     {
         QVERIFY(!m_experiments.steps().empty());
-        qInfo("%llu experiments from seed %llu", static_cast<unsigned long long>(m_count),
-              static_cast<unsigned long long>(m_seed));
+        qInfo("%llu experiments from seed %llu, from number %llu", static_cast<unsigned long long>(m_count),
+              static_cast<unsigned long long>(m_seed), static_cast<unsigned long long>(m_first));
     }
 
     void anyExperimentIsRefusedWithASentenceOrRunsAndStaysFinite_data()
@@ -63,8 +65,9 @@ private slots:
             QTest::addRow("number %llu", static_cast<unsigned long long>(only)) << only << only + 1;
             return;
         }
-        for (std::uint64_t first = 1; first <= m_count; first += inARow) {
-            const std::uint64_t end = std::min(first + inARow, m_count + 1);
+        const std::uint64_t last = m_first + m_count;
+        for (std::uint64_t first = m_first; first < last; first += inARow) {
+            const std::uint64_t end = std::min(first + inARow, last);
             QTest::addRow("%llu to %llu", static_cast<unsigned long long>(first),
                           static_cast<unsigned long long>(end - 1))
                 << first << end;

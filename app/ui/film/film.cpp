@@ -7,6 +7,7 @@
 #include <QResizeEvent>
 
 #include <algorithm>
+#include <new>
 
 namespace app {
 
@@ -115,9 +116,15 @@ void Film::frameSpan()
         begin();
 }
 
+QImage Film::picture()
+{
+    const QImage picture = m_view.picture();
+    return picture.isNull() ? throw std::bad_alloc() : picture;
+}
+
 void Film::lookAtColors()
 {
-    m_colors.add(m_view.picture());
+    m_colors.add(picture());
     ++m_done;
     if (++m_sampled < m_samples)
         m_session.goTo({sampleFrame(m_sampled), 0});
@@ -144,7 +151,7 @@ bool Film::shoot()
     const bool isStopped = timeline.stop() && frame >= timeline.stop()->frame;
     if (frame >= m_plan.from) {
         const double until = static_cast<double>(frame - m_plan.from + rowFrames) / m_plan.rate;
-        m_file->add(m_view.picture(), frame, until);
+        m_file->add(picture(), frame, until);
         ++m_done;
     }
     if (frame + rowFrames <= m_plan.to && !isStopped) {

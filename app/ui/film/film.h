@@ -42,6 +42,8 @@ public:
 private:
     /// Measures how far the bodies go in the film, and then shows all of that.
     void frameSpan();
+    /// The view as it is. @throws std::bad_alloc
+    QImage picture();
     void lookAtColors();
     bool shoot();
     std::int64_t sampleFrame(int number) const;

@@ -116,10 +116,10 @@ QWidget *FilmDialog::fields()
     m_name = new FilmName(fields);
     add(tr("F&ile"), m_name, &m_name->field());
     grid->setColumnStretch(1, 1);
-    auto *hint =
-        new QLabel(tr("A name that ends in .gif makes one file. A name such as walk_%04d.png makes a "
-                      "picture of each frame, with its number in place of %04d."),
-                   fields);
+    auto *hint = new QLabel(
+        tr("A name that ends in .webm or .gif makes one file. A name such as walk_%04d.png makes a "
+           "picture of each frame, with its number in place of %04d."),
+        fields);
     hint->setObjectName("caption");
     hint->setTextFormat(Qt::PlainText);
     hint->setWordWrap(true);
@@ -219,7 +219,7 @@ void FilmDialog::goOn()
             return;
         }
         const auto stopped = m_film->stop();
-        const QString name = QFileInfo(m_making).fileName();
+        const QString name = shownPath(QFileInfo(m_making).fileName());
         const int all = m_progress->maximum();
         end(stopped ? tr("%1 is made, up to where the run stops. %2").arg(name, sentenceFor(*stopped))
                     : tr("%1 is made.").arg(name));
@@ -233,7 +233,7 @@ void FilmDialog::goOn()
 
 void FilmDialog::stop()
 {
-    const bool isOne = filmKind(m_making) == FilmKind::gif;
+    const bool isOne = filmKind(m_making) != FilmKind::pictures;
     end(isOne ? tr("Stopped. No file was written.")
               : tr("Stopped. The pictures up to frame %1 are there.").arg(m_film->frame()));
 }

@@ -1,6 +1,7 @@
 #include "app/ui/film/film_name.h"
 
 #include "app/model/film_file.h"
+#include "app/model/words.h"
 #include "app/ui/panels/ask_file.h"
 
 #include <QFileInfo>
@@ -65,16 +66,16 @@ QString FilmName::objection(std::int64_t from, std::int64_t to) const
     const QStringList files = filesInTheWay(name(), from, to);
     if (files.isEmpty() || mayReplace())
         return {};
-    if (filmKind(name()) == FilmKind::gif)
-        return tr("%1 is there already. Replace it, or give another name.").arg(files.first());
+    if (filmKind(name()) != FilmKind::pictures)
+        return tr("%1 is there already. Replace it, or give another name.").arg(shownPath(files.first()));
     return tr("Such pictures are there already, as %1. Replace them, or give another name.")
-        .arg(files.first());
+        .arg(shownPath(files.first()));
 }
 
 void FilmName::choose()
 {
     const QString path = askWhereToSave(this, tr("Film of the run"), name(),
-                                        tr("Films (*.gif);;Pictures of each frame (*.png)"));
+                                        tr("Films (*.gif *.webm);;Pictures of each frame (*.png)"));
     if (path.isEmpty())
         return;
     const bool isPicture = path.endsWith(".png", Qt::CaseInsensitive) && !path.contains('%');

@@ -46,7 +46,7 @@ void savePicture(SceneView &view, const QString &path)
     if (!file.open(QIODevice::WriteOnly) || !(isSvg ? drawSvg(view, file) : drawPng(view, file)) ||
         !file.commit())
         throw Refusal(Text::tr("%1 cannot be written: %2. Choose another folder or name.")
-                          .arg(quoted(path), oneLine(file.errorString())));
+                          .arg(shownPath(path), oneLine(file.errorString())));
 }
 
 }

@@ -5,6 +5,10 @@
 #include "app/ui/window/notice.h"
 #include "sim/error.h"
 
+#include <QCoreApplication>
+
+#include <new>
+
 namespace app {
 
 bool attempt(Notice &notice, const QString &failure, const std::function<void()> &deed)
@@ -17,6 +21,8 @@ bool attempt(Notice &notice, const QString &failure, const std::function<void()>
         why = refusal.sentence();
     } catch (const sim::Error &error) {
         why = sentenceFor(error);
+    } catch (const std::bad_alloc &) {
+        why = QCoreApplication::translate("Attempt", "There is not enough memory for it.");
     }
     notice.say(failure.arg(why));
     return false;

@@ -2,6 +2,7 @@
 
 #include "app/model/experiment_line.h"
 #include "app/model/recent_files.h"
+#include "app/model/words.h"
 #include "app/ui/panels/ask_file.h"
 #include "app/ui/window/attempt.h"
 #include "app/ui/window/notice.h"
@@ -54,7 +55,7 @@ bool ExperimentFiles::save(const QString &path)
     if (!attempt(m_notice, tr("Experiment not saved: %1"), [&] { m_document.save(path); }))
         return false;
     addRecentFile(path);
-    emit said(tr("Saved as %1.").arg(QFileInfo(path).fileName()));
+    emit said(tr("Saved as %1.").arg(shownPath(QFileInfo(path).fileName())));
     return true;
 }
 
@@ -65,9 +66,9 @@ void ExperimentFiles::unlessLost(const std::function<void()> &deed)
         return;
     }
     const QString path = m_document.path();
-    const QString sentence = path.isEmpty()
-                                 ? tr("What you did in “%1” is not saved.").arg(m_session.step().title)
-                                 : tr("%1 has changes that are not saved.").arg(QFileInfo(path).fileName());
+    const QString sentence =
+        path.isEmpty() ? tr("What you did in “%1” is not saved.").arg(m_session.step().title)
+                       : tr("%1 has changes that are not saved.").arg(shownPath(QFileInfo(path).fileName()));
     const auto save = [this, deed] {
         if (saveOrAsk())
             deed();
@@ -116,7 +117,7 @@ void ExperimentFiles::fillRecent(QMenu &menu)
     for (const QString &path : recentFiles()) {
         const QFileInfo file(path);
         QAction *one = menu.addAction(
-            tr("&%1  %2").arg(++number).arg(file.fileName().replace('&', QLatin1String("&&"))));
+            tr("&%1  %2").arg(++number).arg(shownPath(file.fileName()).replace('&', QLatin1String("&&"))));
         one->setToolTip(path);
         connect(one, &QAction::triggered, this, [this, path] { openRecent(path); });
     }
@@ -181,9 +182,10 @@ bool ExperimentFiles::mayClose()
         const QString path = m_document.pathOf(name);
         if (path.isEmpty())
             continue; // it is kept for the next start
-        QMessageBox question(QMessageBox::NoIcon, tr("Springstep"),
-                             tr("%1 has changes that are not saved.").arg(QFileInfo(path).fileName()),
-                             QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &m_window);
+        QMessageBox question(
+            QMessageBox::NoIcon, tr("Springstep"),
+            tr("%1 has changes that are not saved.").arg(shownPath(QFileInfo(path).fileName())),
+            QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &m_window);
         question.setDefaultButton(QMessageBox::Save);
         question.button(QMessageBox::Save)->setText(tr("&Save"));
         question.button(QMessageBox::Discard)->setText(tr("Close &without saving"));

@@ -1,5 +1,6 @@
 // Pictures and films of the scene.
 
+#include "app/model/words.h"
 #include "app/ui/film/film_dialog.h"
 #include "app/ui/film/picture_file.h"
 #include "app/ui/panels/ask_file.h"
@@ -50,7 +51,7 @@ bool MainWindow::savePictureAs(const QString &path)
 {
     if (!attempt(*m_notice, tr("Picture not saved: %1"), [&] { savePicture(*m_scene, path); }))
         return false;
-    emit m_session.said(tr("Saved as %1.").arg(QFileInfo(path).fileName()));
+    emit m_session.said(tr("Saved as %1.").arg(shownPath(QFileInfo(path).fileName())));
     return true;
 }
 

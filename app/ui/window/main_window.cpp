@@ -1,6 +1,7 @@
 #include "app/ui/window/main_window.h"
 
 #include "app/model/course.h"
+#include "app/model/words.h"
 #include "app/ui/panels/help_page.h"
 #include "app/ui/scene/scene_bar.h"
 #include "app/ui/scene/scene_view.h"
@@ -114,7 +115,7 @@ void MainWindow::makeFiles()
 void MainWindow::nameWindow()
 {
     const QString path = m_files->document().path();
-    const QString name = path.isEmpty() ? m_session.step().title : QFileInfo(path).fileName();
+    const QString name = path.isEmpty() ? m_session.step().title : shownPath(QFileInfo(path).fileName());
     setWindowTitle(tr("%1[*] – Springstep").arg(name));
     setWindowModified(m_files->document().isChanged());
 }

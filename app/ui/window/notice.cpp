@@ -1,5 +1,7 @@
 #include "app/ui/window/notice.h"
 
+#include "app/model/words.h"
+
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <QImage>
+#include <QString>
+
+#include <cstdint>
+#include <vector>
+
+/// Films read by others' code: the container by libwebm's parser, the pictures by libvpx's decoder.
+namespace webm_reader {
+
+struct Film
+{
+    QString fault; ///< empty: there is none
+    std::vector<QImage> pictures;
+    std::vector<std::int64_t> times;                  ///< ms, of each picture
+    std::vector<bool> keys;                           ///< whether it stands by itself
+    double duration = 0.0;                            ///< ms, that the file says
+    std::vector<std::int64_t> cues;                   ///< ms, of the pictures that a player can go to
+    std::vector<std::int64_t> clusters, cuePositions; ///< bytes from the segment's start
+};
+
+Film read(const QString &path);
+
+}

@@ -1,0 +1,21 @@
+// Any text as a lesson's metadata, as lesson.json has it: it describes a lesson, or is refused with a sentence. (How Qt reads
+// it from a plugin's file is Qt's own.)
+
+#include "app/model/lesson_plugin.h"
+#include "support.h"
+
+#include <QJsonDocument>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
+{
+    const QByteArray bytes(reinterpret_cast<const char *>(data), qsizetype(size));
+    try {
+        const app::LessonDescription description =
+            app::describedLesson(QJsonDocument::fromJson(bytes).object());
+        if (description.lesson.id.isEmpty() || description.steps.isEmpty() || description.lesson.order < 0)
+            fuzz::fail("Described without its parts", description.lesson.id);
+    } catch (const app::Refusal &refusal) {
+        fuzz::check(refusal);
+    }
+    return 0;
+}

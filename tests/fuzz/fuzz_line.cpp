@@ -1,0 +1,35 @@
+// Any text that is pasted as an experiment. The first byte says what is done with the others: they are the text; or the
+// compressed data of a line; or the JSON that a line is made of.
+
+#include "app/model/experiment_line.h"
+#include "support.h"
+
+namespace {
+
+QString lineOf(const QByteArray &bytes, std::uint8_t kind)
+{
+    constexpr auto encoding = QByteArray::Base64UrlEncoding | QByteArray::OmitTrailingEquals;
+    if (kind % 3 == 0)
+        return QString::fromUtf8(bytes);
+    constexpr int lengthBytes = 4; // that Qt puts before what zlib makes
+    const QByteArray packed = kind % 3 == 1 ? bytes : qCompress(bytes).mid(lengthBytes);
+    return "springstep:" + QString::fromLatin1(packed.toBase64(encoding));
+}
+
+}
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
+{
+    if (size == 0)
+        return 0;
+    const QByteArray bytes(reinterpret_cast<const char *>(data) + 1, qsizetype(size) - 1);
+    try {
+        const app::Experiment experiment = app::experimentFromLine(lineOf(bytes, data[0]), fuzz::library());
+        fuzz::check(experiment);
+        fuzz::check(
+            app::experimentFromLine(app::experimentLine(experiment, fuzz::library()), fuzz::library()));
+    } catch (const app::Refusal &refusal) {
+        fuzz::check(refusal);
+    }
+    return 0;
+}
