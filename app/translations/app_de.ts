@@ -5052,7 +5052,7 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>Die ganze Bühne mit allen Körpern zeigen und bei ihnen bleiben (Strg+0)</translation>
     </message>
     <message>
-        <source>Next &amp;body outside</source>
+        <source>Ne&amp;xt body outside</source>
         <translation>Nächster Körper a&amp;ußerhalb</translation>
     </message>
     <message>

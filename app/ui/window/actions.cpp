@@ -158,7 +158,7 @@ void MainWindow::makeViewActions()
     add(tr("&Fit the scene"), {QKeySequence("Ctrl+0"), QKeySequence("0")}, picture, [this] {
         m_scene->fit();
     })->setToolTip(tr("Show the whole stage with all bodies, and stay with them (Ctrl+0)"));
-    add(tr("Next &body outside"), {QKeySequence("O")}, picture, [this] {
+    add(tr("Ne&xt body outside"), {QKeySequence("O")}, picture, [this] {
         m_scene->showNextOutside();
     })->setToolTip(tr("Bring a body that is outside of the picture into view (O)"));
     m_view->addSeparator();
