@@ -135,7 +135,7 @@ void SceneMotionTest::aStepPlaysInsideItsPicture()
     }
     QVERIFY2(lesson == "hard_cases" || least > 0.7 * before,
              qPrintable(QString("%1 to %2").arg(before).arg(least)));
-    stage.session.rewind();
+    stage.session.goTo({0, 0});
     QTRY_VERIFY(!stage.session.goingTo());
     QCOMPARE(stage.view.zoom(), before);
     QCOMPARE(stage.outside(), 0);

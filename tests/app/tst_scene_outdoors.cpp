@@ -207,7 +207,7 @@ void SceneOutdoorsTest::aPictureThatWasMovedComesBackWhenItsLastBodyHasLeft()
     }
     QVERIFY2(moves >= 3 && moves <= 20, qPrintable(QString::number(moves)));
     QCOMPARE(bench.view.zoom(), zoom);
-    bench.session.rewind();
+    bench.session.goTo({0, 0});
     QVERIFY(view.contains(onScreen(bench, bench.place("p0")).toPoint()));
 }
 

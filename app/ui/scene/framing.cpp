@@ -40,7 +40,7 @@ std::optional<double> baseOf(const lessons::Look &look)
     std::optional<double> base = look.room ? std::optional(look.room->floor) : look.ground;
     if (!base && look.sky != lessons::Look::Sky::paper)
         base = look.stage.bottom();
-    return base && *base < look.stage.bottom() + look.stage.height() ? base : std::nullopt;
+    return base && *base < look.stage.bottom() + 2.0 * look.stage.height() ? base : std::nullopt;
 }
 
 /// Floor, walls and what is between them.
