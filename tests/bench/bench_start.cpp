@@ -88,7 +88,8 @@ int main(int argc, char **argv)
     qputenv("QT_QPA_PLATFORM", "offscreen");
     if (argc > 1 && QByteArray(argv[1]) == asWindow) {
         Application application(argc, argv);
-        return app::runWindow(application, {}).code;
+        app::Work work;
+        return app::runWindow(application, work).code;
     }
     const QCoreApplication application(argc, argv);
     benchmark::Initialize(&argc, argv);
