@@ -4853,7 +4853,7 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     </message>
     <message>
         <source>%1 of %2 steps</source>
-        <translation>%1 von %2 Schritten</translation>
+        <translation>%1/%2 Schritte</translation>
     </message>
     <message>
         <source>Fold the lessons to a narrow strip (Ctrl+Shift+1)</source>
