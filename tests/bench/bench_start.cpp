@@ -89,7 +89,7 @@ int main(int argc, char **argv)
     if (argc > 1 && QByteArray(argv[1]) == asWindow) {
         Application application(argc, argv);
         app::Work work;
-        return app::runWindow(application, work).code;
+        return app::runWindow(application, work, {}).code;
     }
     const QCoreApplication application(argc, argv);
     benchmark::Initialize(&argc, argv);
