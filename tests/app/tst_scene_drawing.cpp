@@ -222,12 +222,12 @@ void SceneDrawingTest::aScaleStaysWhileArrowsFit()
     const SceneBench bench("lone");
     Shown shown = shownAt(bench, 10.0);
     measureArrows(shown, 0);
-    const double unit = shown.velocityScale.unit;
+    const double unit = shown.scales.velocity.unit;
     for (const double speed : {8.0, 5.0, 3.0, 10.0, 4.0}) {
         shown.picture.state.velocity.row(0) << speed, 0.0;
         measureArrows(shown, 1);
-        QCOMPARE(shown.velocityScale.unit, unit);
-        QVERIFY(!shown.velocityScale.before);
+        QCOMPARE(shown.scales.velocity.unit, unit);
+        QVERIFY(!shown.scales.velocity.before);
     }
 }
 
@@ -236,16 +236,16 @@ void SceneDrawingTest::aChangeOfTheScaleIsSaid()
     const SceneBench bench("lone");
     Shown shown = shownAt(bench, 10.0);
     measureArrows(shown, 0);
-    QVERIFY2(!shown.velocityScale.before, "the first scale is no change");
-    const double unit = shown.velocityScale.unit;
+    QVERIFY2(!shown.scales.velocity.before, "the first scale is no change");
+    const double unit = shown.scales.velocity.unit;
     shown.picture.state.velocity.row(0) << 1000.0, 0.0;
     measureArrows(shown, 40);
-    QVERIFY(shown.velocityScale.unit > unit);
-    QCOMPARE(shown.velocityScale.before, std::optional(unit));
+    QVERIFY(shown.scales.velocity.unit > unit);
+    QCOMPARE(shown.scales.velocity.before, std::optional(unit));
     measureArrows(shown, 50); // it can still be read
-    QCOMPARE(shown.velocityScale.before, std::optional(unit));
+    QCOMPARE(shown.scales.velocity.before, std::optional(unit));
     measureArrows(shown, 100);
-    QVERIFY(!shown.velocityScale.before);
+    QVERIFY(!shown.scales.velocity.before);
 }
 
 void SceneDrawingTest::noArrowRunsThroughTheLegend()

@@ -155,11 +155,13 @@ void SceneMotionTest::afterADragAllBodiesAreSeenAgain()
         stage.press(at);
         stage.move(at + by);
         stage.session.pause();
+        // A drag that nothing takes moves the picture, as the learner wants it; it leaves something in sight.
+        const bool isPan = stage.session.timeline().script().input.empty();
         stage.goOn(5);
         stage.release(at + by);
         for (int frame = 0; frame < 60; ++frame) {
             stage.goOn(1);
-            QVERIFY2(stage.isSeen(lesson),
+            QVERIFY2(isPan ? stage.outside() < picture.state.points() : stage.isSeen(lesson),
                      qPrintable(QString("frame %1: %2").arg(frame).arg(stage.outside())));
         }
     }

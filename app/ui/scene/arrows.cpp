@@ -71,7 +71,7 @@ void addPullsAt(std::vector<Arrow> &arrows, const Shown &shown, const Camera &ca
     std::vector<QPointF> directions;
     for (const sim::Gathered &one : shown.gathered) {
         const QPointF vector =
-            scaled({one.acceleration(point, 0), one.acceleration(point, 1)}, shown.pullScale.unit);
+            scaled({one.acceleration(point, 0), one.acceleration(point, 1)}, shown.scales.pull.unit);
         const double length = lengthOf(vector);
         if (!(length >= shortest))
             continue;
@@ -169,7 +169,7 @@ std::vector<Arrow> pullArrows(const Shown &shown, const Camera &camera, const Th
         return arrows;
     forPointsWithArrows(shown, [&](int point) { addPullsAt(arrows, shown, camera, theme, point); });
     if (shown.hasSum()) {
-        const QPointF vector = scaled(shown.sumOnSelected(), shown.pullScale.unit);
+        const QPointF vector = scaled(shown.sumOnSelected(), shown.scales.pull.unit);
         const double aside = std::min(besideSum, camera.radius(shown.radius(shown.selected)));
         Arrow sum = atEdge(shown, camera, shown.selected, vector, aside);
         sum.style = sumStyle(theme);
@@ -187,11 +187,11 @@ std::vector<Arrow> velocityArrows(const Shown &shown, const Camera &camera, cons
     forPointsWithArrows(shown, [&](int point) {
         if (shown.isHidden(point))
             return;
-        const QPointF vector = scaled(shown.state().speed(point), shown.velocityScale.unit);
+        const QPointF vector = scaled(shown.state().speed(point), shown.scales.velocity.unit);
         const double aside = liesOnPull(shown, point, vector) ? -besidePull : 0.0;
         const ArrowStyle style = velocityStyle(theme);
         if (hasBefore) {
-            const QPointF last = scaled(shown.before->speed(point), shown.velocityScale.unit);
+            const QPointF last = scaled(shown.before->speed(point), shown.scales.velocity.unit);
             if (lengthOf(last - vector) >= leastChange) {
                 Arrow earlier = atEdge(shown, camera, point, last, aside);
                 earlier.style = {faded(style.color, earlierAlpha), earlierWidth};

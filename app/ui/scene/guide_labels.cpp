@@ -32,7 +32,7 @@ double bodyAt(const Shown &shown, const Camera &camera, sim::Vec2 place)
 
 QPointF pullVector(const Guide &guide, const Shown &shown)
 {
-    return unitArrow / shown.pullScale.unit * QPointF(guide.b.x, guide.b.y);
+    return unitArrow / shown.scales.pull.unit * QPointF(guide.b.x, guide.b.y);
 }
 
 bool isTooShort(const Guide &guide, const Shown &shown)

@@ -188,14 +188,14 @@ std::vector<Overlay::Entry> Overlay::legend() const
         entries.push_back({Entry::Mark::onion, 30.0, Text::tr("every %1 frames").arg(onionFrames)});
     if (m_shown.extras.rests && hasRests(m_shown.picture.segment->scene))
         entries.push_back({Entry::Mark::rest, 30.0, Text::tr("length at rest")});
-    if (m_shown.showsVelocities() && m_shown.velocityScale.isUsed)
+    if (m_shown.showsVelocities() && m_shown.scales.velocity.isUsed)
         entries.push_back({Entry::Mark::velocity, unitArrow + 8.0,
-                           scaleWords(Text::tr("velocity of %1\u2009px/frame"), m_shown.velocityScale),
-                           m_shown.velocityScale.before.has_value()});
+                           scaleWords(Text::tr("velocity of %1\u2009px/frame"), m_shown.scales.velocity),
+                           m_shown.scales.velocity.before.has_value()});
     if (m_shown.hasPulls)
         entries.push_back({Entry::Mark::pull, unitArrow + 8.0,
-                           scaleWords(Text::tr("pull of %1\u2009px/frame²"), m_shown.pullScale),
-                           m_shown.pullScale.before.has_value()});
+                           scaleWords(Text::tr("pull of %1\u2009px/frame²"), m_shown.scales.pull),
+                           m_shown.scales.pull.before.has_value()});
     if (m_shown.hasSum())
         entries.push_back({Entry::Mark::sum, unitArrow + 2.0, sumWords(m_shown)});
     return entries;

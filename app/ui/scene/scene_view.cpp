@@ -100,7 +100,7 @@ void SceneView::open()
     m_hand.letGo();
     m_tools.letUp();
     m_shown.trail.clear();
-    m_shown.pullScale = m_shown.velocityScale = {};
+    m_runScales = {};
     m_follows = true;
     m_atHome = false; // another scene is shown as a whole
     m_motion.reset();
@@ -121,7 +121,10 @@ void SceneView::refresh()
             showHome(); // the scene has another size now
     }
     m_shown.selected = m_shown.picture.segment->scene.find(m_session.selected().toStdString());
+    m_shown.scales = m_runScales;
     measureArrows(m_shown, m_session.shown().at().frame);
+    if (!m_session.isGlancing())
+        m_runScales = m_shown.scales;
     if (!m_session.isPlaying())
         describe();
     keepSubject();

@@ -150,7 +150,8 @@ private:
     const AccuracyStudy *m_study = nullptr;
     const Theme &m_theme;
     Shown m_shown;
-    Shown m_beside; ///< the companion; no picture where there is none
+    ArrowScales m_runScales; ///< of the run itself: a look at another moment changes nothing of them
+    Shown m_beside;          ///< the companion; no picture where there is none
     Overlay m_overlay;
     Hand m_hand;
     Tools m_tools;

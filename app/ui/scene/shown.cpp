@@ -116,9 +116,9 @@ void measureArrows(Shown &shown, std::int64_t frame)
     const double pull = longestPull(shown);
     shown.hasPulls = pull > 0.0;
     // What rests still feels pulls of a billionth: those are not blown up to arrows.
-    renew(shown.pullScale, pull, longestArrow, finestPull, frame);
+    renew(shown.scales.pull, pull, longestArrow, finestPull, frame);
     if (shown.showsVelocities())
-        renew(shown.velocityScale, fastest(shown), longestVelocity, 0.0, frame);
+        renew(shown.scales.velocity, fastest(shown), longestVelocity, 0.0, frame);
 }
 
 QString sumWords(const Shown &shown)

@@ -56,6 +56,13 @@ struct ArrowScale
     bool isUsed = false;          ///< whether any arrow was drawn to it yet
 };
 
+/// What the arrows of all kinds stand for.
+struct ArrowScales
+{
+    ArrowScale pull;     ///< px/frame^2
+    ArrowScale velocity; ///< px/frame
+};
+
 /// All that is drawn at one moment: the layers and the overlay read this and nothing else.
 struct Shown
 {
@@ -72,10 +79,9 @@ struct Shown
     std::vector<sim::State> onion; ///< earlier moments, the latest first; empty unless they are shown
     Extras extras;
     Ruler ruler;
-    QString clock;                    ///< the time of the run, in words
-    int selected = -1;                ///< a point, or -1
-    ArrowScale pullScale;             ///< px/frame^2
-    ArrowScale velocityScale;         ///< px/frame
+    QString clock;     ///< the time of the run, in words
+    int selected = -1; ///< a point, or -1
+    ArrowScales scales;
     std::optional<sim::State> before; ///< inside a frame: the state before the last phase done
     bool isInside = false;            ///< inside a frame, where velocities show unless the learner hides them
     bool hasPulls = false;            ///< whether any arrow in px/frame^2 is drawn
