@@ -27,6 +27,21 @@ bool narrow(double start, double slope, double low, double high, double &from, d
     return from < to;
 }
 
+/// The part of a polygon where `normal` times a point is at most `most`.
+QPolygonF within(const QPolygonF &polygon, QPointF normal, double most)
+{
+    QPolygonF kept;
+    for (qsizetype i = 0; i < polygon.size(); ++i) {
+        const QPointF from = polygon[i], to = polygon[(i + 1) % polygon.size()];
+        const double a = QPointF::dotProduct(from, normal) - most, b = QPointF::dotProduct(to, normal) - most;
+        if (a <= 0.0)
+            kept << from;
+        if ((a < 0.0 && b > 0.0) || (a > 0.0 && b < 0.0))
+            kept << from + a / (a - b) * (to - from);
+    }
+    return kept;
+}
+
 }
 
 QPointF Camera::at(sim::Vec2 place) const
@@ -61,6 +76,17 @@ QLineF Canvas::cut(QPointF from, QPointF to) const
         !narrow(from.y(), d.y(), room.top(), room.bottom(), begin, end))
         return {};
     return {from + begin * d, from + end * d};
+}
+
+QPolygonF Canvas::cut(QPolygonF polygon) const
+{
+    const QRectF room = area.adjusted(-beyond, -beyond, beyond, beyond);
+    if (room.contains(polygon.boundingRect()))
+        return polygon;
+    polygon = within(polygon, {1.0, 0.0}, room.right());
+    polygon = within(polygon, {-1.0, 0.0}, -room.left());
+    polygon = within(polygon, {0.0, 1.0}, room.bottom());
+    return within(polygon, {0.0, -1.0}, -room.top());
 }
 
 QPen dashed(const QColor &color, double width, std::initializer_list<double> pattern)

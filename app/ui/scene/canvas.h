@@ -3,6 +3,7 @@
 #include "app/ui/scene/shown.h"
 
 #include <QPainter>
+#include <QPolygonF>
 #include <QTransform>
 
 namespace app {
@@ -36,6 +37,9 @@ struct Canvas
     bool reaches(QPointF centre, double radius) const;
     /// The part of a line that can show; null if there is none.
     QLineF cut(QPointF from, QPointF to) const;
+    /// The part of an area that can show, by Sutherland and Hodgman's method. Qt takes seconds to fill one that
+    /// reaches a million pixels out of the picture.
+    QPolygonF cut(QPolygonF polygon) const;
 };
 
 /// A pen of one width, with dashes in px of the screen.

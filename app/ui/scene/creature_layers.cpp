@@ -7,7 +7,6 @@
 #include "app/ui/scene/material.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace app {
@@ -38,7 +37,7 @@ void drawLimb(const Canvas &canvas, const lessons::LegLook &leg, double width)
     if (!bounds.intersects(canvas.area))
         return;
     const int pieces = leg.curve == 0.0 ? 1 : curvePieces;
-    std::array<QPointF, 2 * (curvePieces + 1)> outline;
+    QPolygonF outline(2 * (pieces + 1));
     QPointF across(0.0, 1.0);
     for (int i = 0; i <= pieces; ++i) {
         const double t = static_cast<double>(i) / pieces;
@@ -48,10 +47,10 @@ void drawLimb(const Canvas &canvas, const lessons::LegLook &leg, double width)
         if (length > 0.0)
             across = QPointF(-way.y(), way.x()) / length;
         const QPointF half = 0.5 * width * (thigh + t * (shin - thigh)) * across;
-        outline[static_cast<std::size_t>(i)] = at + half;
-        outline[static_cast<std::size_t>(2 * pieces + 1 - i)] = at - half;
+        outline[i] = at + half;
+        outline[2 * pieces + 1 - i] = at - half;
     }
-    canvas.painter.drawPolygon(outline.data(), 2 * (pieces + 1), Qt::WindingFill);
+    canvas.painter.drawPolygon(canvas.cut(outline), Qt::WindingFill);
 }
 
 /// A hinge: what is hollow turns freely.

@@ -32,11 +32,22 @@ double discAt(const Canvas &canvas, int point)
     return canvas.shown.isHidden(point) ? 0.0 : canvas.camera.radius(canvas.shown.radius(point));
 }
 
-/// The strands of coils, those in front and those behind.
+/// The strands of coils, those in front and those behind, as far as they show.
 struct Coils
 {
-    QPainterPath front;
-    QPainterPath back;
+    const Canvas &canvas;
+    QPainterPath front = {};
+    QPainterPath back = {};
+
+    void add(QPainterPath &strands, QPointF from, QPointF to) const
+    {
+        const QLineF line = canvas.cut(from, to);
+        if (line.isNull())
+            return;
+        if (strands.currentPosition() != line.p1() || strands.isEmpty())
+            strands.moveTo(line.p1());
+        strands.lineTo(line.p2());
+    }
 };
 
 /// A zigzag with straight ends. It keeps its turns, so that they stand closer when it is pressed.
@@ -51,17 +62,12 @@ void addCoil(Coils &coils, const QLineF &line, int turns, double wide)
         return line.p1() + (lead + (i + 0.5) * part) * u + (i % 2 == 0 ? across : -across);
     };
     const QPointF first = line.p1() + lead * u, last = line.p2() - lead * u;
-    coils.front.moveTo(line.p1());
-    coils.front.lineTo(first);
-    coils.front.lineTo(corner(0));
-    for (int i = 1; i < 2 * turns; ++i) {
-        QPainterPath &strands = i % 2 == 0 ? coils.back : coils.front;
-        strands.moveTo(corner(i - 1));
-        strands.lineTo(corner(i));
-    }
-    coils.front.moveTo(corner(2 * turns - 1));
-    coils.front.lineTo(last);
-    coils.front.lineTo(line.p2());
+    coils.add(coils.front, line.p1(), first);
+    coils.add(coils.front, first, corner(0));
+    for (int i = 1; i < 2 * turns; ++i)
+        coils.add(i % 2 == 0 ? coils.back : coils.front, corner(i - 1), corner(i));
+    coils.add(coils.front, corner(2 * turns - 1), last);
+    coils.add(coils.front, last, line.p2());
 }
 
 /// From edge to edge of the discs at its ends; from middle to middle where they overlap.
@@ -78,8 +84,9 @@ QLineF visibleLine(const Canvas &canvas, const lessons::SpringLook &spring)
     return {line.p1() + near * u, line.p2() - far * u};
 }
 
-void addSpring(Coils &coils, const Canvas &canvas, const lessons::SpringLook &spring)
+void addSpring(Coils &coils, const lessons::SpringLook &spring)
 {
+    const Canvas &canvas = coils.canvas;
     const QLineF line = visibleLine(canvas, spring);
     if (line.isNull() || canvas.cut(line.p1(), line.p2()).isNull())
         return;
@@ -89,8 +96,7 @@ void addSpring(Coils &coils, const Canvas &canvas, const lessons::SpringLook &sp
     const double zoom = canvas.camera.zoom;
     const double rest = (hasLength ? spring.length : turns * turnLength) * zoom;
     if (line.length() < smallest * fewest) {
-        coils.front.moveTo(line.p1());
-        coils.front.lineTo(line.p2());
+        coils.add(coils.front, line.p1(), line.p2());
         return;
     }
     // A wire gets narrower where it is pulled long, and wider where it is pressed.
@@ -140,7 +146,7 @@ void SheetLayer::draw(const Canvas &canvas) const
         for (const int corner : sheet.corners)
             patch << canvas.camera.at(canvas.shown.state().at(corner));
         if (patch.boundingRect().intersects(canvas.area)) {
-            path.addPolygon(patch);
+            path.addPolygon(canvas.cut(patch));
             path.closeSubpath();
         }
     }
@@ -165,8 +171,8 @@ void SpringLayer::draw(const Canvas &canvas) const
     for (const lessons::SpringLook &spring : springs) {
         if (spring.part != lessons::SpringLook::Part::alone)
             continue;
-        Coils coils;
-        addSpring(coils, canvas, spring);
+        Coils coils{canvas};
+        addSpring(coils, spring);
         p.setPen(back);
         p.drawPath(coils.back);
         p.setPen(front);
