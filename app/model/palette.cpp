@@ -10,6 +10,7 @@ namespace app {
 namespace {
 
 constexpr int cellBits = 2; ///< of each channel that a cell leaves out
+constexpr int rounds = 4; ///< of moving each colour of the palette to the middle of those that it stands for
 
 /// A colour with what it counts.
 struct Weighed
@@ -71,6 +72,29 @@ int squaredDistance(QRgb a, QRgb b)
     return red * red + green * green + blue * blue;
 }
 
+/// Moves the colours from `first` on to the means of those that are nearest to them (Lloyd's method).
+void settle(std::vector<QRgb> &palette, std::size_t first, const std::vector<Weighed> &colors)
+{
+    const auto rounded = [](double value) { return static_cast<int>(std::lround(value)); };
+    for (int round = 0; round < rounds; ++round) {
+        NearestColor nearest(palette);
+        std::vector<Weighed> sums(palette.size());
+        for (const Weighed &color : colors) {
+            Weighed &sum =
+                sums[nearest(qRgb(rounded(color.at[0]), rounded(color.at[1]), rounded(color.at[2])))];
+            sum.weight += color.weight;
+            for (std::size_t i = 0; i < 3; ++i)
+                sum.at[i] += color.weight * color.at[i];
+        }
+        for (std::size_t i = first; i < palette.size(); ++i) {
+            const Weighed &sum = sums[i];
+            if (sum.weight > 0.0)
+                palette[i] = qRgb(rounded(sum.at[0] / sum.weight), rounded(sum.at[1] / sum.weight),
+                                  rounded(sum.at[2] / sum.weight));
+        }
+    }
+}
+
 }
 
 void ColorCount::add(const QImage &picture)
@@ -102,13 +126,14 @@ std::vector<QRgb> paletteOf(const ColorCount &count, const std::vector<QRgb> &pi
         const double n = static_cast<double>(cell.count);
         colors.push_back({{static_cast<double>(cell.red) / n, static_cast<double>(cell.green) / n,
                            static_cast<double>(cell.blue) / n},
-                          std::sqrt(n)});
+                          std::pow(n, 0.75)});
     }
     // The same pictures give the same palette, in whatever order a table has its cells.
     std::sort(colors.begin(), colors.end(), [](const Weighed &a, const Weighed &b) { return a.at < b.at; });
     if (colors.empty() || palette.size() == all)
         return palette;
-    std::vector<Box> boxes{Box(std::move(colors))};
+    const std::size_t first = palette.size();
+    std::vector<Box> boxes{Box(colors)};
     while (palette.size() + boxes.size() < all) {
         const auto worst = std::max_element(boxes.begin(), boxes.end(),
                                             [](const Box &a, const Box &b) { return a.worst() < b.worst(); });
@@ -119,6 +144,7 @@ std::vector<QRgb> paletteOf(const ColorCount &count, const std::vector<QRgb> &pi
     }
     for (const Box &box : boxes)
         palette.push_back(box.color());
+    settle(palette, first, colors);
     return palette;
 }
 

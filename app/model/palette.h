@@ -29,8 +29,9 @@ private:
 
 /// The `most` colours that stand best for those that were counted: `pinned` as they are, and the means of boxes that
 /// are cut in two until there are enough (P. Heckbert, "Color image quantization for frame buffer display", 1982;
-/// the box with the largest squared error first, at its mean, as X. Wu does). A cell counts by the square root of its
-/// pixels, so that thin lines keep their colours beside large areas.
+/// the box with the largest squared error first, at its mean, as X. Wu does), then moved to the means of what is nearest
+/// to each (S. Lloyd, "Least squares quantization in PCM", 1982). A cell counts by the power 3/4 of its pixels, so that
+/// thin lines keep their colours beside large areas, and soft shadows their shades.
 std::vector<QRgb> paletteOf(const ColorCount &count, const std::vector<QRgb> &pinned, int most);
 
 /// Finds the colour of a palette that is nearest, and remembers what it found.
