@@ -25,7 +25,9 @@ private slots:
         QVERIFY(stage() != before); // else nothing would have moved anyway
         QCOMPARE(bench.on({270, 200}), middle);
         bench.session().setParameter("floor", 900); // is not seen, and the next part shows it
-        bench.click(Camera(bench.view().viewportTransform()).back({nearTop.x(), 2.0}));
+        const QRectF wide = stage();
+        bench.click(Camera(bench.view().viewportTransform()).back({2.0, 200.0}));
+        QVERIFY(stage() != wide);
         QVERIFY(bench.on({270, 200}) != middle);
         QVERIFY(bench.view().viewport()->rect().contains(bench.on({270, 900})));
     }

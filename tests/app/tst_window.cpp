@@ -2,6 +2,7 @@
 
 #include "app/model/experiment.h"
 #include "app/ui/panels/parameter_panel.h"
+#include "app/ui/panels/parameter_row.h"
 #include "app/ui/panels/summary_page.h"
 #include "app/ui/time/timeline_strip.h"
 #include "app/ui/window/main_window.h"
@@ -247,7 +248,13 @@ void WindowTest::aSavedExperimentOpensAsTheSameRun()
 void WindowTest::arrowKeysMoveASliderThatHasTheFocus()
 {
     Bench bench;
-    auto *slider = bench.window.findChild<ParameterPanel *>()->findChild<QAbstractSlider *>();
+    QAbstractSlider *slider = nullptr;
+    for (const ParameterRow *row :
+         bench.window.findChild<ParameterPanel *>()->findChildren<ParameterRow *>()) {
+        if (row->parameter().id == "k")
+            slider = row->findChild<QAbstractSlider *>();
+    }
+    QVERIFY(slider);
     slider->setFocus();
     const double before = bench.session.parameter("k");
     QTest::keyClick(slider, Qt::Key_Right);

@@ -77,6 +77,9 @@ void Learner::step(bool byPhase)
         press(freePlaceNear({awayFromBody, awayFromBody})); // out of a field, and into the picture
         release();
     }
+    if (m_session.isPlaying() && m_session.step().can(lessons::Does::keys))
+        QTest::keyClick(&m_view,
+                        Qt::Key_Space); // a hand has started time, and the arrow keys steer while it runs
     // With the mouse only where the picture does not have the keys.
     if (m_isDown || m_view.hasFocus()) {
         QTest::keyClick(&m_view, Qt::Key_Right, byPhase ? Qt::ShiftModifier : Qt::NoModifier);
