@@ -7,6 +7,8 @@
 #include <QAbstractItemView>
 #include <QApplication>
 #include <QComboBox>
+#include <QLineEdit>
+#include <QShortcut>
 #include <QSignalSpy>
 #include <QTest>
 #include <QWheelEvent>
@@ -48,6 +50,32 @@ private slots:
     void aSliderWithDecadesGoesByTheFirstPlace();
     void aBoxWithDecadesGoesByTheFirstPlace();
     void theWheelChangesOnlyWhatWasChosenBefore();
+    void aClickSelectsTheNumberAndSpaceOrEnterTakesWhatWasTyped_data();
+    void aClickSelectsTheNumberAndSpaceOrEnterTakesWhatWasTyped();
+    void whoCameByTabStaysInTheFieldAfterEnter();
+};
+
+/// A window with something that has the keys, a panel beside it, and a command for Space.
+struct BesidePicture
+{
+    World world;
+    QWidget window;
+    QWidget picture{&window};
+    ParameterPanel panel{world.session, world.theme, &window};
+    QShortcut space{Qt::Key_Space, &window};
+    QSignalSpy played{&space, &QShortcut::activated};
+
+    BesidePicture()
+    {
+        picture.setGeometry(0, 0, 100, 200);
+        picture.setFocusPolicy(Qt::StrongFocus);
+        panel.setGeometry(100, 0, 400, 200);
+        window.resize(500, 200);
+        window.show();
+        QApplication::setActiveWindow(&window);
+        picture.setFocus();
+    }
+    NumberBox &box() { return *rowOf(panel, "k")->findChild<NumberBox *>(); }
 };
 
 void ParameterFieldsTest::aClickOnTheGrooveSetsTheValue()
@@ -166,8 +194,8 @@ void ParameterFieldsTest::anExactNumberIsNeverRounded()
     // Looking at it, and leaving again, must not change it.
     QTest::mouseClick(box, Qt::LeftButton);
     QCOMPARE(box->text(), QString("0.123456"));
-    QTest::keyClick(box, Qt::Key_Return);
-    QTest::keyClick(box, Qt::Key_Tab);
+    QTest::keyClick(box, Qt::Key_Return); // which leaves it, as a click came here
+    QVERIFY(!box->hasFocus());
     QCOMPARE(world.session.parameter("k"), 0.123456);
     QVERIFY(box->text().endsWith(QChar(0x2026)));
 }
@@ -329,6 +357,43 @@ void ParameterFieldsTest::theWheelChangesOnlyWhatWasChosenBefore()
     row->findChild<NumberBox *>()->setFocus();
     turn(*row->findChild<NumberBox *>());
     QVERIFY(world.session.parameter("k") > before);
+}
+
+void ParameterFieldsTest::aClickSelectsTheNumberAndSpaceOrEnterTakesWhatWasTyped_data()
+{
+    QTest::addColumn<Qt::Key>("key");
+    QTest::addColumn<int>("played");
+    QTest::newRow("Space, which is the window's, too") << Qt::Key_Space << 1;
+    QTest::newRow("Enter") << Qt::Key_Return << 0;
+}
+
+void ParameterFieldsTest::aClickSelectsTheNumberAndSpaceOrEnterTakesWhatWasTyped()
+{
+    QFETCH(Qt::Key, key);
+    QFETCH(int, played);
+    BesidePicture bench;
+    QVERIFY(bench.picture.hasFocus());
+    NumberBox &box = bench.box();
+    QTest::mouseClick(&box, Qt::LeftButton, {}, box.rect().center());
+    const auto *edit = box.findChild<QLineEdit *>();
+    QTRY_COMPARE(edit->selectedText(), edit->text());
+    QTest::keyClicks(&box, "0.7");
+    QTest::keyClick(&box, key);
+    QCOMPARE(bench.world.session.parameter("k"), 0.7);
+    QCOMPARE(box.text(), QString("0.70"));
+    QCOMPARE(bench.played.count(), played);
+    QVERIFY(bench.picture.hasFocus());
+}
+
+void ParameterFieldsTest::whoCameByTabStaysInTheFieldAfterEnter()
+{
+    BesidePicture bench;
+    NumberBox &box = bench.box();
+    box.setFocus(Qt::TabFocusReason);
+    QTest::keyClicks(&box, "0.7");
+    QTest::keyClick(&box, Qt::Key_Return);
+    QCOMPARE(bench.world.session.parameter("k"), 0.7);
+    QVERIFY(box.hasFocus());
 }
 
 QTEST_MAIN(ParameterFieldsTest)

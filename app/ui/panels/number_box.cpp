@@ -2,10 +2,12 @@
 
 #include "app/model/numbers.h"
 
+#include <QApplication>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QLocale>
 #include <QSignalBlocker>
+#include <QTimer>
 
 #include <algorithm>
 #include <cmath>
@@ -45,6 +47,7 @@ NumberBox::NumberBox(const lessons::Parameter &parameter, const Theme &theme, QW
     connect(this, &QDoubleSpinBox::valueChanged, this, &NumberBox::chosen);
     connect(this, &QDoubleSpinBox::editingFinished, this, &NumberBox::write);
     connect(&theme, &Theme::changed, this, &NumberBox::dress);
+    connect(qApp, &QApplication::focusChanged, this, &NumberBox::remember);
     dress();
 }
 
@@ -159,12 +162,58 @@ void NumberBox::write()
     lineEdit()->setModified(false);
 }
 
+void NumberBox::takeTyped()
+{
+    if (lineEdit()->isModified())
+        interpretText();
+    write();
+}
+
+void NumberBox::remember(QWidget *old, QWidget *now)
+{
+    if (now != this || old == this)
+        return;
+    // From one number to the next: back to where the first one was chosen from.
+    const auto *other = qobject_cast<const NumberBox *>(old);
+    m_before = other ? other->m_before.data() : old;
+}
+
+void NumberBox::giveBack()
+{
+    if (!m_byMouse)
+        return;
+    if (m_before && m_before->isVisible())
+        m_before->setFocus(Qt::OtherFocusReason);
+    else
+        clearFocus();
+}
+
+bool NumberBox::event(QEvent *event)
+{
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto &key = static_cast<const QKeyEvent &>(*event);
+        if (key.key() == Qt::Key_Space && key.modifiers() == Qt::NoModifier) {
+            takeTyped();
+            giveBack();
+            event->ignore(); // what the window does with it comes next
+            return true;
+        }
+    }
+    return QDoubleSpinBox::event(event);
+}
+
 void NumberBox::focusInEvent(QFocusEvent *event)
 {
     m_inFull = true;
     write();
     QDoubleSpinBox::focusInEvent(event);
-    if (event->reason() != Qt::MouseFocusReason && event->reason() != Qt::PopupFocusReason)
+    if (event->reason() == Qt::PopupFocusReason)
+        return;
+    m_byMouse = event->reason() == Qt::MouseFocusReason;
+    if (m_byMouse)
+        QTimer::singleShot(0, this,
+                           &NumberBox::selectAll); // after the press, which puts the cursor somewhere
+    else
         selectAll();
 }
 
@@ -184,6 +233,8 @@ void NumberBox::keyPressEvent(QKeyEvent *event)
         return;
     }
     QDoubleSpinBox::keyPressEvent(event);
+    if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter)
+        giveBack();
 }
 
 void NumberBox::wheelEvent(QWheelEvent *event)

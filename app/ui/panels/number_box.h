@@ -4,11 +4,15 @@
 #include "lessons/api/parameter.h"
 
 #include <QDoubleSpinBox>
+#include <QPointer>
 
 namespace app {
 
 /// A field for a parameter's number. What does not fit is shown cut or, where setRounding() says so, rounded; it is whole
-/// in the tooltip and while it is edited. The value itself is never rounded. Numbers outside the parameter's range can be typed; the owner brings them into it.
+/// in the tooltip and while it is edited. The value itself is never rounded. Numbers outside the parameter's range can
+/// be typed; the owner brings them into it. A click selects the number, so that typing replaces it. Enter takes what was
+/// typed; so does Space, which no number has and the window has a use for. Then who came by the mouse is back where the
+/// keys were before.
 class NumberBox : public QDoubleSpinBox
 {
     Q_OBJECT
@@ -22,6 +26,8 @@ public:
     void showNothing();
     /// Shows a number that does not fit with as many figures as do, in place of cutting it.
     void setRounding(bool rounds);
+    /// Takes what was typed so far.
+    void takeTyped();
     /// The number in full, with at least the declared decimals.
     QString exactText(double value) const;
 
@@ -37,6 +43,7 @@ signals:
     void chosen(double value);
 
 protected:
+    bool event(QEvent *event) override;
     void focusInEvent(QFocusEvent *event) override;
     void focusOutEvent(QFocusEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
@@ -49,6 +56,9 @@ private:
 
     void dress();
     void write();
+    void remember(QWidget *old, QWidget *now);
+    /// Gives the keyboard to what had it before a click came here.
+    void giveBack();
     bool fits(const QString &text) const;
     /// By how much a press of an arrow key changes `value`; `steps` says which way.
     double stepFrom(double value, int steps) const;
@@ -61,6 +71,8 @@ private:
     bool m_inFull = false; ///< while it has the focus
     bool m_isEmpty = false;
     bool m_rounds = false;
+    QPointer<QWidget> m_before; ///< what had the keyboard before a click came here
+    bool m_byMouse = false;     ///< whether a click gave it the keyboard
 };
 
 }

@@ -5,6 +5,7 @@
 #include "app/ui/energy/energy_panel.h"
 #include "app/ui/panels/help_page.h"
 #include "app/ui/panels/learn_panel.h"
+#include "app/ui/panels/number_box.h"
 #include "app/ui/scene/scene_view.h"
 #include "app/ui/time/timeline_strip.h"
 #include "app/ui/time/transport_bar.h"
@@ -37,6 +38,8 @@ bool needsKey(const QWidget *widget, const QKeyEvent &key)
     const bool plain = (key.modifiers() & ~(Qt::KeypadModifier | Qt::ShiftModifier)) == Qt::NoModifier;
     if (!plain)
         return false;
+    if (qobject_cast<const NumberBox *>(widget) && key.key() == Qt::Key_Space)
+        return false; // a number has none
     if (qobject_cast<const QLineEdit *>(widget) || qobject_cast<const QAbstractSpinBox *>(widget))
         return arrows || key.key() == Qt::Key_Home || key.key() == Qt::Key_End || !key.text().isEmpty();
     if (qobject_cast<const QAbstractSlider *>(widget))
@@ -58,6 +61,15 @@ void leaveKeysToTime(QWidget *widget, const QWidget *window)
                            qobject_cast<QAbstractItemView *>(widget);
     if (takesKeys && widget->window() == window && (widget->focusPolicy() & Qt::ClickFocus) == Qt::ClickFocus)
         widget->setFocusPolicy(Qt::TabFocus);
+}
+
+/// A click elsewhere takes the number that was typed, also where it leaves the keyboard with the number.
+void takeTypedNumber(const QObject *clicked)
+{
+    auto *box = qobject_cast<NumberBox *>(QApplication::focusWidget());
+    const auto *widget = qobject_cast<const QWidget *>(clicked);
+    if (box && widget && widget != box && !box->isAncestorOf(widget))
+        box->takeTyped();
 }
 
 }
@@ -225,6 +237,8 @@ bool MainWindow::eventFilter(QObject *watched, QEvent *event)
 {
     if (m_files->takesDrop(watched, *event))
         return true;
+    if (event->type() == QEvent::MouseButtonPress)
+        takeTypedNumber(watched);
     if (event->type() == QEvent::Show)
         leaveKeysToTime(qobject_cast<QWidget *>(watched), this);
     if (event->type() == QEvent::MouseButtonPress || event->type() == QEvent::ShortcutOverride ||
