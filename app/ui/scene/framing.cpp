@@ -12,8 +12,9 @@ namespace {
 
 constexpr double pleasant = 2.6;          ///< the zoom of a creature that is small enough for it
 constexpr double arrowRoom = 100.0;       ///< px of the screen round a creature with arrows
-constexpr double creatureReach = 75.0;    ///< px round a creature's middle that it needs, at least
+constexpr double creatureReach = 120.0;   ///< px round a creature's middle that a hand needs, at least
 constexpr double creatureRoom = 12.0;     ///< px that it needs beside its outermost body
+constexpr double nearWall = 80.0;         ///< px from a creature to a wall that is shown with it
 constexpr double solidSide = 12.0;        ///< px beyond the walls that a room shows
 constexpr double groundBorder = 52.0;     ///< px of the screen below a floor: scale and legends stand there
 constexpr double endlessBorder = 68.0;    ///< likewise, of an endless ground: distances stand there too
@@ -89,6 +90,22 @@ QRectF withMotion(const QRectF &area, const QRectF &motion)
     return area.united(motion.intersected(area.adjusted(-across, -down, across, down)));
 }
 
+/// `area` and the walls and the floor of the room that are not far from it: what is about to hit them is looked at with
+/// them.
+QRectF withNearWalls(const lessons::Look &look, QRectF area)
+{
+    if (!look.room)
+        return area;
+    const QRectF room = roomArea(look);
+    if (area.left() - room.left() < nearWall)
+        area.setLeft(std::min(area.left(), room.left()));
+    if (room.right() - area.right() < nearWall)
+        area.setRight(std::max(area.right(), room.right()));
+    if (room.bottom() - area.bottom() < nearWall)
+        area.setBottom(std::max(area.bottom(), room.bottom()));
+    return area;
+}
+
 /// Where a stretch of length `room` begins that holds `wanted` after the smallest move from `from`.
 double moved(double from, double room, double wantedFrom, double wantedTo)
 {
@@ -151,8 +168,9 @@ Framing framingOf(const lessons::Look &look, const QRectF &area, QSizeF view, do
     return {zoom, middle};
 }
 
-Framing closeUp(const lessons::Look &look, const QRectF &area, QSizeF view)
+Framing closeUp(const lessons::Look &look, const QRectF &creature, QSizeF view)
 {
+    const QRectF area = withNearWalls(look, creature);
     const double zoom = std::min({(view.width() - 2.0 * arrowRoom) / area.width(),
                                   (view.height() - 2.0 * arrowRoom) / area.height(), pleasant});
     QPointF middle = area.center();

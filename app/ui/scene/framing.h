@@ -38,7 +38,7 @@ double mostAtHome(const lessons::Look &look, QSizeF view);
 Framing framingOf(const lessons::Look &look, const QRectF &area, QSizeF view, double most);
 
 /// Returns how a creature that fills `area` is shown large, with room for its arrows. Of a floor or ground below it only
-/// so much is shown.
+/// so much is shown, and of a room the walls that are near.
 Framing closeUp(const lessons::Look &look, const QRectF &area, QSizeF view);
 
 /// Returns the smallest change of a framing that brings `box` into the view: it zooms out, to `least` at the least, and

@@ -40,6 +40,20 @@ bool hasSameRoom(const lessons::Look &look, QRectF home, QRectF before)
                            home.bottom() == before.bottom()));
 }
 
+/// The box of those bodies of `shown` that lie within `area`.
+QRectF boxWithin(const Shown &shown, const QRectF &area)
+{
+    QRectF box;
+    for (int i = 0; i < shown.points(); ++i) {
+        const sim::Vec2 at = shown.state().at(i) + shown.shift;
+        const double radius = shown.radius(i);
+        const QRectF body = QRectF(at.x, at.y, 0.0, 0.0).adjusted(-radius, -radius, radius, radius);
+        if (area.contains(body))
+            box |= body;
+    }
+    return box;
+}
+
 bool isNowhere(const QRectF &box)
 {
     const QRectF world(-worldReach, -worldReach, 2.0 * worldReach, 2.0 * worldReach);
@@ -193,8 +207,9 @@ void SceneView::followWithin(double from, double to)
 {
     const int point = m_shown.look().follow;
     const double width = viewRect().width();
-    // While a hand holds something, the picture stays: else the hand would carry it on and on.
-    if (point < 0 || !m_follows || m_hand.isDown() || width <= 0.0)
+    // While a hand holds something, the picture stays: else the hand would carry it on and on. It also stays while the
+    // pointer is held: what runs after it shall come to it.
+    if (point < 0 || !m_follows || m_hand.isDown() || m_tools.isPointing() || width <= 0.0)
         return;
     const double x = camera().at(m_shown.state().at(point)).x();
     const double kept = std::clamp(x, from * width, to * width);
@@ -236,26 +251,21 @@ QRectF SceneView::subject() const
 
 QRectF SceneView::subjectWithin(const QRectF &area) const
 {
-    QRectF box;
-    for (int i = 0; i < m_shown.points(); ++i) {
-        const sim::Vec2 at = m_shown.state().at(i);
-        const double radius = m_shown.radius(i);
-        const QRectF body = QRectF(at.x, at.y, 0.0, 0.0).adjusted(-radius, -radius, radius, radius);
-        if (area.contains(body))
-            box |= body;
-    }
-    return box;
+    return boxWithin(m_shown, area) | boxWithin(m_beside, area);
 }
 
 bool SceneView::isSubjectInSight() const
 {
     const QRectF sight = viewRect().adjusted(inSightBorder, inSightBorder, -inSightBorder, -inSightBorder);
     const Camera camera = this->camera();
-    for (int i = 0; i < m_shown.points(); ++i) {
-        if (sight.contains(camera.at(m_shown.state().at(i))))
-            return true;
-    }
-    return false;
+    const auto isSeen = [&](const Shown &shown) {
+        for (int i = 0; i < shown.points(); ++i) {
+            if (sight.contains(camera.at(shown.state().at(i) + shown.shift)))
+                return true;
+        }
+        return false;
+    };
+    return isSeen(m_shown) || isSeen(m_beside); // whoever flies off leaves the companion to be looked at
 }
 
 QPointF SceneView::wayToSubject() const

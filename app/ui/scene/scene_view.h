@@ -127,7 +127,7 @@ private:
     void keepSubject();
     /// The box of all bodies, px of the scene.
     QRectF subject() const;
-    /// The box of those bodies of the run that are within `area`.
+    /// The box of those bodies of the run, and of its companion, that are within `area`.
     QRectF subjectWithin(const QRectF &area) const;
     bool isSubjectInSight() const;
     /// The shortest move, px of the screen, that brings a body into sight.
