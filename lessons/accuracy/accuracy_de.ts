@@ -272,10 +272,6 @@ Jeder **Effekt** in der Liste hat seinen Preis, und einer, der nicht darin steht
         <translation>Eine berechnete Bewegung geht innerhalb eines Zeitschritts geradeaus, darum folgen kleine Zeitschritte einer Biegung genauer, und kosten mehr.</translation>
     </message>
     <message>
-        <source>Above the picture, press **Step** and choose **1/8&#x2009;frame**. Press **Space**, and stop after frame 100. How far off it is stands above the parameters.</source>
-        <translation>Drück über der Szene **Zeitschritt** und wähle **1/8&#x2009;Bild**. Drück die **Leertaste** und halte nach Bild 100 an. Wie weit er daneben ist, steht über den Parametern.</translation>
-    </message>
-    <message>
         <source>Choose **2&#x2009;frames** as step above the picture, press **Space**, and wait.</source>
         <translation>Wähle über der Szene **2&#x2009;Bilder** als Zeitschritt, drück die **Leertaste** und warte.</translation>
     </message>
@@ -480,14 +476,6 @@ und das halbe h lässt davon 1/2, 1/4, 1/16 übrig, für p = 1, 2, 4.</translati
         <translation>Ein Verfahren, das zwei Antworten vergleicht, kann seine Zeitschritte selbst wählen: lang, wo wenig geschieht, kurz, wo viel geschieht.</translation>
     </message>
     <message>
-        <source>Above the picture, press **Tolerance** and choose **0.1&#x2009;px**. Press **Space**, and stop after frame 150.</source>
-        <translation>Drück über der Szene **Toleranz** und wähle **0,1&#x2009;px**. Drück die **Leertaste** und halte nach Bild 150 an.</translation>
-    </message>
-    <message>
-        <source>Press **Space**. Take the foot and throw it so that it just passes the dot in the middle.</source>
-        <translation>Drück die **Leertaste**. Nimm den Fuß und wirf ihn so, dass er knapp am Punkt in der Mitte vorbeifliegt.</translation>
-    </message>
-    <message>
         <source>Choose **Runge–Kutta 4** as method and **1/4&#x2009;frame** as step, type 150 into the frame counter, and read how far off it is.</source>
         <translation>Wähle **Runge–Kutta 4** als Verfahren und **1/4&#x2009;Bild** als Zeitschritt, gib im Bildzähler 150 ein und lies ab, wie weit er daneben ist.</translation>
     </message>
@@ -585,7 +573,7 @@ und das halbe h lässt davon 1/2, 1/4, 1/16 übrig, für p = 1, 2, 4.</translati
     </message>
     <message>
         <source>choose **1&#x2009;frame** as step.</source>
-        <translation>wähle **1 Bild** als Zeitschritt.</translation>
+        <translation>wähle **1&#x2009;Bild** als Zeitschritt.</translation>
     </message>
     <message>
         <source>go to frame %2. This is frame %1.</source>
@@ -597,19 +585,19 @@ und das halbe h lässt davon 1/2, 1/4, 1/16 übrig, für p = 1, 2, 4.</translati
     </message>
     <message>
         <source>try another method or step. This one is %1&#x2009;px off.</source>
-        <translation>versuche ein anderes Verfahren oder einen anderen Zeitschritt. Es ist %1 px daneben.</translation>
+        <translation>versuche ein anderes Verfahren oder einen anderen Zeitschritt. Es ist %1&#x2009;px daneben.</translation>
     </message>
     <message>
         <source>play on. The drift is %1&#x2009;%.</source>
-        <translation>spiele weiter. Die Drift ist %1 %.</translation>
+        <translation>spiele weiter. Die Drift ist %1&#x2009;%.</translation>
     </message>
     <message>
         <source>3&#x2009;px, instead of 66&#x2009;px.</source>
-        <translation>3 px statt 66 px.</translation>
+        <translation>3&#x2009;px statt 66&#x2009;px.</translation>
     </message>
     <message>
         <source>play on. The foot is %1&#x2009;px off.</source>
-        <translation>spiele weiter. Der Fuß ist %1 px daneben.</translation>
+        <translation>spiele weiter. Der Fuß ist %1&#x2009;px daneben.</translation>
     </message>
     <message>
         <source>set **k** at frame 0: press **Home**.</source>
@@ -617,11 +605,11 @@ und das halbe h lässt davon 1/2, 1/4, 1/16 übrig, für p = 1, 2, 4.</translati
     </message>
     <message>
         <source>Type **5&#x2009;frames** as step. Now k h² is 5, more than 4: each swing throws it farther out. Wait until it is 1000&#x2009;px away.</source>
-        <translation>Gib **5 Bilder** als Zeitschritt ein. Jetzt ist k h² gleich 5, mehr als 4: Jede Schwingung wirft ihn weiter hinaus. Warte, bis er 1000 px weit weg ist.</translation>
+        <translation>Gib **5&#x2009;Bilder** als Zeitschritt ein. Jetzt ist k h² gleich 5, mehr als 4: Jede Schwingung wirft ihn weiter hinaus. Warte, bis er 1000&#x2009;px weit weg ist.</translation>
     </message>
     <message>
         <source>play on. The foot is %1&#x2009;px away.</source>
-        <translation>spiele weiter. Der Fuß ist %1 px weit weg.</translation>
+        <translation>spiele weiter. Der Fuß ist %1&#x2009;px weit weg.</translation>
     </message>
     <message>
         <source>choose **Explicit Euler** as method.</source>
@@ -633,7 +621,7 @@ und das halbe h lässt davon 1/2, 1/4, 1/16 übrig, für p = 1, 2, 4.</translati
     </message>
     <message>
         <source>**Semi-implicit Euler**: go to frame 60 with steps of 1/16&#x2009;frame. Is it half as far off as with 1/8?</source>
-        <translation>**Semi-implizites Euler**: Geh mit Zeitschritten von 1/16 Bild zu Bild 60. Ist es halb so weit daneben wie mit 1/8?</translation>
+        <translation>**Semi-implizites Euler**: Geh mit Zeitschritten von 1/16&#x2009;Bild zu Bild 60. Ist es halb so weit daneben wie mit 1/8?</translation>
     </message>
     <message>
         <source>choose **Semi-implicit Euler** as method.</source>
@@ -641,7 +629,7 @@ und das halbe h lässt davon 1/2, 1/4, 1/16 übrig, für p = 1, 2, 4.</translati
     </message>
     <message>
         <source>Nearly: 0.21&#x2009;px instead of 0.44&#x2009;px. Its order is 1.</source>
-        <translation>Fast: 0,21 px statt 0,44 px. Seine Ordnung ist 1.</translation>
+        <translation>Fast: 0,21&#x2009;px statt 0,44&#x2009;px. Seine Ordnung ist 1.</translation>
     </message>
     <message>
         <source>choose **Midpoint** as method.</source>
@@ -649,7 +637,7 @@ und das halbe h lässt davon 1/2, 1/4, 1/16 übrig, für p = 1, 2, 4.</translati
     </message>
     <message>
         <source>Yes: 0.21&#x2009;px instead of 0.84&#x2009;px. Its order is 2.</source>
-        <translation>Ja: 0,21 px statt 0,84 px. Ihre Ordnung ist 2.</translation>
+        <translation>Ja: 0,21&#x2009;px statt 0,84&#x2009;px. Ihre Ordnung ist 2.</translation>
     </message>
     <message>
         <source>choose **Runge–Kutta 4** as method.</source>
@@ -657,7 +645,7 @@ und das halbe h lässt davon 1/2, 1/4, 1/16 übrig, für p = 1, 2, 4.</translati
     </message>
     <message>
         <source>Yes: 0.00003&#x2009;px instead of 0.0005&#x2009;px. Its order is 4.</source>
-        <translation>Ja: 0,00003 px statt 0,0005 px. Seine Ordnung ist 4.</translation>
+        <translation>Ja: 0,00003&#x2009;px statt 0,0005&#x2009;px. Seine Ordnung ist 4.</translation>
     </message>
     <message>
         <source>choose something cheaper. This needs %1 computations a frame.</source>
@@ -665,11 +653,11 @@ und das halbe h lässt davon 1/2, 1/4, 1/16 übrig, für p = 1, 2, 4.</translati
     </message>
     <message>
         <source>About 23&#x2009;px. The tolerance is for one step, and the errors of all steps add up.</source>
-        <translation>Etwa 23 px. Die Toleranz gilt für einen Zeitschritt, und die Fehler aller Zeitschritte summieren sich.</translation>
+        <translation>Etwa 23&#x2009;px. Die Toleranz gilt für einen Zeitschritt, und die Fehler aller Zeitschritte summieren sich.</translation>
     </message>
     <message>
         <source>Throw the foot, at 5&#x2009;px per frame or more, past the middle, within 10&#x2009;px of it. Watch its steps get shorter than 1&#x2009;frame.</source>
-        <translation>Wirf den Fuß, mit 5 px pro Bild oder mehr, an der Mitte vorbei, innerhalb von 10 px. Sieh zu, wie seine Zeitschritte kürzer als 1 Bild werden.</translation>
+        <translation>Wirf den Fuß, mit 5&#x2009;px pro Bild oder mehr, an der Mitte vorbei, innerhalb von 10&#x2009;px. Sieh zu, wie seine Zeitschritte kürzer als 1&#x2009;Bild werden.</translation>
     </message>
     <message>
         <source>choose **Dormand–Prince 5(4)** as method.</source>
@@ -677,15 +665,11 @@ und das halbe h lässt davon 1/2, 1/4, 1/16 übrig, für p = 1, 2, 4.</translati
     </message>
     <message>
         <source>it has to pass the middle within 10&#x2009;px. Throw it closer by.</source>
-        <translation>er muss innerhalb von 10 px an der Mitte vorbei. Wirf ihn näher daran vorbei.</translation>
+        <translation>er muss innerhalb von 10&#x2009;px an der Mitte vorbei. Wirf ihn näher daran vorbei.</translation>
     </message>
     <message>
         <source>16 computations of all forces: four for each step of 1/4&#x2009;frame. Far out it would not need them.</source>
-        <translation>16 Berechnungen aller Kräfte: vier für jeden Zeitschritt von 1/4 Bild. Weit draußen bräuchte es sie nicht.</translation>
-    </message>
-    <message>
-        <source>1. From 1/4&#x2009;frame to 1/8&#x2009;frame, the error falls from 24 to 15&#x2009;px, not to a sixteenth.</source>
-        <translation>1. Von 1/4 Bild zu 1/8 Bild fällt der Fehler von 24 auf 15 px, nicht auf ein Sechzehntel.</translation>
+        <translation>16 Berechnungen aller Kräfte: vier für jeden Zeitschritt von 1/4&#x2009;Bild. Weit draußen bräuchte es sie nicht.</translation>
     </message>
     <message>
         <source>By less than a millionth of a pixel: it ends a step at the very moment of each touch.</source>
@@ -697,7 +681,7 @@ und das halbe h lässt davon 1/2, 1/4, 1/16 übrig, für p = 1, 2, 4.</translati
     </message>
     <message>
         <source>Set **Creatures** to 20&#x2009;000 and play on for 60&#x2009;frames. Does a frame take twice as long as with 10&#x2009;000?</source>
-        <translation>Setze **Figuren** auf 20 000 und spiele 60 Bilder weiter. Dauert ein Bild doppelt so lang wie mit 10 000?</translation>
+        <translation>Setze **Figuren** auf 20&#x2009;000 und spiele 60&#x2009;Bilder weiter. Dauert ein Bild doppelt so lang wie mit 10&#x2009;000?</translation>
     </message>
     <message>
         <source>About twice: each creature costs the same. It is more where the machine’s cache no longer holds all of them.</source>
@@ -706,6 +690,30 @@ und das halbe h lässt davon 1/2, 1/4, 1/16 übrig, für p = 1, 2, 4.</translati
     <message>
         <source>let time run (**Space**) until nothing moves.</source>
         <translation>lass die Zeit laufen (**Leertaste**), bis sich nichts mehr bewegt.</translation>
+    </message>
+    <message>
+        <source>set **k** back to 0.2.</source>
+        <translation>setze **k** zurück auf 0,2.</translation>
+    </message>
+    <message>
+        <source>Above the picture, press **Step** and choose **1/8&#x2009;frame**. Click the number beside **Frame**, type 100, and press **Enter**. How far off it is stands above the parameters.</source>
+        <translation>Drück über der Szene **Zeitschritt** und wähle **1/8&#x2009;Bild**. Klicke die Zahl neben **Bild** an, gib 100 ein und drück **Eingabe**. Wie weit es daneben liegt, steht über den Parametern.</translation>
+    </message>
+    <message>
+        <source>Above the picture, press **Tolerance** and choose **0.1&#x2009;px**. Then type 150 into the frame counter.</source>
+        <translation>Drück über der Szene **Toleranz** und wähle **0,1&#x2009;px**. Gib dann im Bildzähler 150 ein.</translation>
+    </message>
+    <message>
+        <source>Press **Tolerance** and choose **0.001&#x2009;px**, then press **Home**. Take the foot and throw it so that it just passes the dot in the middle.</source>
+        <translation>Drück **Toleranz** und wähle **0,001&#x2009;px**, dann drück **Pos1**. Nimm den Fuß und wirf ihn so, dass er knapp am Punkt in der Mitte vorbeifliegt.</translation>
+    </message>
+    <message>
+        <source>its step there is %1 frames long: choose a **tolerance** of 0.001&#x2009;px.</source>
+        <translation>sein Zeitschritt ist dort %1 Bilder lang: Wähle eine **Toleranz** von 0,001&#x2009;px.</translation>
+    </message>
+    <message>
+        <source>Order 1: from 1/4&#x2009;frame to 1/8&#x2009;frame, the error falls from 24 to 15&#x2009;px, not to a sixteenth.</source>
+        <translation>Ordnung 1: Von 1/4 Bild zu 1/8 Bild fällt der Fehler von 24 auf 15 px, nicht auf ein Sechzehntel.</translation>
     </message>
 </context>
 <context>

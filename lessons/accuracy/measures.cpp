@@ -107,7 +107,7 @@ Measure computationsMeasure()
     Measure measure = {Text::tr("Computations"),
                        Text::tr("a frame"),
                        Text::tr("How often all forces were computed for this frame: that is the work."),
-                       0,
+                       1,
                        {}};
     measure.ofRun = [](const Script &script, const Scene &, const State &state, const State *before,
                        const Values &) { return computations(script, state, before); };

@@ -20,13 +20,14 @@ Teaching bigStep()
         Text::tr("A computed motion goes straight on within a step, so small steps follow a bend more "
                  "closely, and cost more."),
         {
-            Text::tr("Above the picture, press **Step** and choose **1/8 frame**. Press **Space**, and stop "
-                     "after frame 100. How far off it is stands above the parameters."),
+            Text::tr(
+                "Above the picture, press **Step** and choose **1/8 frame**. Click the number beside "
+                "**Frame**, type 100, and press **Enter**. How far off it is stands above the parameters."),
             Text::tr("Choose **2 frames** as step above the picture, press **Space**, and wait."),
-            Text::tr("Choose **1 frame** as step. Press **Home**, type 0.02 beside **k**, press **Space**, "
-                     "and wait four seconds."),
             Text::tr("Above the picture, press **Step**, type 5 into the field **Other**, and press "
                      "**Enter**. Then press **Space**."),
+            Text::tr("Choose **1 frame** as step. Press **Home**, type 0.02 beside **k**, press **Space**, "
+                     "and wait four seconds."),
         },
         {
             {Text::tr("Step"), Text::tr("small steps|smaller steps|once a step|each step|steps of"),
@@ -120,10 +121,12 @@ Teaching adapt()
         Text::tr("A method that compares two answers can choose its own steps: long where little happens, "
                  "short where much does."),
         {
-            Text::tr("Above the picture, press **Tolerance** and choose **0.1 px**. Press **Space**, and "
-                     "stop after frame 150."),
-            Text::tr("Press **Space**. Take the foot and throw it so that it just passes the dot in the "
-                     "middle."),
+            Text::tr(
+                "Above the picture, press **Tolerance** and choose **0.1 px**. Then type 150 into the frame "
+                "counter."),
+            Text::tr("Press **Tolerance** and choose **0.001 px**, then press **Home**. Take the foot and "
+                     "throw it "
+                     "so that it just passes the dot in the middle."),
             Text::tr("Choose **Runge–Kutta 4** as method and **1/4 frame** as step, type 150 into the frame "
                      "counter, and read how far off it is."),
         },

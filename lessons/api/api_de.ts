@@ -9,7 +9,7 @@
     </message>
     <message>
         <source>let go while the mouse moves, at %2&#x202f;px per frame or more. Yours left at %1.</source>
-        <translation>lass los, während sich die Maus bewegt, mit %2 px pro Bild oder mehr. Losgelassen wurde bei %1.</translation>
+        <translation>lass los, während sich die Maus bewegt, mit %2&#x202f;px pro Bild oder mehr. Losgelassen wurde bei %1.</translation>
     </message>
     <message>
         <source>take it with the mouse.</source>
@@ -21,7 +21,7 @@
     </message>
     <message>
         <source>carry it %2&#x202f;px or more. It came %1&#x202f;px.</source>
-        <translation>trag es %2 px weit oder mehr. Es kam %1 px weit.</translation>
+        <translation>trag es %2&#x202f;px weit oder mehr. Es kam %1&#x202f;px weit.</translation>
     </message>
     <message>
         <source>let time run (**Space**) until nothing moves.</source>
@@ -29,11 +29,11 @@
     </message>
     <message>
         <source>hands off, and let time run for %2&#x202f;frames. So far: %1.</source>
-        <translation>Hände weg, und lass die Zeit %2 Bilder lang laufen. Bisher: %1.</translation>
+        <translation>Hände weg, und lass die Zeit %2&#x202f;Bilder lang laufen. Bisher: %1.</translation>
     </message>
     <message>
         <source>let time run for %2&#x202f;frames with this value. So far: %1.</source>
-        <translation>lass die Zeit mit diesem Wert %2 Bilder lang laufen. Bisher: %1.</translation>
+        <translation>lass die Zeit mit diesem Wert %2&#x202f;Bilder lang laufen. Bisher: %1.</translation>
     </message>
     <message>
         <source>go on to frame %2. This is frame %1.</source>
@@ -49,7 +49,7 @@
     </message>
     <message>
         <source>play on for 10&#x202f;frames from where the two part. So far: %1.</source>
-        <translation>spiele von dort, wo sich die beiden trennen, 10 Bilder weiter. Bisher: %1.</translation>
+        <translation>spiele von dort, wo sich die beiden trennen, 10&#x202f;Bilder weiter. Bisher: %1.</translation>
     </message>
 </context>
 <context>

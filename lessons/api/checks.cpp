@@ -79,7 +79,7 @@ bool isStill(const sim::Timeline &timeline)
     return true;
 }
 
-std::int64_t framesSinceSet(const sim::Timeline &timeline, const std::string &id)
+std::int64_t frameOfSet(const sim::Timeline &timeline, const std::string &id)
 {
     std::int64_t last = 0;
     for (const sim::Event &event : timeline.script().input) {
@@ -87,7 +87,12 @@ std::int64_t framesSinceSet(const sim::Timeline &timeline, const std::string &id
         if (set && set->parameter == id && event.frame <= timeline.at().frame + timeline.track().rowFrames())
             last = std::max(last, event.frame);
     }
-    return std::max<std::int64_t>(0, timeline.at().frame - last);
+    return last;
+}
+
+std::int64_t framesSinceSet(const sim::Timeline &timeline, const std::string &id)
+{
+    return std::max<std::int64_t>(0, timeline.at().frame - frameOfSet(timeline, id));
 }
 
 bool isSetTo(const sim::Timeline &timeline, const std::string &id, double value)

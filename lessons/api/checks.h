@@ -25,6 +25,8 @@ bool onStage(sim::Vec2 place);
 constexpr double stillness = 0.05;
 bool isStill(const sim::Timeline &timeline);
 
+/// The frame before which the parameter `id` was set last, up to the cursor; 0 where it never was.
+std::int64_t frameOfSet(const sim::Timeline &timeline, const std::string &id);
 /// How many frames the parameter `id` has had the value that it has at the cursor.
 std::int64_t framesSinceSet(const sim::Timeline &timeline, const std::string &id);
 /// Whether `id` is `value`, to half of what its last shown place can be (0.005).

@@ -80,6 +80,17 @@ Condition letGoOf(const std::string &body)
             Text::tr("take it with the mouse, and let go of it.")};
 }
 
+Condition letGoSinceSet(const std::string &id, const std::string &body)
+{
+    Condition condition = letGoOf(body);
+    condition.holds = [id, body](const sim::Timeline &run) {
+        const std::optional<Carry> carry = lastLetGo(run, body);
+        const std::int64_t set = frameOfSet(run, id);
+        return carry && (carry->grabbed >= set || *carry->letGo > set);
+    };
+    return condition;
+}
+
 Condition fastEnough(double leastSpeed)
 {
     return atLeast(

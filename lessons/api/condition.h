@@ -51,6 +51,8 @@ private:
 
 /// The hand has let go of `body`, or of anything if that is empty, and has taken nothing since.
 Condition letGoOf(const std::string &body = {});
+/// The same, and it let go after the parameter `id` was set: what was done with another value does not count.
+Condition letGoSinceSet(const std::string &id, const std::string &body = {});
 /// It let go while it moved at least `leastSpeed` px/frame.
 Condition fastEnough(double leastSpeed = 5.0);
 /// What the hand took last is `body`, whether it still holds it or not.

@@ -204,76 +204,12 @@ Das genügt für eine Richtung: Vom Schwanz zur Spitze, dorthin schaut es. Wird 
 In jedem Bild bewegt sich zuerst die Spitze. Der Schwanz folgt im selben Bild.</translation>
     </message>
     <message>
-        <source>Before you jump, you crouch. Animators call that **anticipation**: a small move the other way tells the eye that a big one comes.
-
-Here it is one line. When you click, the lead is shifted **away from the target** by a part of the way, 0.2 of it.
-
-Its place before that frame stays what it was. The velocity is the way that it came, so the shift is also a push: it goes on backing up, slower and slower, until the motor has turned it round. A longer way gives a bigger shift, with no number to be set for it.
-
-Two clicks in one frame shift it twice.</source>
-        <translation>Bevor du springst, gehst du in die Hocke. Trickfilmer nennen das **Ausholen**: Eine kleine Bewegung in die Gegenrichtung sagt dem Auge, dass eine große kommt.
-
-Hier ist das eine Zeile. Wenn du klickst, wird die Spitze **vom Ziel weg** verschoben, um einen Teil des Wegs, 0,2 davon.
-
-Ihr Ort vor diesem Bild bleibt, was er war. Die Geschwindigkeit ist der Weg, den sie kam, darum ist die Verschiebung auch ein Schubs: Sie weicht weiter zurück, langsamer und langsamer, bis der Motor sie umgekehrt hat. Ein längerer Weg gibt eine größere Verschiebung, ohne eine Zahl, die man dafür setzen müsste.
-
-Zwei Klicks in einem Bild verschieben sie zweimal.</translation>
-    </message>
-    <message>
         <source>Squash and stretch</source>
         <translation>Stauchen, Strecken</translation>
     </message>
     <message>
-        <source>Now the tail gets a velocity of its own, and the stick gives way: it is **soft**. The tail drags behind and swings past, and the body is squashed and stretched.
-
-Each frame takes only 0.1 of the error. But a soft stick alone would let the tail pass through the lead. So there are **three cases**: shorter than 20&#x202f;px or longer than 60&#x202f;px, it takes 0.8 of what is past that limit; in between, 0.1 of the way to 40&#x202f;px.
-
-The tail’s velocity is split in two, **along** the spine and **across** it. Along, it keeps 0.7 each frame, across only 0.5: it bobs more than it swings round.</source>
-        <translation>Jetzt bekommt der Schwanz eine eigene Geschwindigkeit, und der Stab gibt nach: Er ist **weich**. Der Schwanz hinkt hinterher und schwingt vorbei, und der Körper wird gestaucht und gestreckt.
-
-Jedes Bild nimmt nur 0,1 des Fehlers. Aber ein weicher Stab allein würde den Schwanz durch die Spitze hindurchlassen. Darum gibt es **drei Fälle**: Kürzer als 20&#x202f;px oder länger als 60&#x202f;px nimmt er 0,8 von dem, was jenseits der Grenze ist; dazwischen 0,1 des Wegs zu 40&#x202f;px.
-
-Die Geschwindigkeit des Schwanzes wird zerlegt, **längs** zum Rückgrat und **quer** dazu. Längs behält er in jedem Bild 0,7, quer nur 0,5: Er federt mehr, als er herumschwingt.</translation>
-    </message>
-    <message>
         <source>Volume</source>
         <translation>Volumen</translation>
-    </message>
-    <message>
-        <source>A body that gets shorter must get wider, or it seems to lose weight. Two more points make the **sides**, with five more constraints.
-
-Four are soft and one-sided: from lead and tail to each side. They keep the sides in the middle.
-
-The fifth is rigid and goes across, from side to side. **Its length follows from the area**: half of spine times width is the area of this shape, so the width that it needs is 2 × area / spine. Half as long makes twice as wide.
-
-No angle, no formula for bulging. In a sharp turn the sides come late and the shape buckles; calmer moves look better.</source>
-        <translation>Ein Körper, der kürzer wird, muss breiter werden, sonst scheint er Gewicht zu verlieren. Zwei weitere Punkte bilden die **Seiten**, mit fünf weiteren Zwangsbedingungen.
-
-Vier sind weich und einseitig: von Spitze und Schwanz zu jeder Seite. Sie halten die Seiten in der Mitte.
-
-Die fünfte ist starr und geht quer, von Seite zu Seite. **Ihre Länge folgt aus der Fläche**: Die Hälfte von Rückgrat mal Breite ist die Fläche dieser Form, also ist die Breite, die sie braucht, 2 × Fläche / Rückgrat. Halb so lang macht doppelt so breit.
-
-Kein Winkel, keine Formel fürs Ausbeulen. In einer scharfen Kurve kommen die Seiten zu spät, und die Form knickt ein; ruhigere Bewegungen sehen besser aus.</translation>
-    </message>
-    <message>
-        <source>The sides carry **tentacles**: chains of points with sticks between them. Each point goes on as it came (Verlet), and **water** takes a share of its speed. Then the sticks pull it in.
-
-These sticks are one-sided, too. From the side outwards, each link puts its outer end right and leaves the inner one alone. So **one pass is enough**: no later link disturbs an earlier one, and every link has exactly its 7&#x202f;px.
-
-The price: a tentacle feels the body, but the body does not feel the tentacle. For something so light that is a fair lie.
-
-Nothing here was drawn frame by frame: springs and constraints do all of it.</source>
-        <translation>Die Seiten tragen **Tentakel**: Ketten von Punkten mit Stäben dazwischen. Jeder Punkt geht weiter, wie er kam (Verlet), und **Wasser** nimmt einen Anteil seines Tempos. Dann ziehen die Stäbe ihn heran.
-
-Auch diese Stäbe sind einseitig. Von der Seite nach außen stellt jedes Glied sein äußeres Ende richtig und lässt das innere in Ruhe. Darum **genügt ein Durchgang**: Kein späteres Glied stört ein früheres, und jedes Glied hat genau seine 7&#x202f;px.
-
-Der Preis: Ein Tentakel spürt den Körper, aber der Körper spürt den Tentakel nicht. Für etwas so Leichtes ist das ein erlaubter Schwindel.
-
-Nichts hier wurde Bild für Bild gezeichnet: Federn und Zwangsbedingungen tun das alles.</translation>
-    </message>
-    <message>
-        <source>Click at least 150&#x202f;px away, and wait until it has arrived.</source>
-        <translation>Klicke mindestens 150&#x202f;px entfernt und warte, bis es angekommen ist.</translation>
     </message>
     <message>
         <source>Set **keep** to 1 and click somewhere else. After 100&#x202f;frames it still swings.</source>
@@ -282,10 +218,6 @@ Nichts hier wurde Bild für Bild gezeichnet: Federn und Zwangsbedingungen tun da
     <message>
         <source>Send it to places so that it turns round: the tail at least 30&#x202f;px to the right of the lead.</source>
         <translation>Schicke es so umher, dass es sich umdreht: den Schwanz mindestens 30&#x202f;px rechts von der Spitze.</translation>
-    </message>
-    <message>
-        <source>Pull it at least 100&#x202f;px away by its tail, let go, and wait until it is back.</source>
-        <translation>Zieh es am Schwanz mindestens 100&#x202f;px weg, lass los und warte, bis es zurück ist.</translation>
     </message>
     <message>
         <source>Stop inside a frame when the lead has moved, and the tail is 5&#x202f;px too far away.</source>
@@ -346,10 +278,6 @@ Nichts hier wurde Bild für Bild gezeichnet: Federn und Zwangsbedingungen tun da
     <message>
         <source>Type 1 into the field beside **Keep**. Press **Space**, click the background, and wait four seconds.</source>
         <translation>Gib im Feld neben **Erhalt** 1 ein. Drück die **Leertaste**, klicke auf den Hintergrund und warte vier Sekunden.</translation>
-    </message>
-    <message>
-        <source>Press **Space**. Take the little disc, swing it quickly, let go on the way, and wait.</source>
-        <translation>Drück die **Leertaste**. Nimm die kleine Scheibe, schwing sie schnell, lass unterwegs los und warte.</translation>
     </message>
     <message>
         <source>Lead</source>
@@ -416,10 +344,6 @@ Der Ort ändert sich also um ein Sechzehntel, und 0,9 bewirkt so viel wie 0,9 / 
         <translation>Drück die **Leertaste**. Nimm den Schwanz, trag ihn quer durch die Szene, lass los und warte.</translation>
     </message>
     <message>
-        <source>Click the background far off, and stop at once. Then press **Shift+→** again and again until the lead has moved, and the tail has not.</source>
-        <translation>Klicke weit entfernt auf den Hintergrund und halte gleich an. Drück dann immer wieder **Umschalt+→**, bis die Spitze sich bewegt hat und der Schwanz noch nicht.</translation>
-    </message>
-    <message>
         <source>One-sided</source>
         <translation>Einseitig</translation>
     </message>
@@ -436,16 +360,8 @@ Der Ort ändert sich also um ein Sechzehntel, und 0,9 bewirkt so viel wie 0,9 / 
         <translation>Eine Verschiebung weg vom Ziel, im Bild des Klicks, sieht aus wie Schwungholen.</translation>
     </message>
     <message>
-        <source>Stop. Click the background far from the creature, and press **Shift+→** until the strip under the timeline has ticked the shift.</source>
-        <translation>Halte an. Klicke weit vom Wesen entfernt auf den Hintergrund und drück **Umschalt+→**, bis der Streifen unter der Zeitleiste die Verschiebung abgehakt hat.</translation>
-    </message>
-    <message>
         <source>Type 0.6 into the field beside **Anticipation**. Press **Space** and click far away.</source>
         <translation>Gib im Feld neben **Ausholen** 0,6 ein. Drück die **Leertaste** und klicke weit weg.</translation>
-    </message>
-    <message>
-        <source>Play, click the background, and stop. Drag the timeline back to before the click, type another **Anticipation**, and play on for a second.</source>
-        <translation>Spiele ab, klicke auf den Hintergrund und halte an. Zieh die Zeitleiste vor den Klick zurück, gib ein anderes **Ausholen** ein und spiele eine Sekunde weiter.</translation>
     </message>
     <message>
         <source>anticipation</source>
@@ -549,11 +465,7 @@ Frag jetzt andersherum. Welche Breite erhält die Fläche?
     </message>
     <message>
         <source>click farther away: it has to back up at 3&#x202f;px per frame or more. Now: %1.</source>
-        <translation>klicke weiter weg: Es muss mit 3 px pro Bild oder mehr zurückweichen. Jetzt: %1.</translation>
-    </message>
-    <message>
-        <source>click 150&#x202f;px away or more. That was %1&#x202f;px.</source>
-        <translation>klicke 150 px entfernt oder mehr. Das waren %1 px.</translation>
+        <translation>klicke weiter weg: Es muss mit 3&#x202f;px pro Bild oder mehr zurückweichen. Jetzt: %1.</translation>
     </message>
     <message>
         <source>click somewhere else: it stands still.</source>
@@ -561,11 +473,11 @@ Frag jetzt andersherum. Welche Breite erhält die Fläche?
     </message>
     <message>
         <source>Take the lead in your hand and throw it, at 5&#x202f;px per frame or more. It comes back.</source>
-        <translation>Nimm die Spitze in die Hand und wirf sie, mit 5 px pro Bild oder mehr. Sie kommt zurück.</translation>
+        <translation>Nimm die Spitze in die Hand und wirf sie, mit 5&#x202f;px pro Bild oder mehr. Sie kommt zurück.</translation>
     </message>
     <message>
         <source>send it to the left. The tail is %1&#x202f;px to the right of the lead.</source>
-        <translation>schicke es nach links. Der Schwanz ist %1 px rechts von der Spitze.</translation>
+        <translation>schicke es nach links. Der Schwanz ist %1&#x202f;px rechts von der Spitze.</translation>
     </message>
     <message>
         <source>press **Shift+→** until the lead has moved.</source>
@@ -573,15 +485,7 @@ Frag jetzt andersherum. Welche Breite erhält die Fläche?
     </message>
     <message>
         <source>stop while it is fast: click far away first. The tail is %1&#x202f;px too far away.</source>
-        <translation>halte an, solange es schnell ist: Klicke zuerst weit weg. Der Schwanz ist %1 px zu weit weg.</translation>
-    </message>
-    <message>
-        <source>Click far away, and stop inside a frame right after the shift, when it backs up at 3&#x202f;px per frame or more.</source>
-        <translation>Klicke weit weg und halte innerhalb eines Bildes gleich nach der Verschiebung an, wenn es mit 3 px pro Bild oder mehr zurückweicht.</translation>
-    </message>
-    <message>
-        <source>press **Shift+→** until the shift is the last phase that was done.</source>
-        <translation>drück **Umschalt+→**, bis die Verschiebung die letzte erledigte Phase ist.</translation>
+        <translation>halte an, solange es schnell ist: Klicke zuerst weit weg. Der Schwanz ist %1&#x202f;px zu weit weg.</translation>
     </message>
     <message>
         <source>go back to before a click, and change **anticipation** there.</source>
@@ -589,11 +493,11 @@ Frag jetzt andersherum. Welche Breite erhält die Fläche?
     </message>
     <message>
         <source>send it farther. Its spine is %1&#x202f;px long.</source>
-        <translation>schicke es weiter. Sein Rückgrat ist %1 px lang.</translation>
+        <translation>schicke es weiter. Sein Rückgrat ist %1&#x202f;px lang.</translation>
     </message>
     <message>
         <source>send it far away, to where it looks. Its spine is %1&#x202f;px long.</source>
-        <translation>schicke es weit weg, dorthin, wohin es schaut. Sein Rückgrat ist %1 px lang.</translation>
+        <translation>schicke es weit weg, dorthin, wohin es schaut. Sein Rückgrat ist %1&#x202f;px lang.</translation>
     </message>
     <message>
         <source>set **soft** to 1 there.</source>
@@ -601,11 +505,11 @@ Frag jetzt andersherum. Welche Breite erhält die Fläche?
     </message>
     <message>
         <source>send it far away, to where it looks. It is %1&#x202f;px wide.</source>
-        <translation>schicke es weit weg, dorthin, wohin es schaut. Es ist %1 px breit.</translation>
+        <translation>schicke es weit weg, dorthin, wohin es schaut. Es ist %1&#x202f;px breit.</translation>
     </message>
     <message>
         <source>send it farther. It is %1&#x202f;px wide.</source>
-        <translation>schicke es weiter. Es ist %1 px breit.</translation>
+        <translation>schicke es weiter. Es ist %1&#x202f;px breit.</translation>
     </message>
     <message>
         <source>hold it still until the area is right again.</source>
@@ -617,7 +521,115 @@ Frag jetzt andersherum. Welche Breite erhält die Fläche?
     </message>
     <message>
         <source>send it to and fro, farther and faster. The fastest tip moves at %1&#x202f;px per frame.</source>
-        <translation>schicke es weiter und schneller hin und her. Die schnellste Spitze bewegt sich mit %1 px pro Bild.</translation>
+        <translation>schicke es weiter und schneller hin und her. Die schnellste Spitze bewegt sich mit %1&#x202f;px pro Bild.</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>How far apart the two sides are.</source>
+        <translation>Wie weit die beiden Seiten auseinander sind.</translation>
+    </message>
+    <message>
+        <source>Before you jump, you crouch. Animators call that **anticipation**: a small move the other way tells the eye that a big one is coming.
+
+When you click, the lead is shifted **away from the target** by a part of the way, 0.2 of it.
+
+Its place before that frame stays what it was. The velocity is the way that it came, so the shift is also a push: it goes on backing up, slower and slower, until the motor has turned it round. A longer way gives a bigger shift, with no number to be set for it.
+
+Two clicks in one frame shift it twice.</source>
+        <translation>Bevor du springst, gehst du in die Hocke. Trickfilmer nennen das **Ausholen**: Eine kleine Bewegung in die Gegenrichtung sagt dem Auge, dass eine große kommt.
+
+Wenn du klickst, wird die Spitze **vom Ziel weg** verschoben, um einen Teil des Wegs, 0,2 davon.
+
+Ihr Ort vor diesem Bild bleibt, was er war. Die Geschwindigkeit ist der Weg, den sie kam, darum ist die Verschiebung auch ein Schubs: Sie weicht weiter zurück, langsamer und langsamer, bis der Motor sie umgekehrt hat. Ein längerer Weg gibt eine größere Verschiebung, ohne eine Zahl, die man dafür setzen müsste.
+
+Zwei Klicks in einem Bild verschieben sie zweimal.</translation>
+    </message>
+    <message>
+        <source>Now the tail gets a velocity of its own, and the stick gives way: it is **soft**. The tail drags behind and swings past, and the body is squashed and stretched along its **spine**, the line from tail to lead.
+
+Each frame takes only 0.1 of the error. But a soft stick alone would let the tail pass through the lead. So there are **three cases**: shorter than 20&#x202f;px or longer than 60&#x202f;px, it takes 0.8 of what is past that limit; in between, 0.1 of the way to 40&#x202f;px.
+
+The tail’s velocity is split in two, **along** the spine and **across** it. Along, it keeps 0.7 each frame, across only 0.5: it bobs more than it swings round.</source>
+        <translation>Jetzt bekommt der Schwanz eine eigene Geschwindigkeit, und der Stab gibt nach: Er ist **weich**. Der Schwanz hinkt hinterher und schwingt vorbei, und der Körper wird längs seines **Rückgrats** gestaucht und gestreckt, der Linie vom Schwanz zur Spitze.
+
+Jedes Bild nimmt nur 0,1 des Fehlers. Aber ein weicher Stab allein würde den Schwanz durch die Spitze hindurchlassen. Darum gibt es **drei Fälle**: Kürzer als 20&#x202f;px oder länger als 60&#x202f;px nimmt er 0,8 von dem, was jenseits der Grenze ist; dazwischen 0,1 des Wegs zu 40&#x202f;px.
+
+Die Geschwindigkeit des Schwanzes wird zerlegt, **längs** zum Rückgrat und **quer** dazu. Längs behält er in jedem Bild 0,7, quer nur 0,5: Er federt mehr, als er herumschwingt.</translation>
+    </message>
+    <message>
+        <source>A body that gets shorter must get wider, or it seems to lose weight. Two more points make the **sides**, with five more constraints.
+
+Four are soft and one-sided: from lead and tail to each side. They keep the sides in the middle.
+
+The fifth is rigid and goes across, from side to side. **Its length follows from the area**: half of spine times width is the area of this shape, so the width that it needs is 2 × area / spine. Half as long makes twice as wide.
+
+In a sharp turn the sides come late and the shape buckles; calmer moves look better.</source>
+        <translation>Ein Körper, der kürzer wird, muss breiter werden, sonst scheint er Gewicht zu verlieren. Zwei weitere Punkte bilden die **Seiten**, mit fünf weiteren Zwangsbedingungen.
+
+Vier sind weich und einseitig: von Spitze und Schwanz zu jeder Seite. Sie halten die Seiten in der Mitte.
+
+Die fünfte ist starr und geht quer, von Seite zu Seite. **Ihre Länge folgt aus der Fläche**: Die Hälfte von Rückgrat mal Breite ist die Fläche dieser Form, also ist die Breite, die sie braucht, 2 × Fläche / Rückgrat. Halb so lang macht doppelt so breit.
+
+In einer scharfen Kurve kommen die Seiten zu spät, und die Form knickt ein; ruhigere Bewegungen sehen besser aus.</translation>
+    </message>
+    <message>
+        <source>The sides carry **tentacles**: chains of points with sticks between them. Each point goes on as it came (Verlet), and **water** leaves it a share of its speed. Then the sticks pull it in.
+
+These sticks are one-sided, too. From the side outwards, each link puts its outer end right and leaves the inner one alone. So **one pass is enough**: no later link disturbs an earlier one, and every link has exactly its 7&#x202f;px.
+
+The price: a tentacle feels the body, but the body does not feel the tentacle. For something so light that is a fair lie.
+
+Nothing here was drawn frame by frame: springs and constraints do all of it.</source>
+        <translation>Die Seiten tragen **Tentakel**: Ketten von Punkten mit Stäben dazwischen. Jeder Punkt geht weiter, wie er kam (Verlet), und **Wasser** lässt ihm einen Anteil seines Tempos. Dann ziehen die Stäbe ihn heran.
+
+Auch diese Stäbe sind einseitig. Von der Seite nach außen stellt jedes Glied sein äußeres Ende richtig und lässt das innere in Ruhe. Darum **genügt ein Durchgang**: Kein späteres Glied stört ein früheres, und jedes Glied hat genau seine 7&#x202f;px.
+
+Der Preis: Ein Tentakel spürt den Körper, aber der Körper spürt den Tentakel nicht. Für etwas so Leichtes ist das ein erlaubter Schwindel.
+
+Nichts hier wurde Bild für Bild gezeichnet: Federn und Zwangsbedingungen tun das alles.</translation>
+    </message>
+    <message>
+        <source>Press **Space**. Take the head (the lead), swing it quickly, let go on the way, and wait.</source>
+        <translation>Drück die **Leertaste**. Nimm den Kopf (die Spitze), schwing ihn schnell, lass unterwegs los und warte.</translation>
+    </message>
+    <message>
+        <source>Stop. Click the background far off, on the side away from its tail, and go on with **→** until it is fast. Then press **Shift+→** until the strip under the timeline marks the move.</source>
+        <translation>Halte an. Klicke weit entfernt auf den Hintergrund, auf der Seite, auf der der Schwanz nicht ist, und geh mit **→** weiter, bis es schnell ist. Drück dann **Umschalt+→**, bis der Streifen unter der Zeitleiste die Bewegung markiert.</translation>
+    </message>
+    <message>
+        <source>Stop. Click the background far from the creature, and press **Shift+→** until the strip under the timeline marks the anticipation.</source>
+        <translation>Halte an. Klicke weit vom Wesen entfernt auf den Hintergrund und drück **Umschalt+→**, bis der Streifen unter der Zeitleiste das Ausholen markiert.</translation>
+    </message>
+    <message>
+        <source>Play, click the background, and stop. Drag the timeline back to before the click, type another **Anticipation**, and play on for half a second.</source>
+        <translation>Spiele ab, klicke auf den Hintergrund und halte an. Zieh die Zeitleiste vor den Klick zurück, gib ein anderes **Ausholen** ein und spiele eine halbe Sekunde weiter.</translation>
+    </message>
+    <message>
+        <source>Click at least 100&#x202f;px away, and wait until it has arrived.</source>
+        <translation>Klicke mindestens 100&#x202f;px entfernt und warte, bis es angekommen ist.</translation>
+    </message>
+    <message>
+        <source>click 100&#x202f;px away or more. That was %1&#x202f;px.</source>
+        <translation>klicke 100&#x202f;px entfernt oder mehr. Das waren %1&#x202f;px.</translation>
+    </message>
+    <message>
+        <source>Pull it at least 75&#x202f;px away by its tail, let go, and wait until it is back.</source>
+        <translation>Zieh es am Schwanz mindestens 75&#x202f;px weg, lass los und warte, bis es zurück ist.</translation>
+    </message>
+    <message>
+        <source>Click far away, and stop inside a frame right after the anticipation, when it backs up at 3&#x202f;px per frame or more.</source>
+        <translation>Klicke weit weg und halte innerhalb eines Bildes gleich nach dem Ausholen an, wenn es mit 3&#x202f;px pro Bild oder mehr zurückweicht.</translation>
+    </message>
+    <message>
+        <source>press **Shift+→** until the anticipation is the last phase that was done.</source>
+        <translation>drück **Umschalt+→**, bis das Ausholen die letzte erledigte Phase ist.</translation>
+    </message>
+    <message>
+        <source>let time run for 100&#x202f;frames after the click. So far: %1.</source>
+        <translation>lass die Zeit nach dem Klick 100&#x202f;Bilder lang laufen. Bisher: %1.</translation>
     </message>
 </context>
 <context>

@@ -124,4 +124,12 @@ Measure areaMeasure()
             }};
 }
 
+Measure widthMeasure()
+{
+    return {Text::tr("Width"), Text::tr("px"), Text::tr("How far apart the two sides are."), 0,
+            [](const sim::Scene &scene, const sim::State &state, const sim::State *, const sim::Values &) {
+                return sim::length(state.at(scene.find("side0")) - state.at(scene.find("side1")));
+            }};
+}
+
 }

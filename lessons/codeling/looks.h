@@ -21,5 +21,6 @@ std::vector<lessons::Guide> targetAndPull(const sim::Scene &scene, const sim::St
 lessons::Measure anticipationMeasure();
 lessons::Measure stretchMeasure();
 lessons::Measure areaMeasure();
+lessons::Measure widthMeasure();
 
 }

@@ -87,8 +87,8 @@ Step anticipationStep()
     Step step = stepOf("anticipation", Text::tr("Anticipation"));
     step.narration = Text::tr(
         "Before you jump, you crouch. Animators call that **anticipation**: a small move the other way "
-        "tells the eye that a big one comes.\n\n"
-        "Here it is one line. When you click, the lead is shifted **away from the target** by a part of "
+        "tells the eye that a big one is coming.\n\n"
+        "When you click, the lead is shifted **away from the target** by a part of "
         "the way, 0.2 of it.\n\n"
         "Its place before that frame stays what it was. The velocity is the way that it came, so the shift "
         "is also a push: it goes on backing up, slower and slower, until the motor has turned it round. "
@@ -107,7 +107,9 @@ Step squashStretchStep()
     Step step = softStep("squash_stretch", Text::tr("Squash and stretch"));
     step.narration = Text::tr(
         "Now the tail gets a velocity of its own, and the stick gives way: it is **soft**. The tail drags "
-        "behind and swings past, and the body is squashed and stretched.\n\n"
+        "behind and swings past, and the body is squashed and stretched along its **spine**, the line from "
+        "tail to "
+        "lead.\n\n"
         "Each frame takes only 0.1 of the error. But a soft stick alone would let the tail pass through the "
         "lead. So there are **three cases**: shorter than 20 px or longer than 60 px, it takes 0.8 of what "
         "is past that limit; in between, 0.1 of the way to 40 px.\n\n"
@@ -129,12 +131,12 @@ Step volumeStep()
         "The fifth is rigid and goes across, from side to side. **Its length follows from the area**: half "
         "of spine times width is the area of this shape, so the width that it needs is 2 × area / spine. "
         "Half as long makes twice as wide.\n\n"
-        "No angle, no formula for bulging. In a sharp turn the sides come late and the shape buckles; "
+        "In a sharp turn the sides come late and the shape buckles; "
         "calmer moves look better.");
     step.tries = volumeTries();
     step.scene = volume::setUp;
     step.look = bodyLook;
-    step.measures.insert(step.measures.begin(), areaMeasure());
+    step.measures.insert(step.measures.begin(), {areaMeasure(), widthMeasure()});
     return step;
 }
 
@@ -143,7 +145,7 @@ Step tentaclesStep()
     Step step = softStep("tentacles", Text::tr("Tentacles"));
     step.narration = Text::tr(
         "The sides carry **tentacles**: chains of points with sticks between them. Each point goes on as it "
-        "came (Verlet), and **water** takes a share of its speed. Then the sticks pull it in.\n\n"
+        "came (Verlet), and **water** leaves it a share of its speed. Then the sticks pull it in.\n\n"
         "These sticks are one-sided, too. From the side outwards, each link puts its outer end right and "
         "leaves the inner one alone. So **one pass is enough**: no later link disturbs an earlier one, and "
         "every link has exactly its 7 px.\n\n"

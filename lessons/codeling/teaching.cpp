@@ -15,31 +15,32 @@ struct Text
 
 Teaching motor()
 {
-    return {"motor",
-            Text::tr("A spring from the head to a target is a motor: fast at first, slower by itself."),
-            {
-                Text::tr("Press **Space**, and click the background near the edge of the picture. Then "
-                         "wait."),
-                Text::tr("Type 1 into the field beside **Keep**. Press **Space**, click the background, and "
-                         "wait four seconds."),
-                Text::tr("Press **Space**. Take the little disc, swing it quickly, let go on the way, and "
-                         "wait."),
-            },
-            {{Text::tr("Lead"), Text::tr("the lead"),
-              Text::tr("The head of the creature. The motor pulls it, and all else follows.")},
-             {Text::tr("Time step"), Text::tr("dt"),
-              Text::tr("How much of its own time passes for a creature in a frame. The smaller it is, the "
-                       "slower everything goes.")}},
-            {{Text::tr("Why dt × dt?"),
-              Text::tr("A pull changes the velocity, and the velocity changes the place. In a quarter of the "
-                       "time a pull adds a quarter as much to the velocity:\n\n"
-                       "`v = v + dt × pull`\n\n"
-                       "And that velocity carries the point for a quarter of the time:\n\n"
-                       "`x = x + dt × v`\n\n"
-                       "Both together:\n\n"
-                       "`0.25 × 0.25 = 0.0625`\n\n"
-                       "So the place changes by a sixteenth, and 0.9 does as much as 0.9 / 16, which is "
-                       "0.056.")}}};
+    return {
+        "motor",
+        Text::tr("A spring from the head to a target is a motor: fast at first, slower by itself."),
+        {
+            Text::tr("Press **Space**, and click the background near the edge of the picture. Then "
+                     "wait."),
+            Text::tr("Press **Space**. Take the head (the lead), swing it quickly, let go on the way, and "
+                     "wait."),
+            Text::tr("Type 1 into the field beside **Keep**. Press **Space**, click the background, and "
+                     "wait four seconds."),
+        },
+        {{Text::tr("Lead"), Text::tr("the lead"),
+          Text::tr("The head of the creature. The motor pulls it, and all else follows.")},
+         {Text::tr("Time step"), Text::tr("dt"),
+          Text::tr("How much of its own time passes for a creature in a frame. The smaller it is, the "
+                   "slower everything goes.")}},
+        {{Text::tr("Why dt × dt?"),
+          Text::tr("A pull changes the velocity, and the velocity changes the place. In a quarter of the "
+                   "time a pull adds a quarter as much to the velocity:\n\n"
+                   "`v = v + dt × pull`\n\n"
+                   "And that velocity carries the point for a quarter of the time:\n\n"
+                   "`x = x + dt × v`\n\n"
+                   "Both together:\n\n"
+                   "`0.25 × 0.25 = 0.0625`\n\n"
+                   "So the place changes by a sixteenth, and 0.9 does as much as 0.9 / 16, which is "
+                   "0.056.")}}};
 }
 
 Teaching orientation()
@@ -51,8 +52,9 @@ Teaching orientation()
             Text::tr("Press **Space**. Click far up in the picture, and when it is under way, click far to "
                      "the left."),
             Text::tr("Press **Space**. Take the tail, carry it across the picture, let go, and wait."),
-            Text::tr("Click the background far off, and stop at once. Then press **Shift+→** again and "
-                     "again until the lead has moved, and the tail has not."),
+            Text::tr("Stop. Click the background far off, on the side away from its tail, and go on with "
+                     "**→** until it is "
+                     "fast. Then press **Shift+→** until the strip under the timeline marks the move."),
         },
         {{Text::tr("One-sided"), Text::tr("one-sided"),
           Text::tr("A stick of which one end takes the whole error. The other end feels nothing of it, so "
@@ -66,11 +68,11 @@ Teaching anticipation()
             Text::tr("A shift away from the target, in the frame of the click, looks like winding up."),
             {
                 Text::tr("Stop. Click the background far from the creature, and press **Shift+→** until the "
-                         "strip under the timeline has ticked the shift."),
+                         "strip under the timeline marks the anticipation."),
                 Text::tr("Type 0.6 into the field beside **Anticipation**. Press **Space** and click far "
                          "away."),
                 Text::tr("Play, click the background, and stop. Drag the timeline back to before the click, "
-                         "type another **Anticipation**, and play on for a second."),
+                         "type another **Anticipation**, and play on for half a second."),
             },
             {{Text::tr("Anticipation"), Text::tr("anticipation"),
               Text::tr("A small move the other way before a big one. It tells the eye what comes.")}},

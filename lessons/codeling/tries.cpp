@@ -31,6 +31,28 @@ bool wasSent(const Timeline &run)
     });
 }
 
+/// Whether a click came after the parameter `id` was set.
+bool wasSentSince(const Timeline &run, const std::string &id)
+{
+    const std::vector<sim::Event> &input = run.script().input;
+    const std::int64_t set = frameOfSet(run, id);
+    return wasSent(run) && std::any_of(input.begin(), input.end(), [&](const sim::Event &event) {
+               return std::holds_alternative<sim::Target>(event.what) && event.frame >= set;
+           });
+}
+
+/// How many frames ago the last click was.
+double framesSinceSent(const Timeline &run)
+{
+    std::int64_t last = 0;
+    for (const sim::Event &event : run.script().input) {
+        if (std::holds_alternative<sim::Target>(event.what) &&
+            event.frame <= run.at().frame + run.track().rowFrames())
+            last = std::max(last, event.frame);
+    }
+    return static_cast<double>(run.at().frame - last);
+}
+
 sim::Vec2 toTarget(const Timeline &run)
 {
     return run.now().outside.target - run.now().at(lead);
@@ -53,6 +75,11 @@ double clickedAway(const Timeline &run)
 Condition sent()
 {
     return {wasSent, Text::tr("click the background.")};
+}
+
+Condition sentSince(const std::string &id)
+{
+    return {[id](const Timeline &run) { return wasSentSince(run, id); }, sent().todo};
 }
 
 Condition arrived()
@@ -89,9 +116,10 @@ double tailRightOfLead(const Timeline &run)
     return placeOf(run, "tail").x - placeOf(run, "lead").x;
 }
 
+/// px; 0 where it is too near.
 double tailTooFar(const Timeline &run)
 {
-    return spine(run) - run.values()["rest_length"];
+    return std::max(0.0, spine(run) - run.values()["rest_length"]);
 }
 
 /// How fast the fastest point of a tentacle moves, in px/frame.
@@ -107,17 +135,18 @@ double whip(const Timeline &run)
 std::vector<Try> motorTries()
 {
     return {
-        {Text::tr("Click at least 150 px away, and wait until it has arrived."),
-         {sent(), atLeast(150.0, clickedAway, Text::tr("click 150 px away or more. That was %1 px."), 0),
+        {Text::tr("Click at least 100 px away, and wait until it has arrived."),
+         {sent(), atLeast(100.0, clickedAway, Text::tr("click 100 px away or more. That was %1 px."), 0),
           arrived()}},
-        {Text::tr("Set **keep** to 1 and click somewhere else. After 100 frames it still swings."),
-         {isSet("keep", 1.0),
-          sent(),
-          handsOff(100),
-          {[](const Timeline &run) { return run.at().phase == 0 && !isStill(run); },
-           Text::tr("click somewhere else: it stands still.")}}},
         {Text::tr("Take the lead in your hand and throw it, at 5 px per frame or more. It comes back."),
          {letGoOf("lead"), fastEnough(), arrived()}},
+        {Text::tr("Set **keep** to 1 and click somewhere else. After 100 frames it still swings."),
+         {isSet("keep", 1.0),
+          sentSince("keep"),
+          {[](const Timeline &run) { return run.at().phase == 0 && !isStill(run); },
+           Text::tr("click somewhere else: it stands still.")},
+          atLeast(100.0, framesSinceSent,
+                  Text::tr("let time run for 100 frames after the click. So far: %1."), 0)}},
     };
 }
 
@@ -128,8 +157,8 @@ std::vector<Try> orientationTries()
                   "lead."),
          {sent(), atLeast(30.0, tailRightOfLead,
                           Text::tr("send it to the left. The tail is %1 px to the right of the lead."), 0)}},
-        {Text::tr("Pull it at least 100 px away by its tail, let go, and wait until it is back."),
-         {letGoOf("tail"), carriedFar(100.0), arrived()}},
+        {Text::tr("Pull it at least 75 px away by its tail, let go, and wait until it is back."),
+         {letGoOf("tail"), carriedFar(75.0), arrived()}},
         {Text::tr("Stop inside a frame when the lead has moved, and the tail is 5 px too far away."),
          {insideAFrame(),
           {[](const Timeline &run) { return hasMoved(run); },
@@ -142,16 +171,16 @@ std::vector<Try> orientationTries()
 std::vector<Try> anticipationTries()
 {
     return {
-        {Text::tr(
-             "Click far away, and stop inside a frame right after the shift, when it backs up at 3 px per "
-             "frame or more."),
+        {Text::tr("Click far away, and stop inside a frame right after the anticipation, when it backs up at "
+                  "3 px per "
+                  "frame or more."),
          {sent(),
           insideAFrame(),
           {[](const Timeline &run) {
                const sim::Phase *last = lastPhase(run);
                return last && last->kind == sim::Kind::driver;
            },
-           Text::tr("press **Shift+→** until the shift is the last phase that was done.")},
+           Text::tr("press **Shift+→** until the anticipation is the last phase that was done.")},
           backsUp()}},
         {Text::tr("Set **anticipation** to 0.6 and click far away. It winds up like a spring."),
          {isSet("anticipation", 0.6), sent(), backsUp()}},
@@ -204,7 +233,7 @@ std::vector<Try> tentaclesTries()
     return {
         {Text::tr("Set **tentacles** to 8, send it somewhere, and wait until it has arrived."),
          {isSet("tentacles", 8.0),
-          sent(),
+          sentSince("tentacles"),
           {[](const Timeline &run) {
                return sim::length(toTarget(run)) < 2.0 && sim::length(run.now().speed(lead)) < 0.1;
            },

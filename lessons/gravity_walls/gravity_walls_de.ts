@@ -112,10 +112,6 @@ Am Boden hält nichts die Füße: Sie gleiten auseinander, und der Körper sinkt
         <translation>Gib im Feld neben **Dämpfung** 0,6 ein. Heb dann die große Scheibe und halte sie, wie zuvor.</translation>
     </message>
     <message>
-        <source>Stop, and press **Shift+→** until the strip under the timeline has ticked gravity.</source>
-        <translation>Halte an und drück **Umschalt+→**, bis der Streifen unter der Zeitleiste die Schwerkraft abgehakt hat.</translation>
-    </message>
-    <message>
         <source>Type 240 beside **Left wall** and 300 beside **Right wall**. Press **Space**, lift the large disc until its feet hang under it, let it down slowly until they stand, and let go.</source>
         <translation>Gib neben **Linke Wand** 240 und neben **Rechte Wand** 300 ein. Drück die **Leertaste**, heb die große Scheibe, bis ihre Füße unter ihr hängen, lass sie langsam herunter, bis sie stehen, und lass los.</translation>
     </message>
@@ -161,7 +157,7 @@ Doppelt so lang, viermal so tief. Zur Seite zieht nichts, darum kommt etwas Gewo
     </message>
     <message>
         <source>Throw the creature, at 5&#x202f;px per frame or more, so that some part of it hits the left wall.</source>
-        <translation>Wirf die Figur, mit 5 px pro Bild oder mehr, so, dass ein Teil von ihr die linke Wand trifft.</translation>
+        <translation>Wirf die Figur, mit 5&#x202f;px pro Bild oder mehr, so, dass ein Teil von ihr die linke Wand trifft.</translation>
     </message>
     <message>
         <source>throw it so that it hits the left wall.</source>
@@ -181,7 +177,7 @@ Doppelt so lang, viermal so tief. Zur Seite zieht nichts, darum kommt etwas Gewo
     </message>
     <message>
         <source>No, 52.5&#x202f;px again: there the spring pulls up as much as gravity pulls down, and damping has nothing to take.</source>
-        <translation>Nein, wieder 52,5 px: Dort zieht die Feder so stark nach oben wie die Schwerkraft nach unten, und die Dämpfung hat nichts zu nehmen.</translation>
+        <translation>Nein, wieder 52,5&#x202f;px: Dort zieht die Feder so stark nach oben wie die Schwerkraft nach unten, und die Dämpfung hat nichts zu nehmen.</translation>
     </message>
     <message>
         <source>press **Shift+→** until gravity is the last phase that was done.</source>
@@ -189,7 +185,11 @@ Doppelt so lang, viermal so tief. Zur Seite zieht nichts, darum kommt etwas Gewo
     </message>
     <message>
         <source>lift it again, and let it down with all feet under it. It stands %1&#x202f;px over the floor.</source>
-        <translation>heb ihn noch einmal und lass ihn mit allen Füßen unter sich herunter. Er steht %1 px über dem Boden.</translation>
+        <translation>heb ihn noch einmal und lass ihn mit allen Füßen unter sich herunter. Er steht %1&#x202f;px über dem Boden.</translation>
+    </message>
+    <message>
+        <source>Stop, and press **Shift+→** until the strip under the timeline marks gravity.</source>
+        <translation>Halte an und drück **Umschalt+→**, bis der Streifen unter der Zeitleiste die Schwerkraft markiert.</translation>
     </message>
 </context>
 <context>

@@ -44,8 +44,7 @@ Teaching gravity()
                      "until the feet have stopped swinging."),
             Text::tr("Type 0.6 into the field beside **Damping**. Then lift the large disc and hold it, as "
                      "before."),
-            Text::tr("Stop, and press **Shift+→** until the strip under the timeline has ticked "
-                     "gravity."),
+            Text::tr("Stop, and press **Shift+→** until the strip under the timeline marks gravity."),
             Text::tr("Type 240 beside **Left wall** and 300 beside **Right wall**. Press **Space**, lift the "
                      "large disc until its feet hang under it, let it down slowly until they stand, and let "
                      "go."),

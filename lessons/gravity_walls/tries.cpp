@@ -98,7 +98,7 @@ std::vector<Try> wallsTries()
           {somethingIsPastAWall,
            Text::tr("press **Shift+→** until something has moved into a wall: throw it at one first.")}}},
         {Text::tr("Set **bounce** to 0 and throw it at a side wall. What hits it loses its speed."),
-         {isSet("bounce", 0.0), letGoOf(), fastEnough(),
+         {isSet("bounce", 0.0), letGoSinceSet("bounce"), fastEnough(),
           touching(Text::tr("throw it so that it hits a side wall."), true)}},
         {Text::tr("There is no ceiling. Throw the body out over the top."),
          {letGoOf("body"),
@@ -128,7 +128,8 @@ std::vector<Try> gravityTries()
         {Text::tr("Put the walls 60 px apart (**left** 240, **right** 300), lift the body, and let it down "
                   "on its feet."),
          {{[](const Timeline &run) { return wallsApart(run) <= 60.0; }},
-          letGoOf("body"),
+          letGoSinceSet("left", "body"),
+          letGoSinceSet("right", "body"),
           allStill(),
           {[](const Timeline &run) {
                return overFloor(run) >= 30.0 && overFloor(run) <= run.values()["radius"] + bodyWidth;

@@ -683,11 +683,11 @@ leistet das, der Winkel (angle) aus der Nummer (number): Der goldene Winkel geht
     </message>
     <message>
         <source>choose steps of **1&#x2009;frame**.</source>
-        <translation>wähle Zeitschritte von **1 Bild**.</translation>
+        <translation>wähle Zeitschritte von **1&#x2009;Bild**.</translation>
     </message>
     <message>
         <source>choose steps of **1/2&#x2009;frame**.</source>
-        <translation>wähle Zeitschritte von **1/2 Bild**.</translation>
+        <translation>wähle Zeitschritte von **1/2&#x2009;Bild**.</translation>
     </message>
     <message>
         <source>choose **Semi-implicit Euler** as method.</source>
@@ -707,15 +707,15 @@ leistet das, der Winkel (angle) aus der Nummer (number): Der goldene Winkel geht
     </message>
     <message>
         <source>try something else: the worst leg is %1&#x2009;px off.</source>
-        <translation>versuche etwas anderes: Das schlimmste Bein ist %1 px daneben.</translation>
+        <translation>versuche etwas anderes: Das schlimmste Bein ist %1&#x2009;px daneben.</translation>
     </message>
     <message>
         <source>play on until all feet are more than 10&#x2009;px apart. The nearest two: %1&#x2009;px.</source>
-        <translation>spiele weiter, bis alle Füße mehr als 10 px auseinander sind. Die nächsten beiden: %1 px.</translation>
+        <translation>spiele weiter, bis alle Füße mehr als 10&#x2009;px auseinander sind. Die nächsten beiden: %1&#x2009;px.</translation>
     </message>
     <message>
         <source>set **radius** to 0, play on for 60&#x2009;frames, and set it to 50 again.</source>
-        <translation>setze **Radius** auf 0, spiele 60 Bilder weiter und setze ihn wieder auf 50.</translation>
+        <translation>setze **Radius** auf 0, spiele 60&#x2009;Bilder weiter und setze ihn wieder auf 50.</translation>
     </message>
     <message>
         <source>choose the case again, and change nothing but method and step.</source>
@@ -743,7 +743,7 @@ leistet das, der Winkel (angle) aus der Nummer (number): Der goldene Winkel geht
     </message>
     <message>
         <source>not all legs have their length: the worst is %1&#x2009;px off.</source>
-        <translation>nicht alle Beine haben ihre Länge: Das schlimmste ist %1 px daneben.</translation>
+        <translation>nicht alle Beine haben ihre Länge: Das schlimmste ist %1&#x2009;px daneben.</translation>
     </message>
     <message>
         <source>feet</source>
@@ -763,7 +763,7 @@ leistet das, der Winkel (angle) aus der Nummer (number): Der goldene Winkel geht
     </message>
     <message>
         <source>**Published**: drag one foot up, 20&#x2009;px or more out of the line, let go, and wait until it rests. Did the others follow one by one, or as one?</source>
-        <translation>**Veröffentlicht**: Zieh einen Fuß nach oben, 20 px oder mehr aus der Linie, lass los und warte, bis es ruht. Folgten die anderen einzeln oder wie einer?</translation>
+        <translation>**Veröffentlicht**: Zieh einen Fuß nach oben, 20&#x2009;px oder mehr aus der Linie, lass los und warte, bis es ruht. Folgten die anderen einzeln oder wie einer?</translation>
     </message>
     <message>
         <source>As one. The other four lie in one place, and nothing tells them apart.</source>
@@ -807,7 +807,7 @@ leistet das, der Winkel (angle) aus der Nummer (number): Der goldene Winkel geht
     </message>
     <message>
         <source>make **longest** shorter, or play on. The worst stick is %1&#x2009;px off.</source>
-        <translation>mach **Längster** kürzer oder spiele weiter. Der schlimmste Stab ist %1 px daneben.</translation>
+        <translation>mach **Längster** kürzer oder spiele weiter. Der schlimmste Stab ist %1&#x2009;px daneben.</translation>
     </message>
     <message>
         <source>choose **Runge–Kutta 4** as method.</source>
@@ -815,7 +815,7 @@ leistet das, der Winkel (angle) aus der Nummer (number): Der goldene Winkel geht
     </message>
     <message>
         <source>2&#x2009;px of 120&#x2009;px.</source>
-        <translation>2 px von 120 px.</translation>
+        <translation>2&#x2009;px von 120&#x2009;px.</translation>
     </message>
     <message>
         <source>this method cannot hold it. Try one that claims it, from frame 0.</source>

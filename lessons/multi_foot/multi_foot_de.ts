@@ -52,22 +52,6 @@ The springs are not to blame: with two steps of half a frame each, 60 feet hold.
 Die Federn sind nicht schuld: Mit zwei Zeitschritten von je einem halben Bild halten 60 Füße.</translation>
     </message>
     <message>
-        <source>Pull a foot at least 100&#x202f;px out, let go, and wait until all is still.</source>
-        <translation>Zieh einen Fuß mindestens 100&#x202f;px hinaus, lass los und warte, bis alles still ist.</translation>
-    </message>
-    <message>
-        <source>Carry the body at least 200&#x202f;px. Both feet follow.</source>
-        <translation>Trag den Körper mindestens 200&#x202f;px. Beide Füße folgen.</translation>
-    </message>
-    <message>
-        <source>Set **damping** to 0.9 and hands off. How long does it stay in the picture?</source>
-        <translation>Setze **Dämpfung** auf 0,9, und Hände weg. Wie lange bleibt sie in der Szene?</translation>
-    </message>
-    <message>
-        <source>Pull one foot at least 100&#x202f;px out, let go, and wait until all is still.</source>
-        <translation>Zieh einen Fuß mindestens 100&#x202f;px hinaus, lass los und warte, bis alles still ist.</translation>
-    </message>
-    <message>
         <source>Set **feet** to 12 and give it 200&#x202f;frames. Does it calm down?</source>
         <translation>Setze **Füße** auf 12 und gib ihnen 200&#x202f;Bilder Zeit. Kommt alles zur Ruhe?</translation>
     </message>
@@ -100,20 +84,12 @@ Die Federn sind nicht schuld: Mit zwei Zeitschritten von je einem halben Bild ha
         <translation>Drück die **Leertaste**, nimm die große Scheibe und trag sie von einer Seite der Szene zur anderen.</translation>
     </message>
     <message>
-        <source>Type 0.9 into the field beside **Damping**, press **Space**, and touch nothing.</source>
-        <translation>Gib im Feld neben **Dämpfung** 0,9 ein, drück die **Leertaste** und fass nichts an.</translation>
-    </message>
-    <message>
         <source>A loop adds the springs, so the same code does for any number of feet.</source>
         <translation>Eine Schleife addiert die Federn, darum taugt derselbe Code für beliebig viele Füße.</translation>
     </message>
     <message>
         <source>Press **Space**, pull one of the small discs to the edge of the picture, let go, and wait.</source>
         <translation>Drück die **Leertaste**, zieh eine der kleinen Scheiben an den Rand der Szene, lass los und warte.</translation>
-    </message>
-    <message>
-        <source>Type 12 into the field beside **Feet**, press **Space**, and wait seven seconds.</source>
-        <translation>Gib 12 in das Feld neben **Füße** ein, drück die **Leertaste** und warte sieben Sekunden.</translation>
     </message>
     <message>
         <source>Play some seconds, drag the timeline back to the left, change **Damping**, and play on for a second.</source>
@@ -196,12 +172,8 @@ Ist das so viel, dass der Körper **über** seinen Ort hinaus zurückkommt, und 
         <translation>lass die Zeit laufen (**Leertaste**), bis sie die Szene verlassen hat.</translation>
     </message>
     <message>
-        <source>About 225&#x202f;frames, 7.5 seconds. Its springs make more momentum than damping takes.</source>
-        <translation>Etwa 225 Bilder, 7,5 Sekunden. Ihre Federn machen mehr Impuls, als die Dämpfung nimmt.</translation>
-    </message>
-    <message>
         <source>Yes. After 50&#x202f;frames nothing moves faster than a tenth of a pixel per frame.</source>
-        <translation>Ja. Nach 50 Bildern bewegt sich nichts schneller als ein Zehntel Pixel pro Bild.</translation>
+        <translation>Ja. Nach 50&#x202f;Bildern bewegt sich nichts schneller als ein Zehntel Pixel pro Bild.</translation>
     </message>
     <message>
         <source>choose the method **Semi-implicit Euler**.</source>
@@ -209,11 +181,43 @@ Ist das so viel, dass der Körper **über** seinen Ort hinaus zurückkommt, und 
     </message>
     <message>
         <source>let time run (**Space**), with steps of 1&#x202f;frame.</source>
-        <translation>lass die Zeit laufen (**Leertaste**), mit Zeitschritten von 1 Bild.</translation>
+        <translation>lass die Zeit laufen (**Leertaste**), mit Zeitschritten von 1&#x202f;Bild.</translation>
     </message>
     <message>
         <source>set **feet** to 60.</source>
         <translation>setze **Füße** auf 60.</translation>
+    </message>
+    <message>
+        <source>Pull a foot at least 75&#x202f;px out, let go, and wait until all is still.</source>
+        <translation>Zieh einen Fuß mindestens 75&#x202f;px hinaus, lass los und warte, bis alles still ist.</translation>
+    </message>
+    <message>
+        <source>Carry the body at least 100&#x202f;px. Both feet follow.</source>
+        <translation>Trag den Körper mindestens 100&#x202f;px. Beide Füße folgen.</translation>
+    </message>
+    <message>
+        <source>Set **damping** to 0.9 and hands off. How long does it take to fly away?</source>
+        <translation>Setze **Dämpfung** auf 0,9, und Hände weg. Wie lange braucht sie, um davonzufliegen?</translation>
+    </message>
+    <message>
+        <source>Pull one foot at least 75&#x202f;px out, let go, and wait until all is still.</source>
+        <translation>Zieh einen Fuß mindestens 75&#x202f;px hinaus, lass los und warte, bis alles still ist.</translation>
+    </message>
+    <message>
+        <source>It has left the stage of 540 × 400&#x202f;px after about 225&#x202f;frames, 7.5 seconds. Its springs make more momentum than damping takes.</source>
+        <translation>Nach etwa 225&#x202f;Bildern, 7,5 Sekunden, hat sie die Bühne von 540 × 400&#x202f;px verlassen. Ihre Federn machen mehr Impuls, als die Dämpfung nimmt.</translation>
+    </message>
+    <message>
+        <source>Press **Home**. Type 0.9 into the field beside **Damping**, press **Space**, and touch nothing.</source>
+        <translation>Drück **Pos1**. Gib im Feld neben **Dämpfung** 0,9 ein, drück die **Leertaste** und fass nichts an.</translation>
+    </message>
+    <message>
+        <source>Press **Home**. Type 12 into the field beside **Feet**, press **Space**, and wait seven seconds.</source>
+        <translation>Drück **Pos1**. Gib 12 in das Feld neben **Füße** ein, drück die **Leertaste** und warte sieben Sekunden.</translation>
+    </message>
+    <message>
+        <source>press **Home**, and set **feet** to 12 there: the creature was out of shape.</source>
+        <translation>drück **Pos1** und setze **Füße** dort auf 12: Das Wesen war aus der Form.</translation>
     </message>
 </context>
 <context>

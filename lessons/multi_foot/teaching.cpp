@@ -22,7 +22,8 @@ Teaching twoFeet()
                          "let go, and wait."),
                 Text::tr("Press **Space**, take the large disc, and carry it from one side of the picture to "
                          "the other."),
-                Text::tr("Type 0.9 into the field beside **Damping**, press **Space**, and touch nothing."),
+                Text::tr("Press **Home**. Type 0.9 into the field beside **Damping**, press **Space**, and "
+                         "touch nothing."),
             },
             {},
             {}};
@@ -36,7 +37,8 @@ Teaching anyNumber()
         {
             Text::tr("Press **Space**, pull one of the small discs to the edge of the picture, let go, and "
                      "wait."),
-            Text::tr("Type 12 into the field beside **Feet**, press **Space**, and wait seven seconds."),
+            Text::tr("Press **Home**. Type 12 into the field beside **Feet**, press **Space**, and wait "
+                     "seven seconds."),
             Text::tr("Play some seconds, drag the timeline back to the left, change **Damping**, and play "
                      "on for a second."),
         },

@@ -432,10 +432,6 @@ Bei 0,5: die Hälfte, ein Viertel, ein Achtel. Bei 1 wird nie etwas besser, bei 
         <translation>Gib 0 in das Feld neben **Schwerkraft** ein. Drück die **Leertaste**, wirf die Kiste und sieh ihr eine Sekunde zu.</translation>
     </message>
     <message>
-        <source>Stop, and press **Shift+→** until the strip under the timeline has ticked the sticks.</source>
-        <translation>Halte an und drück **Umschalt+→**, bis der Streifen unter der Zeitleiste die Stäbe abgehakt hat.</translation>
-    </message>
-    <message>
         <source>Verlet integration</source>
         <translation>Verlet-Integration</translation>
     </message>
@@ -529,15 +525,15 @@ Und hat ein Stab x inzwischen bewegt, ist x − before eine andere Zahl: Die Ges
     </message>
     <message>
         <source>lead p0 %2&#x202f;px away or more, with the mouse button down. So far: %1&#x202f;px.</source>
-        <translation>führe p0 %2 px weit weg oder mehr, mit gedrückter Maustaste. Bisher: %1 px.</translation>
+        <translation>führe p0 %2&#x202f;px weit weg oder mehr, mit gedrückter Maustaste. Bisher: %1&#x202f;px.</translation>
     </message>
     <message>
         <source>keep the pointer still. The largest error is %1&#x202f;px.</source>
-        <translation>halte den Zeiger still. Der größte Fehler ist %1 px.</translation>
+        <translation>halte den Zeiger still. Der größte Fehler ist %1&#x202f;px.</translation>
     </message>
     <message>
         <source>move the pointer faster. The largest error is %1&#x202f;px.</source>
-        <translation>bewege den Zeiger schneller. Der größte Fehler ist %1 px.</translation>
+        <translation>bewege den Zeiger schneller. Der größte Fehler ist %1&#x202f;px.</translation>
     </message>
     <message>
         <source>throw it so that it hits a side wall.</source>
@@ -545,7 +541,7 @@ Und hat ein Stab x inzwischen bewegt, ist x − before eine andere Zahl: Die Ges
     </message>
     <message>
         <source>let time run (**Space**): p1 has come %1&#x202f;px of 60&#x202f;px.</source>
-        <translation>lass die Zeit laufen (**Leertaste**): p1 ist %1 px von 60 px weit gekommen.</translation>
+        <translation>lass die Zeit laufen (**Leertaste**): p1 ist %1&#x202f;px von 60&#x202f;px weit gekommen.</translation>
     </message>
     <message>
         <source>press **Shift+→** until the pointer has moved p0, and the stick has not acted.</source>
@@ -553,11 +549,11 @@ Und hat ein Stab x inzwischen bewegt, ist x − before eine andere Zahl: Die Ges
     </message>
     <message>
         <source>put the pointer farther from p0 before that frame. It was %1&#x202f;px.</source>
-        <translation>setze den Zeiger vor diesem Bild weiter weg von p0. Es waren %1 px.</translation>
+        <translation>setze den Zeiger vor diesem Bild weiter weg von p0. Es waren %1&#x202f;px.</translation>
     </message>
     <message>
         <source>Set **length** to 0 and lead p0 away, 50&#x202f;px or more. Where is p1?</source>
-        <translation>Setze **Länge** auf 0 und führe p0 weg, 50 px oder mehr. Wo ist p1?</translation>
+        <translation>Setze **Länge** auf 0 und führe p0 weg, 50&#x202f;px oder mehr. Wo ist p1?</translation>
     </message>
     <message>
         <source>let time run (**Space**) until the stick is right.</source>
@@ -565,7 +561,7 @@ Und hat ein Stab x inzwischen bewegt, ist x − before eine andere Zahl: Die Ges
     </message>
     <message>
         <source>In the same place as p0: a stick of 0&#x202f;px holds two points together.</source>
-        <translation>Am selben Ort wie p0: Ein Stab von 0 px hält zwei Punkte zusammen.</translation>
+        <translation>Am selben Ort wie p0: Ein Stab von 0&#x202f;px hält zwei Punkte zusammen.</translation>
     </message>
     <message>
         <source>set **share** to 1.</source>
@@ -573,7 +569,7 @@ Und hat ein Stab x inzwischen bewegt, ist x − before eine andere Zahl: Die Ges
     </message>
     <message>
         <source>lead the pointer on, so that p0 comes 20&#x202f;px or more in ten frames while p1 stands.</source>
-        <translation>führe den Zeiger weiter, sodass p0 in zehn Bildern 20 px oder mehr vorankommt, während p1 steht.</translation>
+        <translation>führe den Zeiger weiter, sodass p0 in zehn Bildern 20&#x202f;px oder mehr vorankommt, während p1 steht.</translation>
     </message>
     <message>
         <source>let time run (**Space**) until p0 is at the pointer.</source>
@@ -581,19 +577,19 @@ Und hat ein Stab x inzwischen bewegt, ist x − before eine andere Zahl: Die Ges
     </message>
     <message>
         <source>Set **share** to 0.5, lead p0 100&#x202f;px away or more, and hold the pointer still until p0 has come to it.</source>
-        <translation>Setze **Anteil** auf 0,5, führe p0 100 px weit weg oder mehr und halte den Zeiger still, bis p0 bei ihm ist.</translation>
+        <translation>Setze **Anteil** auf 0,5, führe p0 100&#x202f;px weit weg oder mehr und halte den Zeiger still, bis p0 bei ihm ist.</translation>
     </message>
     <message>
         <source>hold the pointer still while time runs. p0 is %1&#x202f;px from it.</source>
-        <translation>halte den Zeiger still, während die Zeit läuft. p0 ist %1 px von ihm entfernt.</translation>
+        <translation>halte den Zeiger still, während die Zeit läuft. p0 ist %1&#x202f;px von ihm entfernt.</translation>
     </message>
     <message>
         <source>Lead p0 away so fast that a stick is wrong by 10&#x202f;px.</source>
-        <translation>Führe p0 so schnell weg, dass ein Stab um 10 px falsch ist.</translation>
+        <translation>Führe p0 so schnell weg, dass ein Stab um 10&#x202f;px falsch ist.</translation>
     </message>
     <message>
         <source>Throw the box against a wall, at 5&#x202f;px per frame or more.</source>
-        <translation>Wirf die Kiste gegen eine Wand, mit 5 px pro Bild oder mehr.</translation>
+        <translation>Wirf die Kiste gegen eine Wand, mit 5&#x202f;px pro Bild oder mehr.</translation>
     </message>
     <message>
         <source>press **Shift+→** until the sticks are the last phase that was done.</source>
@@ -601,11 +597,11 @@ Und hat ein Stab x inzwischen bewegt, ist x − before eine andere Zahl: Die Ges
     </message>
     <message>
         <source>Lift it by any point, 50&#x202f;px or more, drop it, and wait until it lies still.</source>
-        <translation>Heb sie an irgendeinem Punkt 50 px oder mehr an, lass sie fallen und warte, bis sie still liegt.</translation>
+        <translation>Heb sie an irgendeinem Punkt 50&#x202f;px oder mehr an, lass sie fallen und warte, bis sie still liegt.</translation>
     </message>
     <message>
         <source>Throw it at a wall, at 5&#x202f;px per frame or more.</source>
-        <translation>Wirf sie gegen eine Wand, mit 5 px pro Bild oder mehr.</translation>
+        <translation>Wirf sie gegen eine Wand, mit 5&#x202f;px pro Bild oder mehr.</translation>
     </message>
     <message>
         <source>take it with the mouse, and shake it.</source>
@@ -613,11 +609,15 @@ Und hat ein Stab x inzwischen bewegt, ist x − before eine andere Zahl: Die Ges
     </message>
     <message>
         <source>shake it harder. The worst stick is wrong by %1&#x202f;%.</source>
-        <translation>schüttle sie kräftiger. Der schlimmste Stab ist um %1 % falsch.</translation>
+        <translation>schüttle sie kräftiger. Der schlimmste Stab ist um %1&#x202f;% falsch.</translation>
     </message>
     <message>
         <source>go back to before you threw it, and change **iterations** there.</source>
         <translation>geh vor den Wurf zurück und ändere dort **Iterationen**.</translation>
+    </message>
+    <message>
+        <source>Stop, and press **Shift+→** until the strip under the timeline marks the sticks.</source>
+        <translation>Halte an und drück **Umschalt+→**, bis der Streifen unter der Zeitleiste die Stäbe markiert.</translation>
     </message>
 </context>
 <context>

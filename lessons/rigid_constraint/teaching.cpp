@@ -124,8 +124,7 @@ Teaching verlet()
                      "corner, let go, and wait."),
             Text::tr("Type 0 into the field beside **Gravity**. Press **Space**, throw the box, and watch "
                      "it for a second."),
-            Text::tr("Stop, and press **Shift+→** until the strip under the timeline has ticked the "
-                     "sticks."),
+            Text::tr("Stop, and press **Shift+→** until the strip under the timeline marks the sticks."),
         },
         {
             {Text::tr("Verlet integration"), Text::tr("Verlet integration|Verlet"),

@@ -180,9 +180,9 @@ std::vector<Try> verletTries()
          {letGoOf(), fastEnough(), hitsAWall()}},
         {Text::tr("Set **iterations** to 20, carry the box 50 px or more, drop it, and wait until it lies "
                   "still."),
-         {isSet("iterations", 20.0), letGoOf(), carriedFar(50.0), allStill()}},
+         {isSet("iterations", 20.0), letGoSinceSet("iterations"), carriedFar(50.0), allStill()}},
         {Text::tr("Set **gravity** to 0 and throw it. A second later it still glides."),
-         {isSet("gravity", 0.0), letGoOf(), fastEnough(), handsOff(30)}},
+         {isSet("gravity", 0.0), letGoSinceSet("gravity"), fastEnough(), handsOff(30)}},
         {Text::tr("Stop inside a frame when the sticks have moved points, and the velocity is still the old "
                   "one."),
          {insideAFrame(),

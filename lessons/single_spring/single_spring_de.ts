@@ -16,22 +16,6 @@
         <translation>Ziehen und werfen</translation>
     </message>
     <message>
-        <source>This dot is a **foot**. Its place is two numbers: **x** pixels (px) to the right, **y** pixels down. Its **velocity** is two numbers as well: how far it goes in x and in y from one picture, a **frame**, to the next.
-
-While you hold the foot, its velocity is the distance that your hand came in the last frame. When you let go it keeps that. So **a moving hand throws it**.
-
-**Damping** is the share of its velocity that it keeps each frame. At 0.9 a throw of 10&#x202f;px per frame glides 90&#x202f;px and stops.
-
-The arrow is the pull that a spring to the cross would have. It does not act yet: that is the next step.</source>
-        <translation>Dieser Punkt ist ein **Fuß**. Sein Ort sind zwei Zahlen: **x** Pixel (px) nach rechts, **y** Pixel nach unten. Auch seine **Geschwindigkeit** sind zwei Zahlen: wie weit er in x und in y von einem Bild (**Frame**) zum nächsten geht.
-
-Solange du den Fuß hältst, ist seine Geschwindigkeit der Weg, den deine Hand im letzten Bild ging. Wenn du loslässt, behält er sie. Also **wirft ihn eine Hand, die sich bewegt**.
-
-**Dämpfung** ist der Anteil seiner Geschwindigkeit, den er in jedem Bild behält. Bei 0,9 gleitet ein Wurf von 10&#x202f;px pro Bild 90&#x202f;px weit und bleibt stehen.
-
-Der Pfeil ist der Zug, den eine Feder zum Kreuz hätte. Er wirkt noch nicht: Das ist der nächste Schritt.</translation>
-    </message>
-    <message>
         <source>A fixed centre</source>
         <translation>Eine feste Mitte</translation>
     </message>
@@ -104,10 +88,6 @@ Der Winkel ist in **Radiant**: 1 rad = 57,2958°, und eine halbe Drehung ist 3,1
 `cos` und `sin` führen zurück: das x und y eines Wegs von 1&#x202f;px in diesem Winkel. Mal **Radius**, plus der Ort des Körpers: Das ist das Ziel.</translation>
     </message>
     <message>
-        <source>Drag the foot to the cross, to 15&#x202f;px, hold it still, and let go. Nothing pulls it: it stays.</source>
-        <translation>Zieh den Fuß bis auf 15&#x202f;px zum Kreuz, halte ihn still und lass los. Nichts zieht an ihm: Er bleibt.</translation>
-    </message>
-    <message>
         <source>Set **damping** to 1 and throw it again. Does it ever stop? Give it 60&#x202f;frames.</source>
         <translation>Setze **Dämpfung** auf 1 und wirf ihn noch einmal. Bleibt er je stehen? Gib ihm 60&#x202f;Bilder Zeit.</translation>
     </message>
@@ -128,10 +108,6 @@ Der Winkel ist in **Radiant**: 1 rad = 57,2958°, und eine halbe Drehung ist 3,1
         <translation>Geh in der Zeit zurück, ändere **Dämpfung** und vergleiche mit dem Geist.</translation>
     </message>
     <message>
-        <source>Carry the body at least 200&#x202f;px away, and wait until the foot lies on it.</source>
-        <translation>Trag den Körper mindestens 200&#x202f;px weg und warte, bis der Fuß auf ihm liegt.</translation>
-    </message>
-    <message>
         <source>Set the stiffness **k** to 0.02 and carry the body until the foot is 150&#x202f;px behind.</source>
         <translation>Setze die Steifigkeit **k** auf 0,02 und trag den Körper, bis der Fuß 150&#x202f;px zurückliegt.</translation>
     </message>
@@ -144,20 +120,12 @@ Der Winkel ist in **Radiant**: 1 rad = 57,2958°, und eine halbe Drehung ist 3,1
         <translation>Trag den Körper mindestens 100&#x202f;px. Das Ziel geht mit.</translation>
     </message>
     <message>
-        <source>Hold the foot straight below the body, to 5°. What is the angle in radians?</source>
-        <translation>Halte den Fuß gerade unter den Körper, bis auf 5°. Wie groß ist der Winkel in Radiant?</translation>
-    </message>
-    <message>
         <source>Set **radius** to 120 and wait until the foot is still.</source>
         <translation>Setze **Radius** auf 120 und warte, bis der Fuß still ist.</translation>
     </message>
     <message>
         <source>Stop inside a frame when the spring has pulled. Find `angle` and `target` in the code.</source>
         <translation>Halte innerhalb eines Bildes an, wenn die Feder gezogen hat. Such `angle` und `target` im Code.</translation>
-    </message>
-    <message>
-        <source>A place and a velocity are two numbers each, and damping takes a share of the velocity in every frame.</source>
-        <translation>Ort und Geschwindigkeit sind je zwei Zahlen, und die Dämpfung nimmt in jedem Bild einen Anteil der Geschwindigkeit.</translation>
     </message>
     <message>
         <source>Press **Space**, so that time runs. Take the foot with the mouse, carry it onto the cross, and wait a moment there before you let go.</source>
@@ -364,10 +332,6 @@ Echte Federn halten sich daran, solange sie nicht überdehnt werden.</translatio
         <translation>Gib 0,02 in das Feld neben **k** ein. Drück die **Leertaste** und schwing den Körper schnell von einer Ecke der Szene zur anderen.</translation>
     </message>
     <message>
-        <source>Press **Space**, throw the foot, and stop with **Space** while it flies. Then press **Shift+→** once.</source>
-        <translation>Drück die **Leertaste**, wirf den Fuß und halte mit der **Leertaste** an, während er fliegt. Dann drück einmal **Umschalt+→**.</translation>
-    </message>
-    <message>
         <source>An offset moves the target of a spring to a side, whatever side the foot comes from.</source>
         <translation>Ein Versatz schiebt das Ziel einer Feder zu einer Seite, von welcher Seite der Fuß auch kommt.</translation>
     </message>
@@ -485,19 +449,19 @@ bekommt beide Zahlen, sieht also ihre Vorzeichen. Es kennt alle vier Viertel ein
     </message>
     <message>
         <source>hold it still for a moment before you let go. Yours left at %1&#x202f;px per frame.</source>
-        <translation>halte ihn einen Moment still, bevor du loslässt. Losgelassen wurde bei %1 px pro Bild.</translation>
+        <translation>halte ihn einen Moment still, bevor du loslässt. Losgelassen wurde bei %1&#x202f;px pro Bild.</translation>
     </message>
     <message>
         <source>let go within 15&#x202f;px of the cross. Yours lies %1&#x202f;px from it.</source>
-        <translation>lass höchstens 15 px vom Kreuz entfernt los. Er liegt %1 px davon.</translation>
+        <translation>lass höchstens 15&#x202f;px vom Kreuz entfernt los. Er liegt %1&#x202f;px davon.</translation>
     </message>
     <message>
         <source>Throw it: let go while the mouse moves at 5&#x202f;px per frame or more. It glides and stops.</source>
-        <translation>Wirf ihn: Lass los, während sich die Maus mit 5 px pro Bild oder mehr bewegt. Er gleitet und bleibt stehen.</translation>
+        <translation>Wirf ihn: Lass los, während sich die Maus mit 5&#x202f;px pro Bild oder mehr bewegt. Er gleitet und bleibt stehen.</translation>
     </message>
     <message>
         <source>let it glide for 60&#x202f;frames with this damping. So far: %1.</source>
-        <translation>lass ihn mit dieser Dämpfung 60 Bilder lang gleiten. Bisher: %1.</translation>
+        <translation>lass ihn mit dieser Dämpfung 60&#x202f;Bilder lang gleiten. Bisher: %1.</translation>
     </message>
     <message>
         <source>No. Nothing takes a share of its velocity, so it keeps all of it and glides on for ever.</source>
@@ -505,11 +469,11 @@ bekommt beide Zahlen, sieht also ihre Vorzeichen. Es kennt alle vier Viertel ein
     </message>
     <message>
         <source>let go at least 100&#x202f;px from the cross. Yours left %1&#x202f;px from it.</source>
-        <translation>lass mindestens 100 px vom Kreuz entfernt los. Es waren %1 px.</translation>
+        <translation>lass mindestens 100&#x202f;px vom Kreuz entfernt los. Es waren %1&#x202f;px.</translation>
     </message>
     <message>
         <source>let it swing for 100&#x202f;frames with this damping. So far: %1.</source>
-        <translation>lass ihn mit dieser Dämpfung 100 Bilder lang schwingen. Bisher: %1.</translation>
+        <translation>lass ihn mit dieser Dämpfung 100&#x202f;Bilder lang schwingen. Bisher: %1.</translation>
     </message>
     <message>
         <source>No. Nothing takes a share of its velocity, so it swings as wide as at first, for ever.</source>
@@ -521,11 +485,11 @@ bekommt beide Zahlen, sieht also ihre Vorzeichen. Es kennt alle vier Viertel ein
     </message>
     <message>
         <source>carry it farther or faster. The foot is %1&#x202f;px behind.</source>
-        <translation>trag ihn weiter oder schneller. Der Fuß ist %1 px dahinter.</translation>
+        <translation>trag ihn weiter oder schneller. Der Fuß ist %1&#x202f;px dahinter.</translation>
     </message>
     <message>
         <source>Throw the foot (at 5&#x202f;px per frame or more), and stop inside a frame when the spring has pulled it and it has not moved.</source>
-        <translation>Wirf den Fuß (mit 5 px pro Bild oder mehr) und halte innerhalb eines Bildes an, wenn die Feder ihn gezogen hat und er sich noch nicht bewegt hat.</translation>
+        <translation>Wirf den Fuß (mit 5&#x202f;px pro Bild oder mehr) und halte innerhalb eines Bildes an, wenn die Feder ihn gezogen hat und er sich noch nicht bewegt hat.</translation>
     </message>
     <message>
         <source>let go on the left of the body.</source>
@@ -549,7 +513,7 @@ bekommt beide Zahlen, sieht also ihre Vorzeichen. Es kennt alle vier Viertel ein
     </message>
     <message>
         <source>Let the foot go close by on the left of the body, so that it comes to rest there, at least 20&#x202f;px to the left.</source>
-        <translation>Lass den Fuß dicht links vom Körper los, sodass er dort zur Ruhe kommt, mindestens 20 px links.</translation>
+        <translation>Lass den Fuß dicht links vom Körper los, sodass er dort zur Ruhe kommt, mindestens 20&#x202f;px links.</translation>
     </message>
     <message>
         <source>let go closer to the body, on its left: the foot came to rest elsewhere.</source>
@@ -560,12 +524,52 @@ bekommt beide Zahlen, sieht also ihre Vorzeichen. Es kennt alle vier Viertel ein
         <translation>halte ihn gerade unter den Körper. Es fehlen %1°.</translation>
     </message>
     <message>
-        <source>1.57&#x202f;rad: π / 2, a quarter of a turn. y points down, so the angle of what is below is above 0.</source>
-        <translation>1,57 rad: π / 2, eine Vierteldrehung. y zeigt nach unten, also ist der Winkel für unten größer als 0.</translation>
-    </message>
-    <message>
         <source>let time run (**Space**) until the foot is still on the ring.</source>
         <translation>lass die Zeit laufen (**Leertaste**), bis der Fuß still auf dem Ring ist.</translation>
+    </message>
+    <message>
+        <source>This dot is a **foot**. Its place is two numbers: **x** pixels (px) to the right, **y** pixels down. Its **velocity** is two numbers as well: how far it goes in x and in y from one picture, a **frame**, to the next.
+
+While you hold the foot, its velocity is how far your hand moved in the last frame. When you let go it keeps that. So **a moving hand throws it**.
+
+**Damping** is the share of its velocity that it keeps each frame. At 0.9 a throw of 10&#x202f;px per frame glides 90&#x202f;px and stops.
+
+The arrow is the pull that a spring to the cross would have. It does not act yet: that is the next step.</source>
+        <translation>Dieser Punkt ist ein **Fuß**. Sein Ort sind zwei Zahlen: **x** Pixel (px) nach rechts, **y** Pixel nach unten. Auch seine **Geschwindigkeit** sind zwei Zahlen: wie weit er in x und in y von einem Bild (**Frame**) zum nächsten geht.
+
+Solange du den Fuß hältst, ist seine Geschwindigkeit so groß wie der Weg deiner Hand im letzten Bild. Wenn du loslässt, behält er sie. Also **wirft ihn eine Hand, die sich bewegt**.
+
+**Dämpfung** ist der Anteil seiner Geschwindigkeit, den er in jedem Bild behält. Bei 0,9 gleitet ein Wurf von 10&#x202f;px pro Bild 90&#x202f;px weit und bleibt stehen.
+
+Der Pfeil ist der Zug, den eine Feder zum Kreuz hätte. Er wirkt noch nicht: Das ist der nächste Schritt.</translation>
+    </message>
+    <message>
+        <source>A place and a velocity are two numbers each, and damping is the share of the velocity that is kept in every frame.</source>
+        <translation>Ort und Geschwindigkeit sind je zwei Zahlen, und die Dämpfung ist der Anteil der Geschwindigkeit, der in jedem Bild bleibt.</translation>
+    </message>
+    <message>
+        <source>Carry the body at least 100&#x202f;px away, and wait until the foot lies on it.</source>
+        <translation>Trag den Körper mindestens 100&#x202f;px weg und warte, bis der Fuß auf ihm liegt.</translation>
+    </message>
+    <message>
+        <source>Hold the foot straight below the body, to within 5°. What is the angle in radians?</source>
+        <translation>Halte den Fuß gerade unter den Körper, bis auf 5°. Wie groß ist der Winkel in Radiant?</translation>
+    </message>
+    <message>
+        <source>1.57&#x202f;rad: π / 2, a quarter of a turn. y points down, so the angle of what is below is positive.</source>
+        <translation>1,57&#x202f;rad: π / 2, eine Vierteldrehung. y zeigt nach unten, also ist der Winkel für unten positiv.</translation>
+    </message>
+    <message>
+        <source>Carry the foot to within 15&#x202f;px of the cross, hold it still, and let go. Nothing pulls it: it stays.</source>
+        <translation>Trag den Fuß bis auf 15&#x202f;px an das Kreuz heran, halte ihn still und lass los. Nichts zieht an ihm: Er bleibt.</translation>
+    </message>
+    <message>
+        <source>Press **Home**, then **Space**, throw the foot, and stop with **Space** while it flies. Then press **Shift+→** once.</source>
+        <translation>Drück **Pos1**, dann die **Leertaste**, wirf den Fuß und halte mit der **Leertaste** an, während er fliegt. Dann drück einmal **Umschalt+→**.</translation>
+    </message>
+    <message>
+        <source>hold it still there for a moment.</source>
+        <translation>halte ihn dort einen Moment lang still.</translation>
     </message>
 </context>
 <context>

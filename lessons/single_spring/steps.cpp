@@ -44,7 +44,7 @@ Step dragStep()
         "This dot is a **foot**. Its place is two numbers: **x** pixels (px) to the right, **y** pixels "
         "down. Its **velocity** is two numbers as well: how far it goes in x and in y from one picture, "
         "a **frame**, to the next.\n\n"
-        "While you hold the foot, its velocity is the distance that your hand came in the last frame. "
+        "While you hold the foot, its velocity is how far your hand moved in the last frame. "
         "When you let go it keeps that. So **a moving hand throws it**.\n\n"
         "**Damping** is the share of its velocity that it keeps each frame. At 0.9 a throw of "
         "10 px per frame glides 90 px and stops.\n\n"

@@ -17,8 +17,8 @@ Teaching drag()
 {
     return {
         "drag",
-        Text::tr("A place and a velocity are two numbers each, and damping takes a share of the velocity "
-                 "in every frame."),
+        Text::tr("A place and a velocity are two numbers each, and damping is the share of the velocity "
+                 "that is kept in every frame."),
         {
             Text::tr("Press **Space**, so that time runs. Take the foot with the mouse, carry it onto the "
                      "cross, and wait a moment there before you let go."),
@@ -107,7 +107,8 @@ Teaching movingBody()
                      "until the foot has come to rest on it."),
             Text::tr("Type 0.02 into the field beside **k**. Press **Space**, and swing the body quickly "
                      "from one corner of the picture to the other."),
-            Text::tr("Press **Space**, throw the foot, and stop with **Space** while it flies. Then press "
+            Text::tr("Press **Home**, then **Space**, throw the foot, and stop with **Space** while it "
+                     "flies. Then press "
                      "**Shift+→** once."),
         },
         {},

@@ -79,6 +79,17 @@ double offStraightBelow(const Timeline &run)
     return std::abs(off) * 180.0 / std::numbers::pi;
 }
 
+/// Whether the foot was here five frames ago already, to 2 px.
+bool staysForAMoment(const Timeline &run)
+{
+    constexpr std::int64_t ago = 5;
+    if (run.at().frame < ago)
+        return false;
+    const sim::State before = run.track().stateAt(run.at().frame - ago);
+    const int foot = run.track().shown().scene.find("foot");
+    return sim::length(before.at(foot) - run.now().at(foot)) <= 2.0;
+}
+
 double footLeftOfBody(const Timeline &run)
 {
     return placeOf(run, "body").x - placeOf(run, "foot").x;
@@ -95,8 +106,8 @@ Try compareDamping()
 std::vector<Try> dragTries()
 {
     return {
-        {Text::tr(
-             "Drag the foot to the cross, to 15 px, hold it still, and let go. Nothing pulls it: it stays."),
+        {Text::tr("Carry the foot to within 15 px of the cross, hold it still, and let go. Nothing pulls it: "
+                  "it stays."),
          {letGoOf("foot"),
           atMost(1.0, speedLetGo,
                  Text::tr("hold it still for a moment before you let go. Yours left at %1 px per frame.")),
@@ -137,8 +148,8 @@ std::vector<Try> fixedCentreTries()
 std::vector<Try> movingBodyTries()
 {
     return {
-        {Text::tr("Carry the body at least 200 px away, and wait until the foot lies on it."),
-         {tookLast("body"), carriedFar(200.0),
+        {Text::tr("Carry the body at least 100 px away, and wait until the foot lies on it."),
+         {tookLast("body"), carriedFar(100.0),
           restsAtDistance(0.0, Text::tr("let time run (**Space**) until the foot lies still on the body."))}},
         {Text::tr("Set the stiffness **k** to 0.02 and carry the body until the foot is 150 px behind."),
          {isSet("k", 0.02), holding("body"), carriedFar(100.0),
@@ -184,11 +195,12 @@ std::vector<Try> radialTries()
           allStill(),
           {[](const Timeline &run) { return footLeftOfBody(run) >= 20.0; },
            Text::tr("let go closer to the body, on its left: the foot came to rest elsewhere.")}}},
-        Try{Text::tr("Hold the foot straight below the body, to 5°. What is the angle in radians?"),
-            {holding("foot"), atMost(5.0, offStraightBelow,
-                                     Text::tr("hold it straight below the body. It is off by %1°."), 0)}}
+        Try{Text::tr("Hold the foot straight below the body, to within 5°. What is the angle in radians?"),
+            {holding("foot"),
+             atMost(5.0, offStraightBelow, Text::tr("hold it straight below the body. It is off by %1°."), 0),
+             {staysForAMoment, Text::tr("hold it still there for a moment.")}}}
             .answered(Text::tr("1.57 rad: π / 2, a quarter of a turn. y points down, so the angle of what is "
-                               "below is above 0.")),
+                               "below is positive.")),
         {Text::tr("Set **radius** to 120 and wait until the foot is still."),
          {isSet("radius", 120.0),
           restsAtDistance(120.0, Text::tr("let time run (**Space**) until the foot is still on the ring."))}},

@@ -62,7 +62,7 @@ Step trunkStep()
         "100 px long.\n\n"
         "`cos` and `sin` take radians, so the angle is divided by the degrees to a radian: 57.2958. The "
         "tutorial behind this lesson divides by 57.3. That leans the trunk by 0.0066° to the right, "
-        "and its end is 0.0116 px off. The switch **Formula** has both.");
+        "and its end is 0.0116 px off. The list **Formula** offers both.");
     step.tries = trunkTries();
     step.scene = trunk::setUp;
     step.guides = trunkEnd;

@@ -76,18 +76,6 @@
         <translation>Der Stamm</translation>
     </message>
     <message>
-        <source>A branch is three things: where it begins, its **angle**, and its length. Where it ends follows: `cos` and `sin` of the angle, times the length, lead from its origin to its end.
-
-The trunk begins in the middle of the ground, 275&#x202f;px to the right and 400&#x202f;px down. Its angle is −90°: y points down, so angles grow clockwise, and minus a quarter turn is straight up. It is 100&#x202f;px long.
-
-`cos` and `sin` take radians, so the angle is divided by the degrees to a radian: 57.2958. The tutorial behind this lesson divides by 57.3. That leans the trunk by 0.0066° to the right, and its end is 0.0116&#x202f;px off. The switch **Formula** has both.</source>
-        <translation>Ein Zweig ist dreierlei: wo er beginnt, sein **Winkel** und seine Länge. Wo er endet, folgt daraus: `cos` und `sin` des Winkels, mal die Länge, führen von seinem Anfang zu seinem Ende.
-
-Der Stamm beginnt in der Mitte des Bodens, 275&#x202f;px nach rechts und 400&#x202f;px nach unten. Sein Winkel ist −90°: y zeigt nach unten, darum wachsen Winkel im Uhrzeigersinn, und minus eine Vierteldrehung ist gerade nach oben. Er ist 100&#x202f;px lang.
-
-`cos` und `sin` nehmen Radiant, darum wird der Winkel durch die Grad pro Radiant geteilt: 57,2958. Das Tutorial, auf dem diese Lektion beruht, teilt durch 57,3. Das neigt den Stamm um 0,0066° nach rechts, und sein Ende ist 0,0116&#x202f;px daneben. Der Schalter **Formel** hat beide.</translation>
-    </message>
-    <message>
         <source>Where a branch ends, two smaller ones begin. One leans 30° to the left of it, one to the right: that is the **spread**. Each is 0.8 times as large: the **slope**. And each of them does the same.
 
 Such a rule that uses itself needs an end. A branch grows only while it is **larger than 0.2** of the trunk. That makes 8 levels: 1 + 2 + 4 + … + 128 = **255 branches** from one rule.
@@ -496,10 +484,6 @@ Mit diesen Werten kann ein Zeitschritt bis zu 3,1&#x202f;Bilder lang sein. Ohne 
         <translation>Gib 200 in das Feld neben **Stammlänge** ein.</translation>
     </message>
     <message>
-        <source>Choose **published** beside **Formula**. The values stand beside the lines of the code.</source>
-        <translation>Wähle **veröffentlicht** neben **Formel**. Die Werte stehen neben den Zeilen des Codes.</translation>
-    </message>
-    <message>
         <source>Sine and cosine</source>
         <translation>Sinus und Kosinus</translation>
     </message>
@@ -542,10 +526,6 @@ cos und sin zählen in Radiant. Ein Winkel in Grad wird erst durch diese Zahl ge
     <message>
         <source>A rule that uses itself grows a whole tree, and a smallest size ends it.</source>
         <translation>Eine Regel, die sich selbst verwendet, lässt einen ganzen Baum wachsen, und eine kleinste Größe beendet sie.</translation>
-    </message>
-    <message>
-        <source>The children of the trunk are 0.8 as large, and their children 0.64. Type 0.7 beside **Smallest branch**.</source>
-        <translation>Die Kinder des Stamms sind 0,8-mal so groß, deren Kinder 0,64-mal. Gib 0,7 neben **Kleinster Zweig** ein.</translation>
     </message>
     <message>
         <source>Type 90 into the field beside **Spread**.</source>
@@ -616,14 +596,6 @@ cos und sin zählen in Radiant. Ein Winkel in Grad wird erst durch diese Zahl ge
         <translation>Drück die **Leertaste**. Halte tief in der linken oder rechten Ecke zwei Sekunden lang die Maustaste gedrückt.</translation>
     </message>
     <message>
-        <source>Type 2 beside **Ease**, press **Space**, and hold the mouse button down for a second. Then type 30 beside **Ease**, and hold it again.</source>
-        <translation>Gib 2 neben **Langsamkeit** ein, drück die **Leertaste** und halte eine Sekunde lang die Maustaste gedrückt. Dann gib 30 neben **Langsamkeit** ein und halte sie noch einmal.</translation>
-    </message>
-    <message>
-        <source>Press **Space** and hold the mouse button down close to the tree for a second. Stop, drag the timeline back by ten frames, choose **published** beside **Formula**, and play on.</source>
-        <translation>Drück die **Leertaste** und halte dicht am Baum eine Sekunde lang die Maustaste gedrückt. Halte an, zieh die Zeitleiste um zehn Bilder zurück, wähle **veröffentlicht** neben **Formel** und spiele weiter.</translation>
-    </message>
-    <message>
         <source>ease</source>
         <translation>Langsamkeit</translation>
     </message>
@@ -678,14 +650,6 @@ Der kurze Weg ist nie mehr als eine halbe Drehung. Fehlen also mehr als 180°, z
     <message>
         <source>Press **Space**. Hold the mouse button down right at the end of a twig, and follow the twig.</source>
         <translation>Drück die **Leertaste**. Halte genau am Ende eines feinen Zweigs die Maustaste gedrückt und folge dem Zweig.</translation>
-    </message>
-    <message>
-        <source>Press **Space**, and hold the mouse button down in an upper corner of the picture for two seconds.</source>
-        <translation>Drück die **Leertaste** und halte in einer oberen Ecke der Szene zwei Sekunden lang die Maustaste gedrückt.</translation>
-    </message>
-    <message>
-        <source>Press **Space** and hold the mouse button down for a second. Stop, drag the timeline back by ten frames, choose **published** beside **Formula**, and play on.</source>
-        <translation>Drück die **Leertaste** und halte eine Sekunde lang die Maustaste gedrückt. Halte an, zieh die Zeitleiste um zehn Bilder zurück, wähle **veröffentlicht** neben **Formel** und spiele weiter.</translation>
     </message>
     <message>
         <source>Thick branches resist by their scale twice, so twigs turn first.</source>
@@ -789,7 +753,7 @@ Der kurze Weg ist nie mehr als eine halbe Drehung. Fehlen also mehr als 180°, z
     </message>
     <message>
         <source>go on blowing while time runs. So far: %1&#x202f;frames of %2.</source>
-        <translation>blase weiter, während die Zeit läuft. Bisher: %1 Bilder von %2.</translation>
+        <translation>blase weiter, während die Zeit läuft. Bisher: %1&#x202f;Bilder von %2.</translation>
     </message>
     <message>
         <source>hold still while time runs (**Space**). Some branch is off by %1°.</source>
@@ -865,7 +829,7 @@ Der kurze Weg ist nie mehr als eine halbe Drehung. Fehlen also mehr als 180°, z
     </message>
     <message>
         <source>blow from less than 20&#x202f;px from the end of a twig. It is %1&#x202f;px.</source>
-        <translation>blase aus weniger als 20 px vom Ende eines feinen Zweigs. Es sind %1 px.</translation>
+        <translation>blase aus weniger als 20&#x202f;px vom Ende eines feinen Zweigs. Es sind %1&#x202f;px.</translation>
     </message>
     <message>
         <source>follow the twig. It is bent by %1°.</source>
@@ -873,7 +837,7 @@ Der kurze Weg ist nie mehr als eine halbe Drehung. Fehlen also mehr als 180°, z
     </message>
     <message>
         <source>Now from far away, for example from a corner, for 60&#x202f;frames: nothing bends by more than 15°.</source>
-        <translation>Jetzt von weit weg, zum Beispiel aus einer Ecke, 60 Bilder lang: Nichts biegt sich um mehr als 15°.</translation>
+        <translation>Jetzt von weit weg, zum Beispiel aus einer Ecke, 60&#x202f;Bilder lang: Nichts biegt sich um mehr als 15°.</translation>
     </message>
     <message>
         <source>blow from farther away. Some branch is bent by %1°.</source>
@@ -913,11 +877,55 @@ Der kurze Weg ist nie mehr als eine halbe Drehung. Fehlen also mehr als 180°, z
     </message>
     <message>
         <source>hands off, and let time run for 300&#x202f;frames. So far: %1.</source>
-        <translation>Hände weg, und lass die Zeit 300 Bilder lang laufen. Bisher: %1.</translation>
+        <translation>Hände weg, und lass die Zeit 300&#x202f;Bilder lang laufen. Bisher: %1.</translation>
     </message>
     <message>
         <source>blow harder: nothing is bent by more than 1°.</source>
         <translation>blase stärker: Nichts ist um mehr als 1° gebogen.</translation>
+    </message>
+    <message>
+        <source>A branch is three things: where it begins, its **angle**, and its length. Where it ends follows: `cos` and `sin` of the angle, times the length, lead from its origin to its end.
+
+The trunk begins in the middle of the ground, 275&#x202f;px to the right and 400&#x202f;px down. Its angle is −90°: y points down, so angles grow clockwise, and minus a quarter turn is straight up. It is 100&#x202f;px long.
+
+`cos` and `sin` take radians, so the angle is divided by the degrees to a radian: 57.2958. The tutorial behind this lesson divides by 57.3. That leans the trunk by 0.0066° to the right, and its end is 0.0116&#x202f;px off. The list **Formula** offers both.</source>
+        <translation>Ein Zweig ist dreierlei: wo er beginnt, sein **Winkel** und seine Länge. Wo er endet, folgt daraus: `cos` und `sin` des Winkels, mal die Länge, führen von seinem Anfang zu seinem Ende.
+
+Der Stamm beginnt in der Mitte des Bodens, 275&#x202f;px nach rechts und 400&#x202f;px nach unten. Sein Winkel ist −90°: y zeigt nach unten, darum wachsen Winkel im Uhrzeigersinn, und minus eine Vierteldrehung ist gerade nach oben. Er ist 100&#x202f;px lang.
+
+`cos` und `sin` nehmen Radiant, darum wird der Winkel durch die Grad pro Radiant geteilt: 57,2958. Das Tutorial, auf dem diese Lektion beruht, teilt durch 57,3. Das neigt den Stamm um 0,0066° nach rechts, und sein Ende ist 0,0116&#x202f;px daneben. Die Liste **Formel** bietet beide an.</translation>
+    </message>
+    <message>
+        <source>Choose **published** beside **Formula**, and press **→**. Then rest the pointer on `end` in the code.</source>
+        <translation>Wähle **veröffentlicht** neben **Formel** und drück **→**. Halte dann den Zeiger im Code über `end`.</translation>
+    </message>
+    <message>
+        <source>The children of the trunk are 0.8 (or 0.7) as large, and their children 0.64 (or 0.49). Type 0.65 beside **Smallest branch**.</source>
+        <translation>Die Kinder des Stamms sind 0,8-mal (oder 0,7-mal) so groß, deren Kinder 0,64-mal (oder 0,49-mal). Gib 0,65 neben **Kleinster Zweig** ein.</translation>
+    </message>
+    <message>
+        <source>Press **Home**. Type 2 beside **Ease**, press **Space**, and hold the mouse button down for a second. Then type 30 beside **Ease**, and hold it again.</source>
+        <translation>Drück **Pos1**. Gib 2 neben **Langsamkeit** ein, drück die **Leertaste** und halte eine Sekunde lang die Maustaste gedrückt. Dann gib 30 neben **Langsamkeit** ein und halte sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>Press **Home**, then **Space**, and hold the mouse button down close to the tree for two seconds. Stop, drag the timeline back by twenty frames, choose **published** beside **Formula**, and play on.</source>
+        <translation>Drück **Pos1**, dann die **Leertaste**, und halte dicht am Baum zwei Sekunden lang die Maustaste gedrückt. Halte an, zieh die Zeitleiste um zwanzig Bilder zurück, wähle **veröffentlicht** neben **Formel** und spiele weiter.</translation>
+    </message>
+    <message>
+        <source>Press **Space**, and hold the mouse button down in an upper corner of the picture for three seconds.</source>
+        <translation>Drück die **Leertaste** und halte in einer oberen Ecke der Szene drei Sekunden lang die Maustaste gedrückt.</translation>
+    </message>
+    <message>
+        <source>Press **Space** and hold the mouse button down for two seconds. Stop, drag the timeline back by twenty frames, choose **published** beside **Formula**, and play on.</source>
+        <translation>Drück die **Leertaste** und halte zwei Sekunden lang die Maustaste gedrückt. Halte an, zieh die Zeitleiste um zwanzig Bilder zurück, wähle **veröffentlicht** neben **Formel** und spiele weiter.</translation>
+    </message>
+    <message>
+        <source>Press **Home**, then **Space**, and hold the mouse button down on a twig in the crown for two seconds. Stop, drag the timeline back by twenty frames, choose **published** beside **Formula**, and play on.</source>
+        <translation>Drück **Pos1**, dann die **Leertaste**, und halte auf einem Zweig in der Krone zwei Sekunden lang die Maustaste gedrückt. Halte an, zieh die Zeitleiste um zwanzig Bilder zurück, wähle **veröffentlicht** neben **Formel** und spiele weiter.</translation>
+    </message>
+    <message>
+        <source>go back farther, to where you were still blowing, and choose it there.</source>
+        <translation>geh weiter zurück, dorthin, wo du noch geblasen hast, und wähle sie dort.</translation>
     </message>
 </context>
 <context>

@@ -19,9 +19,10 @@ Teaching trunk()
         "trunk",
         Text::tr("A branch is an origin, an angle and a length; cos and sin tell where it ends."),
         {
+            Text::tr(
+                "Choose **published** beside **Formula**, and press **→**. Then rest the pointer on `end` "
+                "in the code."),
             Text::tr("Type 200 into the field beside **Trunk length**."),
-            Text::tr("Choose **published** beside **Formula**. The values stand beside the lines of the "
-                     "code."),
         },
         {{Text::tr("Sine and cosine"), Text::tr("cos and sin|sine"),
           Text::tr("The two numbers of a way of 1 px at an angle: cos is how far to the right, sin how far "
@@ -41,11 +42,12 @@ Teaching branches()
         "branches",
         Text::tr("A rule that uses itself grows a whole tree, and a smallest size ends it."),
         {
-            Text::tr("The children of the trunk are 0.8 as large, and their children 0.64. Type 0.7 beside "
-                     "**Smallest branch**."),
             Text::tr("Type 90 into the field beside **Spread**."),
             Text::tr("Type 0.7 into the field beside **Slope**. The number of branches stands above the "
                      "parameters."),
+            Text::tr("The children of the trunk are 0.8 (or 0.7) as large, and their children 0.64 (or "
+                     "0.49). Type "
+                     "0.65 beside **Smallest branch**."),
         },
         {{Text::tr("Rule that uses itself"), Text::tr("rule that uses itself"),
           Text::tr("A rule whose last part is: and now do the same again, with something smaller. Its name "
@@ -96,11 +98,13 @@ Teaching wind()
         {
             Text::tr("Press **Space**. Hold the mouse button down low in the left or right corner for two "
                      "seconds."),
-            Text::tr("Type 2 beside **Ease**, press **Space**, and hold the mouse button down for a second. "
+            Text::tr("Press **Home**. Type 2 beside **Ease**, press **Space**, and hold the mouse button "
+                     "down for a second. "
                      "Then type 30 beside **Ease**, and hold it again."),
-            Text::tr("Press **Space** and hold the mouse button down close to the tree for a second. Stop, "
-                     "drag the timeline back by ten frames, choose **published** beside **Formula**, and "
-                     "play on."),
+            Text::tr(
+                "Press **Home**, then **Space**, and hold the mouse button down close to the tree for "
+                "two seconds. Stop, drag the timeline back by twenty frames, choose **published** beside "
+                "**Formula**, and play on."),
         },
         {{Text::tr("Ease"), Text::tr("ease"),
           Text::tr("Each frame a branch turns by the missing angle divided by this number. So it starts "
@@ -142,9 +146,10 @@ Teaching distance()
             Text::tr("Press **Space**. Hold the mouse button down right at the end of a twig, and follow the "
                      "twig."),
             Text::tr("Press **Space**, and hold the mouse button down in an upper corner of the picture for "
-                     "two seconds."),
-            Text::tr("Press **Space** and hold the mouse button down for a second. Stop, drag the timeline "
-                     "back by ten frames, choose **published** beside **Formula**, and play on."),
+                     "three seconds."),
+            Text::tr(
+                "Press **Space** and hold the mouse button down for two seconds. Stop, drag the timeline "
+                "back by twenty frames, choose **published** beside **Formula**, and play on."),
         },
         {},
         {}};
@@ -159,9 +164,10 @@ Teaching thickness()
             Text::tr("Press **Space**, and hold the mouse button down left of the crown for a second."),
             Text::tr("Type 20 into the field beside **Wind**. Press **Space**, and hold the mouse button "
                      "down close beside the trunk for two seconds."),
-            Text::tr("Press **Space** and hold the mouse button down close to the tree for a second. Stop, "
-                     "drag the timeline back by ten frames, choose **published** beside **Formula**, and "
-                     "play on."),
+            Text::tr(
+                "Press **Home**, then **Space**, and hold the mouse button down on a twig in the crown for "
+                "two seconds. Stop, drag the timeline back by twenty frames, choose **published** beside "
+                "**Formula**, and play on."),
         },
         {},
         {}};

@@ -105,6 +105,15 @@ Condition blewAndLetGo()
             Text::tr("hold the mouse button down beside the tree, and let go.")};
 }
 
+/// The same, after the parameter `id` was set.
+Condition blewSinceSet(const std::string &id)
+{
+    return {[id](const Timeline &run) {
+                return whenLetGo(run) && run.at().frame - framesSinceButton(run) >= frameOfSet(run, id);
+            },
+            blewAndLetGo().todo};
+}
+
 Condition blownFor(std::int64_t frames)
 {
     return atLeast(
@@ -130,10 +139,10 @@ Condition trunkLeans(double least)
         0);
 }
 
-Conditions cameBack(const Condition &first)
+Conditions cameBack(const Condition &first, const Condition &blew)
 {
     return {
-        first, blewAndLetGo(),
+        first, blew,
         atLeast(60.0, bentWhenLetGo,
                 Text::tr("bend a branch by more than 60° before you let go. It was %1°."), 0),
         atMost(1.0, bend,
@@ -191,7 +200,9 @@ Try anotherTree()
 
 Try compareFormulas(const QString &text)
 {
-    return {text, {ghostDiffers("formula"), blowing(), besideGhost()}};
+    const Condition blowsThere = {
+        blows, Text::tr("go back farther, to where you were still blowing, and choose it there.")};
+    return {text, {ghostDiffers("formula"), blowsThere, besideGhost()}};
 }
 
 /// Whether the trunk is bent towards where the wind came from.
@@ -215,23 +226,18 @@ bool gustIsOnItsWay(const Timeline &run)
 std::vector<Try> trunkTries()
 {
     return {
-        {Text::tr("Make the trunk half as high as the stage: set **trunk length** to 200."),
-         [](const Timeline &run) { return isSetTo(run, "base_length", 200.0); }},
         {Text::tr(
              "Switch **Formula** to published. Find its 0.0116 px in the code: the x of `end` is no longer "
              "275."),
          [](const Timeline &run) { return isPublished(run); }},
+        {Text::tr("Make the trunk half as high as the stage: set **trunk length** to 200."),
+         [](const Timeline &run) { return isSetTo(run, "base_length", 200.0); }},
     };
 }
 
 std::vector<Try> branchesTries()
 {
     return {
-        {Text::tr("Make a tree with just three branches: raise **smallest branch**."),
-         {{[](const Timeline &run) { return !isSetTo(run, "min_scale", 0.2); }},
-          {[](const Timeline &run) { return run.now().points() == 3; },
-           Text::tr("make it three branches. This tree has %1."),
-           [](const Timeline &run) { return static_cast<double>(run.now().points()); }, 0}}},
         Try{Text::tr("Set **spread** to 90°. Which way do the branches of every second level point?"),
             [](const Timeline &run) { return isSetTo(run, "spread", 90.0); }}
             .answered(Text::tr("Straight up and down. Those of the levels between point left and right.")),
@@ -240,6 +246,11 @@ std::vector<Try> branchesTries()
             .answered(
                 Text::tr("5 levels with 1 + 2 + 4 + 8 + 16 = 31 branches: at the next level they would be "
                          "0.17 of the trunk, less than 0.2.")),
+        {Text::tr("Make a tree with just three branches: raise **smallest branch**."),
+         {{[](const Timeline &run) { return !isSetTo(run, "min_scale", 0.2); }},
+          {[](const Timeline &run) { return run.now().points() == 3; },
+           Text::tr("make it three branches. This tree has %1."),
+           [](const Timeline &run) { return static_cast<double>(run.now().points()); }, 0}}},
     };
 }
 
@@ -295,8 +306,9 @@ std::vector<Try> restTries()
     return {
         {Text::tr("Bend a branch by more than 60°, let go, and count the frames until all are back within "
                   "1°."),
-         cameBack(blewAndLetGo())},
-        Try{Text::tr("Do the same with **ease** at 30. How much longer does it take?"), cameBack(easeIs30())}
+         cameBack(blewAndLetGo(), blewAndLetGo())},
+        Try{Text::tr("Do the same with **ease** at 30. How much longer does it take?"),
+            cameBack(easeIs30(), blewSinceSet("ease"))}
             .answered(
                 Text::tr("About four times as long: each frame takes a thirtieth of the way that is left, "
                          "not an eighth.")),
@@ -385,7 +397,7 @@ std::vector<Try> realSwayTries()
         {Text::tr("Set **damping** to 1, blow, and let go. After 300 frames it still sways: look at the "
                   "energy."),
          {isSet("damp", 1.0),
-          blewAndLetGo(),
+          blewSinceSet("damp"),
           atLeast(
               300.0, [](const Timeline &run) { return static_cast<double>(framesSinceButton(run)); },
               Text::tr("hands off, and let time run for 300 frames. So far: %1."), 0),

@@ -67,7 +67,7 @@ std::vector<Try> mutualTries()
               Text::tr("press **Shift+→** until the foot has moved and the body has not.")}}}
             .answered(Text::tr("The foot where it is now. So the body is not pulled back as hard as the foot "
                                "was pulled.")),
-        {Text::tr("Set **k** to 0.3 and hands off: the pair flies out of the picture by itself."),
+        {Text::tr("Set **k** to 0.3 and hands off: the pair flies away by itself."),
          {springAtThreeTenths, dampingIs(0.9),
           byMethod("published", Text::tr("choose the method **Published**.")), handsOff(60), flewOff()}},
         {Text::tr("Keep k at 0.3, set **damping** to 0.85, and wait until the pair is still."),
@@ -90,10 +90,10 @@ std::vector<Try> legLineTries()
          {holdingAnEnd(), atLeast(
                               100.0, [](const Timeline &run) { return distance(run, "foot", "body"); },
                               Text::tr("pull faster. The leg is %1 px long."), 0)}},
-        {Text::tr("Hold one end and press the leg to under 20 px. Then let go."),
+        {Text::tr("Hold one end and squeeze the leg to under 30 px. Then let go."),
          {{[](const Timeline &run) { return !carries(run).empty(); }},
-          {[](const Timeline &run) { return lengthLetGo(run) < 20.0; },
-           Text::tr("press the leg to under 20 px and let go there. It was %1 px long."), lengthLetGo, 0},
+          {[](const Timeline &run) { return lengthLetGo(run) < 30.0; },
+           Text::tr("squeeze the leg to under 30 px and let go there. It was %1 px long."), lengthLetGo, 0},
           {[](const Timeline &run) { return lastLetGo(run).has_value(); }, Text::tr("let go now.")}}},
         {Text::tr("Set **radius** to 100 and wait until the leg is still, 100 px long."),
          {isSet("radius", 100.0),
@@ -134,8 +134,9 @@ Step legLineStep()
         "too.\n\n"
         "It is drawn after each frame, from the two places as they are then, so it always fits. It adds "
         "no pull and costs no phase: **what is drawn cannot change what is computed**.\n\n"
-        "But it shows how long the spring is. A leg longer than **radius** pulls its two ends "
-        "together, a shorter one pushes them apart, and at 50 px it does nothing.");
+        "But it shows how long the spring is. Where it is longer than **radius**, the spring pulls its two "
+        "ends "
+        "together; where it is shorter, the spring pushes them apart; and at 50 px it does nothing.");
     step.tries = legLineTries();
     step.scene = leg_line::setUp;
     step.look = [](const sim::Scene &scene, const sim::Values &) { return leg_line::look(scene); };

@@ -20,12 +20,13 @@ Teaching mutual()
         Text::tr("Who moves first matters: if one sees the other where it already is, momentum comes from "
                  "nowhere."),
         {
-            Text::tr("Stop, and press **Shift+→** until the strip under the timeline has ticked the move "
-                     "of the foot, and not yet the one of the body."),
+            Text::tr("Stop, and press **Shift+→** until the strip under the timeline marks the move of the "
+                     "foot. The move of the body is still to come."),
             Text::tr("Type 0.3 into the field beside **k**, press **Space**, and touch nothing."),
             Text::tr("Type 0.3 beside **k** and 0.85 beside **Damping**. Then press **Space** and wait."),
-            Text::tr("Type 0.3 beside **k** and 0.9 beside **Damping**. Above the picture, choose "
-                     "**Semi-implicit Euler** as method. Press **Space** and wait four seconds."),
+            Text::tr(
+                "Press **Home**. Type 0.3 beside **k** and 0.9 beside **Damping**. Above the picture, choose "
+                "**Semi-implicit Euler** as method. Press **Space** and wait four seconds."),
         },
         {
             {Text::tr("Momentum"), Text::tr("momentum"),
@@ -57,9 +58,10 @@ Teaching legLine()
         {
             Text::tr("Press **Space**, take the foot, and pull it quickly into a corner. Do not let go "
                      "yet."),
-            Text::tr("Press **Space**, take the foot, and push it onto the body. Then let go."),
+            Text::tr("Press **Space**, take the foot, and push it quickly onto the body. Let go at once."),
             Text::tr("Type 100 into the field beside **Radius**, press **Space**, and wait."),
-            Text::tr("Play some seconds, drag the timeline back to the left, type another **k**, and play "
+            Text::tr("Play some seconds, drag the timeline back to where both still move, type another "
+                     "**k**, and play "
                      "on for a second."),
         },
         {},

@@ -8,10 +8,6 @@
         <translation>Halte innerhalb eines Bildes an, wenn der Fuß sich bewegt hat und der Körper noch nicht. Was sieht der Körper?</translation>
     </message>
     <message>
-        <source>Set **k** to 0.3 and hands off: the pair flies out of the picture by itself.</source>
-        <translation>Setze **k** auf 0,3, und Hände weg: Das Paar fliegt von selbst aus der Szene.</translation>
-    </message>
-    <message>
         <source>Keep k at 0.3, set **damping** to 0.85, and wait until the pair is still.</source>
         <translation>Lass k bei 0,3, setze **Dämpfung** auf 0,85 und warte, bis das Paar still ist.</translation>
     </message>
@@ -22,10 +18,6 @@
     <message>
         <source>Hold one end and pull so fast that the leg stretches to 100&#x202f;px or more.</source>
         <translation>Halte ein Ende und zieh so schnell, dass sich das Bein auf 100&#x202f;px oder mehr dehnt.</translation>
-    </message>
-    <message>
-        <source>Hold one end and press the leg to under 20&#x202f;px. Then let go.</source>
-        <translation>Halte ein Ende und drück das Bein auf unter 20&#x202f;px zusammen. Dann lass los.</translation>
     </message>
     <message>
         <source>Set **radius** to 100 and wait until the leg is still, 100&#x202f;px long.</source>
@@ -60,24 +52,8 @@ Das semi-implizite Euler-Verfahren bewegt beide **zugleich**. Ihre Züge sind en
         <translation>Ein Bein</translation>
     </message>
     <message>
-        <source>A body, a foot, and now a **leg**: a line from one to the other. In the code it is one line, too.
-
-It is drawn after each frame, from the two places as they are then, so it always fits. It adds no pull and costs no phase: **what is drawn cannot change what is computed**.
-
-But it shows how long the spring is. A leg longer than **radius** pulls its two ends together, a shorter one pushes them apart, and at 50&#x202f;px it does nothing.</source>
-        <translation>Ein Körper, ein Fuß, und jetzt ein **Bein**: eine Linie vom einen zum anderen. Auch im Code ist es eine Zeile.
-
-Es wird nach jedem Bild gezeichnet, aus den zwei Orten, wie sie dann sind, darum passt es immer. Es fügt keinen Zug hinzu und kostet keine Phase: **Was gezeichnet wird, kann nicht ändern, was berechnet wird**.
-
-Aber es zeigt, wie lang die Feder ist. Ein Bein, das länger als **Radius** ist, zieht seine zwei Enden zusammen, ein kürzeres drückt sie auseinander, und bei 50&#x202f;px tut es nichts.</translation>
-    </message>
-    <message>
         <source>Who moves first matters: if one sees the other where it already is, momentum comes from nowhere.</source>
         <translation>Es ist nicht egal, wer sich zuerst bewegt: Sieht einer den anderen dort, wo er schon ist, kommt Impuls aus dem Nichts.</translation>
-    </message>
-    <message>
-        <source>Stop, and press **Shift+→** until the strip under the timeline has ticked the move of the foot, and not yet the one of the body.</source>
-        <translation>Halte an und drück **Umschalt+→**, bis der Streifen unter der Zeitleiste die Bewegung des Fußes abgehakt hat, aber noch nicht die des Körpers.</translation>
     </message>
     <message>
         <source>Type 0.3 into the field beside **k**, press **Space**, and touch nothing.</source>
@@ -86,10 +62,6 @@ Aber es zeigt, wie lang die Feder ist. Ein Bein, das länger als **Radius** ist,
     <message>
         <source>Type 0.3 beside **k** and 0.85 beside **Damping**. Then press **Space** and wait.</source>
         <translation>Gib 0,3 neben **k** und 0,85 neben **Dämpfung** ein. Dann drück die **Leertaste** und warte.</translation>
-    </message>
-    <message>
-        <source>Type 0.3 beside **k** and 0.9 beside **Damping**. Above the picture, choose **Semi-implicit Euler** as method. Press **Space** and wait four seconds.</source>
-        <translation>Gib 0,3 neben **k** und 0,9 neben **Dämpfung** ein. Wähle über der Szene **Semi-implizites Euler** als Verfahren. Drück die **Leertaste** und warte vier Sekunden.</translation>
     </message>
     <message>
         <source>Momentum</source>
@@ -156,16 +128,8 @@ Das gilt nur, wenn beide Züge **im selben Moment** genommen werden. Bewegt sich
         <translation>Drück die **Leertaste**, nimm den Fuß und zieh ihn schnell in eine Ecke. Lass noch nicht los.</translation>
     </message>
     <message>
-        <source>Press **Space**, take the foot, and push it onto the body. Then let go.</source>
-        <translation>Drück die **Leertaste**, nimm den Fuß und schieb ihn auf den Körper. Dann lass los.</translation>
-    </message>
-    <message>
         <source>Type 100 into the field beside **Radius**, press **Space**, and wait.</source>
         <translation>Gib 100 in das Feld neben **Radius** ein, drück die **Leertaste** und warte.</translation>
-    </message>
-    <message>
-        <source>Play some seconds, drag the timeline back to the left, type another **k**, and play on for a second.</source>
-        <translation>Spiele einige Sekunden ab, zieh die Zeitleiste nach links zurück, gib ein anderes **k** ein und spiele eine Sekunde weiter.</translation>
     </message>
     <message>
         <source>let time run (**Space**) until the pair has left the picture.</source>
@@ -201,11 +165,7 @@ Das gilt nur, wenn beide Züge **im selben Moment** genommen werden. Bewegt sich
     </message>
     <message>
         <source>pull faster. The leg is %1&#x202f;px long.</source>
-        <translation>zieh schneller. Das Bein ist %1 px lang.</translation>
-    </message>
-    <message>
-        <source>press the leg to under 20&#x202f;px and let go there. It was %1&#x202f;px long.</source>
-        <translation>drück das Bein auf unter 20 px zusammen und lass dort los. Es war %1 px lang.</translation>
+        <translation>zieh schneller. Das Bein ist %1&#x202f;px lang.</translation>
     </message>
     <message>
         <source>let go now.</source>
@@ -213,7 +173,47 @@ Das gilt nur, wenn beide Züge **im selben Moment** genommen werden. Bewegt sich
     </message>
     <message>
         <source>pull the two apart, so that the leg becomes 100&#x202f;px long.</source>
-        <translation>zieh die beiden auseinander, sodass das Bein 100 px lang wird.</translation>
+        <translation>zieh die beiden auseinander, sodass das Bein 100&#x202f;px lang wird.</translation>
+    </message>
+    <message>
+        <source>Set **k** to 0.3 and hands off: the pair flies away by itself.</source>
+        <translation>Setze **k** auf 0,3, und Hände weg: Das Paar fliegt von selbst davon.</translation>
+    </message>
+    <message>
+        <source>Stop, and press **Shift+→** until the strip under the timeline marks the move of the foot. The move of the body is still to come.</source>
+        <translation>Halte an und drück **Umschalt+→**, bis der Streifen unter der Zeitleiste die Bewegung des Fußes markiert. Die des Körpers kommt erst noch.</translation>
+    </message>
+    <message>
+        <source>Press **Home**. Type 0.3 beside **k** and 0.9 beside **Damping**. Above the picture, choose **Semi-implicit Euler** as method. Press **Space** and wait four seconds.</source>
+        <translation>Drück **Pos1**. Gib 0,3 neben **k** und 0,9 neben **Dämpfung** ein. Wähle über der Szene **Semi-implizites Euler** als Verfahren. Drück die **Leertaste** und warte vier Sekunden.</translation>
+    </message>
+    <message>
+        <source>Press **Space**, take the foot, and push it quickly onto the body. Let go at once.</source>
+        <translation>Drück die **Leertaste**, nimm den Fuß und schieb ihn schnell auf den Körper. Lass sofort los.</translation>
+    </message>
+    <message>
+        <source>Play some seconds, drag the timeline back to where both still move, type another **k**, and play on for a second.</source>
+        <translation>Spiele ein paar Sekunden ab, zieh die Zeitleiste dorthin zurück, wo sich beide noch bewegen, gib ein anderes **k** ein und spiele eine Sekunde weiter.</translation>
+    </message>
+    <message>
+        <source>A body, a foot, and now a **leg**: a line from one to the other. In the code it is one line, too.
+
+It is drawn after each frame, from the two places as they are then, so it always fits. It adds no pull and costs no phase: **what is drawn cannot change what is computed**.
+
+But it shows how long the spring is. Where it is longer than **radius**, the spring pulls its two ends together; where it is shorter, the spring pushes them apart; and at 50&#x202f;px it does nothing.</source>
+        <translation>Ein Körper, ein Fuß, und jetzt ein **Bein**: eine Linie vom einen zum anderen. Auch im Code ist es eine Zeile.
+
+Es wird nach jedem Bild gezeichnet, aus den zwei Orten, wie sie dann sind, darum passt es immer. Es fügt keinen Zug hinzu und kostet keine Phase: **Was gezeichnet wird, kann nicht ändern, was berechnet wird**.
+
+Aber er zeigt, wie lang die Feder ist. Wo er länger ist als **Radius**, zieht die Feder ihre beiden Enden zusammen; wo er kürzer ist, drückt sie sie auseinander; und bei 50&#x202f;px tut sie nichts.</translation>
+    </message>
+    <message>
+        <source>Hold one end and squeeze the leg to under 30&#x202f;px. Then let go.</source>
+        <translation>Halte ein Ende und drück das Bein auf unter 30&#x202f;px zusammen. Dann lass los.</translation>
+    </message>
+    <message>
+        <source>squeeze the leg to under 30&#x202f;px and let go there. It was %1&#x202f;px long.</source>
+        <translation>drück das Bein auf unter 30&#x202f;px zusammen und lass dort los. Es war %1&#x202f;px lang.</translation>
     </message>
 </context>
 <context>

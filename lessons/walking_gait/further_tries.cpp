@@ -83,6 +83,13 @@ double clockSpeedOf(const Timeline &run)
     return run.now().gaitSpeed[0];
 }
 
+/// Whether the clock stood ten frames ago already: it does not only pass through 0.
+bool stoodBefore(const Timeline &run)
+{
+    constexpr std::int64_t ago = 10;
+    return run.at().frame >= ago && std::abs(run.track().stateAt(run.at().frame - ago).gaitSpeed[0]) <= 0.005;
+}
+
 /// How near the nearest other body is to the one called `name`, px.
 double nearestBody(const Timeline &run, const std::string &name)
 {
@@ -94,11 +101,11 @@ double nearestBody(const Timeline &run, const std::string &name)
     return least;
 }
 
-/// How far the creature has walked to the left of where it started, in px.
+/// How far the creature has walked to the left of where it started, in px; 0 where it is to the right.
 double walkedLeft(const Timeline &run)
 {
     const sim::Scene &scene = run.track().shown().scene;
-    return scene.start.at(scene.find("body")).x - placeOf(run, "body").x;
+    return std::max(0.0, scene.start.at(scene.find("body")).x - placeOf(run, "body").x);
 }
 
 Condition walkedLeft100()
@@ -154,10 +161,10 @@ std::vector<Try> groundTries()
              {justBounced, Text::tr("stop at a frame in which a foot on the ground moves up, at 1 px per "
                                     "frame or more: go there with **→**.")}}}
             .stopped(),
-        {Text::tr("Lift the body at least 100 px and let go. It lands on its feet and walks on, for 60 "
+        {Text::tr("Lift the body at least 60 px and let go. It lands on its feet and walks on, for 60 "
                   "frames."),
          {letGoOf("body"),
-          atLeast(100.0, lifted, Text::tr("lift it 100 px or more. It came %1 px up."), 0),
+          atLeast(60.0, lifted, Text::tr("lift it 60 px or more. It came %1 px up."), 0),
           handsOff(60),
           {standsOnAFoot, Text::tr("let it walk on until a foot stands on the ground.")}}},
     };
@@ -173,7 +180,8 @@ std::vector<Try> moreFeetTries()
             {isSet("spread", 0.0), keptFor("spread", 200)}}
             .answered(Text::tr("No. The body falls and rises and goes to and fro, but it gets nowhere.")),
         Try{Text::tr("Set **speed** to 0.3, play 60 frames, and stop when no foot touches the ground."),
-            {isSet("speed", 0.3), keptFor("speed", 60), inTheAir()}}
+            {isSet("speed", 0.3), isSet("spread", 360.0, Text::tr("set **spread** back to 360°.")),
+             isSet("feet", 5.0, Text::tr("set **feet** back to 5.")), keptFor("speed", 60), inTheAir()}}
             .stopped(),
     };
 }
@@ -201,7 +209,8 @@ std::vector<Try> steeringTries()
               return pointed(run) || pressed(run, &sim::Keys::left) || pressed(run, &sim::Keys::right);
           }},
           {[](const Timeline &run) { return std::abs(clockSpeedOf(run)) <= 0.005; },
-           Text::tr("bring the clock’s speed to 0. It is %1 rad per frame."), clockSpeedOf, 3}}},
+           Text::tr("bring the clock’s speed to 0. It is %1 rad per frame."), clockSpeedOf, 3},
+          {stoodBefore, Text::tr("let it stand for ten frames.")}}},
     };
 }
 
@@ -213,6 +222,7 @@ std::vector<Try> wallsTries()
           atAWall(Text::tr("let it walk on until it touches a wall."))}},
         {Text::tr("Put the walls 150 px apart or closer, and see it turn to the left."),
          {{[](const Timeline &run) { return run.values()["right"] - run.values()["left"] <= 150.0; }},
+          isSet("at_wall", 0.0, Text::tr("choose **turn** beside **At a wall**.")),
           {[](const Timeline &run) { return clockSpeedOf(run) < 0.0; },
            Text::tr("let time run (**Space**) until it turns.")}}},
         {Text::tr("Throw the creature into a wall, so that it gets there within 40 frames."),

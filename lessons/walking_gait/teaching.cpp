@@ -132,9 +132,11 @@ Teaching ground()
         {
             Text::tr("Type −0.05 into the field beside **Speed**, press **Space**, and watch it go."),
             Text::tr("Play some seconds. Choose **none** beside **Traction**, and wait five seconds."),
-            Text::tr("Type 0.8 into the field beside **Bounce**. Go on frame by frame with **→** until a "
+            Text::tr("Type 0.8 into the field beside **Bounce**, and press **Enter**. Go on frame by frame "
+                     "with **→** until a "
                      "foot that was on the ground goes up."),
-            Text::tr("Press **Space**, take the large disc, lift it to the middle of the picture, let go, "
+            Text::tr("Press **Space**, take the large disc, lift it near to the upper edge of the picture, "
+                     "let go, "
                      "and wait two seconds."),
         },
         {{Text::tr("Traction"), Text::tr("traction"),
@@ -146,17 +148,17 @@ Teaching ground()
 
 Teaching moreFeet()
 {
-    return {
-        "more_feet",
-        Text::tr("More feet share the clock, and the body goes up and down less."),
-        {
-            Text::tr("Type 12 into the field beside **Feet**, press **Space**, and wait seven seconds."),
-            Text::tr("Type 0 into the field beside **Spread**, press **Space**, and wait seven seconds."),
-            Text::tr("Type 0.3 into the field beside **Speed**. Play three seconds and stop. Go on frame by "
-                     "frame with **→** until all feet are in the air."),
-        },
-        {},
-        {}};
+    return {"more_feet",
+            Text::tr("More feet share the clock, and the body goes up and down less."),
+            {
+                Text::tr("Type 12 into the field beside **Feet**, press **Space**, and wait seven seconds."),
+                Text::tr("Type 0 into the field beside **Spread**, press **Space**, and wait seven seconds."),
+                Text::tr("Press **Reset all**. Type 0.3 into the field beside **Speed**. Play three seconds "
+                         "and stop. Go on frame by "
+                         "frame with **→** until all feet are in the air."),
+            },
+            {},
+            {}};
 }
 
 Teaching steering()
@@ -167,8 +169,9 @@ Teaching steering()
         {
             Text::tr("Click the picture, press **Space**, and hold **←** for two seconds. Let go when it "
                      "walks to the left, and watch."),
-            Text::tr("Press **Space**. Put the pointer into the picture, far to the left or right of the "
-                     "creature, and hold the mouse button down."),
+            Text::tr("Press **Space**. Press the mouse button in the picture, and with the button down go "
+                     "far to the "
+                     "left or right, past the edge of the picture if need be."),
             Text::tr("Press **Space** and hold **←** until its legs hardly move. Or press the mouse button "
                      "far off, and with the button down go straight above or below the body."),
         },
@@ -185,7 +188,8 @@ Teaching walls()
         {
             Text::tr("Choose **walk on** beside **At a wall**, press **Space**, and wait until it has walked "
                      "against a wall for a while."),
-            Text::tr("Type 200 beside **Left wall** and 340 beside **Right wall**, press **Space**, and "
+            Text::tr("Choose **turn** beside **At a wall**. Type 200 beside **Left wall** and 340 beside "
+                     "**Right wall**, press **Space**, and "
                      "wait until it turns."),
             Text::tr("Press **Space**, take the large disc, swing it towards a wall, and let go on the "
                      "way."),

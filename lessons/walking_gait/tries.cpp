@@ -76,10 +76,10 @@ double swing(const Timeline &run)
     return sim::length(placeOf(run, "foot0") - middle);
 }
 
-Try carryOver150()
+Try carryOver100()
 {
-    return {Text::tr("Carry the body at least 150 px. Both feet follow, each on its side."),
-            {tookLast("body"), carriedFar(150.0)}};
+    return {Text::tr("Carry the body at least 100 px. Both feet follow, each on its side."),
+            {tookLast("body"), carriedFar(100.0)}};
 }
 
 }
@@ -96,7 +96,7 @@ std::vector<Try> bonesTries()
              allStill()}}
             .answered(Text::tr("On the left again: its bone has an angle of its own, and the spring pulls it "
                                "to that place from anywhere.")),
-        carryOver150(),
+        carryOver100(),
         {Text::tr("Stop inside a frame (**Shift+→**) when the springs have pulled and nothing has moved."),
          {insideAFrame(), onlyPulled()}},
     };
@@ -108,8 +108,8 @@ std::vector<Try> legsTries()
         Try{Text::tr("Set **leg** to 100 and wait until all is still. How long are the lines?"),
             {isSet("leg", 100.0), allStill()}}
             .answered(Text::tr("100 px: at rest a line is as long as **leg** says.")),
-        {Text::tr("Pull a foot at least 100 px away and let go. The line shows how far the spring swings."),
-         {letGoOfAFoot(), carriedFar(100.0)}},
+        {Text::tr("Pull a foot at least 75 px away and let go. The line shows how far the spring swings."),
+         {letGoOfAFoot(), carriedFar(75.0)}},
     };
 }
 
@@ -120,7 +120,7 @@ std::vector<Try> feetBelowTries()
          {isSet("drop", 0.0), allStill()}},
         {Text::tr("Set **drop** so that the feet belong above the body, and wait until all is still."),
          {{[](const Timeline &run) { return run.values()["drop"] < 0.0; }}, allStill()}},
-        carryOver150(),
+        carryOver100(),
     };
 }
 
@@ -152,20 +152,20 @@ std::vector<Try> swingTries()
           handsOff(120),
           atLeast(150.0, swing, Text::tr("try another speed. Foot 0 is %1 px from the middle of its places."),
                   0)}},
-        {Text::tr("Carry the body at least 200 px to the side. If you do it slowly, it looks like walking."),
+        {Text::tr("Carry the body at least 100 px to the side. If you do it slowly, it looks like walking."),
          {tookLast("body"),
-          atLeast(200.0, carriedAside, Text::tr("carry it 200 px to the side. It came %1 px."), 0)}},
+          atLeast(100.0, carriedAside, Text::tr("carry it 100 px to the side. It came %1 px."), 0)}},
     };
 }
 
 std::vector<Try> bodyPulledTries()
 {
     return {
-        {Text::tr("Pull a foot at least 100 px away and let go. Now the body comes along."),
-         {letGoOfAFoot(), carriedFar(100.0)}},
+        {Text::tr("Pull a foot at least 75 px away and let go. Now the body comes along."),
+         {letGoOfAFoot(), carriedFar(75.0)}},
         {Text::tr("Set **damping** to 1 and throw the creature, at 5 px per frame or more. After 100 frames "
                   "its momentum is what your hand gave it."),
-         {isSet("damp", 1.0), letGoOf(), fastEnough(), handsOff(100)}},
+         {isSet("damp", 1.0), letGoSinceSet("damp"), fastEnough(), handsOff(100)}},
         {Text::tr("Hold a foot for 60 frames. It feels nothing, but the body still feels its leg."),
          {holdingAFoot(),
           atLeast(60.0, framesHeld, Text::tr("hold it for 60 frames while time runs. So far: %1."), 0)}},

@@ -448,20 +448,12 @@ Ein stehender Fuß wird angehalten, **nachdem** er sich bewegt hat. Darum rutsch
 Von hier an ist k 0,1.</translation>
     </message>
     <message>
-        <source>Carry the body at least 150&#x202f;px. Both feet follow, each on its side.</source>
-        <translation>Trag den Körper mindestens 150&#x202f;px. Beide Füße folgen, jeder auf seiner Seite.</translation>
-    </message>
-    <message>
         <source>Stop inside a frame (**Shift+→**) when the springs have pulled and nothing has moved.</source>
         <translation>Halte innerhalb eines Bildes an (**Umschalt+→**), wenn die Federn gezogen haben und sich nichts bewegt hat.</translation>
     </message>
     <message>
         <source>Set **leg** to 100 and wait until all is still. How long are the lines?</source>
         <translation>Setze **Bein** auf 100 und warte, bis alles still ist. Wie lang sind die Linien?</translation>
-    </message>
-    <message>
-        <source>Pull a foot at least 100&#x202f;px away and let go. The line shows how far the spring swings.</source>
-        <translation>Zieh einen Fuß mindestens 100&#x202f;px weg und lass los. Die Linie zeigt, wie weit die Feder schwingt.</translation>
     </message>
     <message>
         <source>Set **drop** to 0, as it was before, and wait until all is still.</source>
@@ -486,10 +478,6 @@ Von hier an ist k 0,1.</translation>
     <message>
         <source>Set **speed** to −0.05 for at least 60&#x202f;frames. Which way do the feet go round now?</source>
         <translation>Setze **Tempo** für mindestens 60&#x202f;Bilder auf −0,05. In welche Richtung kreisen die Füße jetzt?</translation>
-    </message>
-    <message>
-        <source>Pull a foot at least 100&#x202f;px away and let go. Now the body comes along.</source>
-        <translation>Zieh einen Fuß mindestens 100&#x202f;px weg und lass los. Jetzt kommt der Körper mit.</translation>
     </message>
     <message>
         <source>Hold a foot for 60&#x202f;frames. It feels nothing, but the body still feels its leg.</source>
@@ -684,14 +672,6 @@ Die Uhr macht nur a größer, Bild für Bild. Dann schwingt x hin und her, und y
         <translation>Spiele einige Sekunden ab. Wähle **keine** neben **Haftung** und warte fünf Sekunden.</translation>
     </message>
     <message>
-        <source>Type 0.8 into the field beside **Bounce**. Go on frame by frame with **→** until a foot that was on the ground goes up.</source>
-        <translation>Gib 0,8 in das Feld neben **Abprall** ein. Geh mit **→** Bild für Bild weiter, bis ein Fuß, der am Boden war, nach oben geht.</translation>
-    </message>
-    <message>
-        <source>Press **Space**, take the large disc, lift it to the middle of the picture, let go, and wait two seconds.</source>
-        <translation>Drück die **Leertaste**, nimm die große Scheibe, heb sie bis zur Mitte der Szene, lass los und warte zwei Sekunden.</translation>
-    </message>
-    <message>
         <source>traction</source>
         <translation>Haftung</translation>
     </message>
@@ -720,20 +700,12 @@ Die Uhr macht nur a größer, Bild für Bild. Dann schwingt x hin und her, und y
         <translation>Gib 0 in das Feld neben **Verteilung** ein, drück die **Leertaste** und warte sieben Sekunden.</translation>
     </message>
     <message>
-        <source>Type 0.3 into the field beside **Speed**. Play three seconds and stop. Go on frame by frame with **→** until all feet are in the air.</source>
-        <translation>Gib 0,3 in das Feld neben **Tempo** ein. Spiele drei Sekunden ab und halte an. Geh mit **→** Bild für Bild weiter, bis alle Füße in der Luft sind.</translation>
-    </message>
-    <message>
         <source>The speed of the clock steers the creature: above 0 to the right, below 0 to the left.</source>
         <translation>Das Tempo der Uhr lenkt die Figur: über 0 nach rechts, unter 0 nach links.</translation>
     </message>
     <message>
         <source>Click the picture, press **Space**, and hold **←** for two seconds. Let go when it walks to the left, and watch.</source>
         <translation>Klick in die Szene, drück die **Leertaste** und halte zwei Sekunden lang **←**. Lass los, wenn sie nach links geht, und sieh zu.</translation>
-    </message>
-    <message>
-        <source>Press **Space**. Put the pointer into the picture, far to the left or right of the creature, and hold the mouse button down.</source>
-        <translation>Drück die **Leertaste**. Setze den Zeiger weit links oder rechts von der Figur in die Szene und halte die Maustaste gedrückt.</translation>
     </message>
     <message>
         <source>Press **Space** and hold **←** until its legs hardly move. Or press the mouse button far off, and with the button down go straight above or below the body.</source>
@@ -746,10 +718,6 @@ Die Uhr macht nur a größer, Bild für Bild. Dann schwingt x hin und her, und y
     <message>
         <source>Choose **walk on** beside **At a wall**, press **Space**, and wait until it has walked against a wall for a while.</source>
         <translation>Wähle **weitergehen** neben **An einer Wand**, drück die **Leertaste** und warte, bis sie eine Weile gegen eine Wand gegangen ist.</translation>
-    </message>
-    <message>
-        <source>Type 200 beside **Left wall** and 340 beside **Right wall**, press **Space**, and wait until it turns.</source>
-        <translation>Gib 200 neben **Linke Wand** und 340 neben **Rechte Wand** ein, drück die **Leertaste** und warte, bis sie umkehrt.</translation>
     </message>
     <message>
         <source>Press **Space**, take the large disc, swing it towards a wall, and let go on the way.</source>
@@ -773,7 +741,7 @@ Die Uhr macht nur a größer, Bild für Bild. Dann schwingt x hin und her, und y
     </message>
     <message>
         <source>let it walk on to 100&#x202f;px left of where it began. So far: %1&#x202f;px.</source>
-        <translation>lass sie weitergehen, bis 100 px links von ihrem Anfang. Bisher: %1 px.</translation>
+        <translation>lass sie weitergehen, bis 100&#x202f;px links von ihrem Anfang. Bisher: %1&#x202f;px.</translation>
     </message>
     <message>
         <source>stop at a frame in which no foot touches the ground: go there with **→**.</source>
@@ -781,19 +749,11 @@ Die Uhr macht nur a größer, Bild für Bild. Dann schwingt x hin und her, und y
     </message>
     <message>
         <source>Set **speed** to −0.05 and let the creature walk to 100&#x202f;px left of where it began.</source>
-        <translation>Setze **Tempo** auf −0,05 und lass die Figur bis 100 px links von ihrem Anfang gehen.</translation>
+        <translation>Setze **Tempo** auf −0,05 und lass die Figur bis 100&#x202f;px links von ihrem Anfang gehen.</translation>
     </message>
     <message>
         <source>stop at a frame in which a foot on the ground moves up, at 1&#x202f;px per frame or more: go there with **→**.</source>
-        <translation>halte bei einem Bild an, in dem ein Fuß am Boden nach oben geht, mit 1 px pro Bild oder mehr: Geh mit **→** dorthin.</translation>
-    </message>
-    <message>
-        <source>Lift the body at least 100&#x202f;px and let go. It lands on its feet and walks on, for 60&#x202f;frames.</source>
-        <translation>Heb den Körper mindestens 100 px an und lass los. Die Figur landet auf den Füßen und geht weiter, 60 Bilder lang.</translation>
-    </message>
-    <message>
-        <source>lift it 100&#x202f;px or more. It came %1&#x202f;px up.</source>
-        <translation>heb ihn 100 px oder mehr. Er kam %1 px hoch.</translation>
+        <translation>halte bei einem Bild an, in dem ein Fuß am Boden nach oben geht, mit 1&#x202f;px pro Bild oder mehr: Geh mit **→** dorthin.</translation>
     </message>
     <message>
         <source>let it walk on until a foot stands on the ground.</source>
@@ -801,7 +761,7 @@ Die Uhr macht nur a größer, Bild für Bild. Dann schwingt x hin und her, und y
     </message>
     <message>
         <source>By less than 1&#x202f;px: some foot is always on its way down.</source>
-        <translation>Um weniger als 1 px: Irgendein Fuß ist immer auf dem Weg nach unten.</translation>
+        <translation>Um weniger als 1&#x202f;px: Irgendein Fuß ist immer auf dem Weg nach unten.</translation>
     </message>
     <message>
         <source>No. The body falls and rises and goes to and fro, but it gets nowhere.</source>
@@ -809,27 +769,27 @@ Die Uhr macht nur a größer, Bild für Bild. Dann schwingt x hin und her, und y
     </message>
     <message>
         <source>Set **speed** to 0.3, play 60&#x202f;frames, and stop when no foot touches the ground.</source>
-        <translation>Setze **Tempo** auf 0,3, spiele 60 Bilder und halte an, wenn kein Fuß den Boden berührt.</translation>
+        <translation>Setze **Tempo** auf 0,3, spiele 60&#x202f;Bilder und halte an, wenn kein Fuß den Boden berührt.</translation>
     </message>
     <message>
         <source>Hold the **←** key until the creature walks to the left, and let it walk to 100&#x202f;px left of where it began.</source>
-        <translation>Halte die Taste **←**, bis die Figur nach links geht, und lass sie bis 100 px links von ihrem Anfang gehen.</translation>
+        <translation>Halte die Taste **←**, bis die Figur nach links geht, und lass sie bis 100&#x202f;px links von ihrem Anfang gehen.</translation>
     </message>
     <message>
         <source>hold **←** longer, until the clock’s speed is below 0. It is %1&#x202f;rad per frame.</source>
-        <translation>halte **←** länger, bis das Tempo der Uhr unter 0 ist. Es ist %1 rad pro Bild.</translation>
+        <translation>halte **←** länger, bis das Tempo der Uhr unter 0 ist. Es ist %1&#x202f;rad pro Bild.</translation>
     </message>
     <message>
         <source>hold the button 200&#x202f;px or more to the left or right of it, while time runs. The clock’s speed is %1&#x202f;rad per frame.</source>
-        <translation>halte die Taste 200 px oder mehr links oder rechts von ihr, während die Zeit läuft. Das Tempo der Uhr ist %1 rad pro Bild.</translation>
+        <translation>halte die Taste 200&#x202f;px oder mehr links oder rechts von ihr, während die Zeit läuft. Das Tempo der Uhr ist %1&#x202f;rad pro Bild.</translation>
     </message>
     <message>
         <source>bring the clock’s speed to 0. It is %1&#x202f;rad per frame.</source>
-        <translation>bring das Tempo der Uhr auf 0. Es ist %1 rad pro Bild.</translation>
+        <translation>bring das Tempo der Uhr auf 0. Es ist %1&#x202f;rad pro Bild.</translation>
     </message>
     <message>
         <source>Set **at wall** to *walk on* and let it walk against a wall, for 200&#x202f;frames in all.</source>
-        <translation>Stelle **An einer Wand** auf *weitergehen* und lass sie gegen eine Wand gehen, 200 Bilder insgesamt.</translation>
+        <translation>Stelle **An einer Wand** auf *weitergehen* und lass sie gegen eine Wand gehen, 200&#x202f;Bilder insgesamt.</translation>
     </message>
     <message>
         <source>let it walk on until it touches a wall.</source>
@@ -841,31 +801,31 @@ Die Uhr macht nur a größer, Bild für Bild. Dann schwingt x hin und her, und y
     </message>
     <message>
         <source>Throw the creature into a wall, so that it gets there within 40&#x202f;frames.</source>
-        <translation>Wirf die Figur so gegen eine Wand, dass sie in höchstens 40 Bildern dort ist.</translation>
+        <translation>Wirf die Figur so gegen eine Wand, dass sie in höchstens 40&#x202f;Bildern dort ist.</translation>
     </message>
     <message>
         <source>throw it harder or closer to a wall: it has to get there within 40&#x202f;frames.</source>
-        <translation>wirf sie kräftiger oder näher an einer Wand: Sie muss in höchstens 40 Bildern dort sein.</translation>
+        <translation>wirf sie kräftiger oder näher an einer Wand: Sie muss in höchstens 40&#x202f;Bildern dort sein.</translation>
     </message>
     <message>
         <source>Take one creature by its body and drag it at least 40&#x202f;px, into another. Both feel the push; the one in your hand cannot move.</source>
-        <translation>Nimm eine Figur am Körper und zieh sie mindestens 40 px weit, in eine andere hinein. Beide spüren das Abstoßen; die in deiner Hand kann sich nicht bewegen.</translation>
+        <translation>Nimm eine Figur am Körper und zieh sie mindestens 40&#x202f;px weit, in eine andere hinein. Beide spüren das Abstoßen; die in deiner Hand kann sich nicht bewegen.</translation>
     </message>
     <message>
         <source>drag it into another. The nearest body is %1&#x202f;px away.</source>
-        <translation>zieh sie in eine andere hinein. Der nächste Körper ist %1 px entfernt.</translation>
+        <translation>zieh sie in eine andere hinein. Der nächste Körper ist %1&#x202f;px entfernt.</translation>
     </message>
     <message>
         <source>let time run (**Space**) until two bodies touch. They are %1&#x202f;px apart.</source>
-        <translation>lass die Zeit laufen (**Leertaste**), bis zwei Körper sich berühren. Sie sind %1 px auseinander.</translation>
+        <translation>lass die Zeit laufen (**Leertaste**), bis zwei Körper sich berühren. Sie sind %1&#x202f;px auseinander.</translation>
     </message>
     <message>
         <source>Pull foot 0 to the right of the body, 20&#x202f;px or more past it, let go, and wait until all is still. Where does it end?</source>
-        <translation>Zieh Fuß 0 auf die rechte Seite des Körpers, 20 px oder mehr an ihm vorbei, lass los und warte, bis alles still ist. Wo endet er?</translation>
+        <translation>Zieh Fuß 0 auf die rechte Seite des Körpers, 20&#x202f;px oder mehr an ihm vorbei, lass los und warte, bis alles still ist. Wo endet er?</translation>
     </message>
     <message>
         <source>pull it 20&#x202f;px or more past the body, to the right. It came %1&#x202f;px past it.</source>
-        <translation>zieh ihn 20 px oder mehr am Körper vorbei, nach rechts. Er kam %1 px vorbei.</translation>
+        <translation>zieh ihn 20&#x202f;px oder mehr am Körper vorbei, nach rechts. Er kam %1&#x202f;px vorbei.</translation>
     </message>
     <message>
         <source>On the left again: its bone has an angle of its own, and the spring pulls it to that place from anywhere.</source>
@@ -873,7 +833,7 @@ Die Uhr macht nur a größer, Bild für Bild. Dann schwingt x hin und her, und y
     </message>
     <message>
         <source>100&#x202f;px: at rest a line is as long as **leg** says.</source>
-        <translation>100 px: In Ruhe ist eine Linie so lang, wie **Bein** sagt.</translation>
+        <translation>100&#x202f;px: In Ruhe ist eine Linie so lang, wie **Bein** sagt.</translation>
     </message>
     <message>
         <source>Straight: the point that bends a leg lies on its foot then.</source>
@@ -889,27 +849,83 @@ Die Uhr macht nur a größer, Bild für Bild. Dann schwingt x hin und her, und y
     </message>
     <message>
         <source>Find a speed at which a foot goes round more than 150&#x202f;px from the middle of its places. Hands off for 120&#x202f;frames while you measure.</source>
-        <translation>Finde ein Tempo, bei dem ein Fuß mehr als 150 px von der Mitte seiner Orte entfernt kreist. Hände weg, 120 Bilder lang, während du misst.</translation>
+        <translation>Finde ein Tempo, bei dem ein Fuß mehr als 150&#x202f;px von der Mitte seiner Orte entfernt kreist. Hände weg, 120&#x202f;Bilder lang, während du misst.</translation>
     </message>
     <message>
         <source>try another speed. Foot 0 is %1&#x202f;px from the middle of its places.</source>
-        <translation>versuche ein anderes Tempo. Fuß 0 ist %1 px von der Mitte seiner Orte entfernt.</translation>
-    </message>
-    <message>
-        <source>Carry the body at least 200&#x202f;px to the side. If you do it slowly, it looks like walking.</source>
-        <translation>Trag den Körper mindestens 200 px zur Seite. Wenn du es langsam tust, sieht es aus wie Gehen.</translation>
-    </message>
-    <message>
-        <source>carry it 200&#x202f;px to the side. It came %1&#x202f;px.</source>
-        <translation>trag ihn 200 px zur Seite. Er kam %1 px weit.</translation>
+        <translation>versuche ein anderes Tempo. Fuß 0 ist %1&#x202f;px von der Mitte seiner Orte entfernt.</translation>
     </message>
     <message>
         <source>Set **damping** to 1 and throw the creature, at 5&#x202f;px per frame or more. After 100&#x202f;frames its momentum is what your hand gave it.</source>
-        <translation>Setze **Dämpfung** auf 1 und wirf die Figur, mit 5 px pro Bild oder mehr. Nach 100 Bildern ist ihr Impuls, was deine Hand ihr gab.</translation>
+        <translation>Setze **Dämpfung** auf 1 und wirf die Figur, mit 5&#x202f;px pro Bild oder mehr. Nach 100&#x202f;Bildern ist ihr Impuls, was deine Hand ihr gab.</translation>
     </message>
     <message>
         <source>hold it for 60&#x202f;frames while time runs. So far: %1.</source>
-        <translation>halte ihn 60 Bilder lang, während die Zeit läuft. Bisher: %1.</translation>
+        <translation>halte ihn 60&#x202f;Bilder lang, während die Zeit läuft. Bisher: %1.</translation>
+    </message>
+    <message>
+        <source>Type 0.8 into the field beside **Bounce**, and press **Enter**. Go on frame by frame with **→** until a foot that was on the ground goes up.</source>
+        <translation>Gib 0,8 in das Feld neben **Abprall** ein und drück **Eingabe**. Geh mit **→** Bild für Bild weiter, bis ein Fuß, der am Boden war, nach oben geht.</translation>
+    </message>
+    <message>
+        <source>Carry the body at least 100&#x202f;px. Both feet follow, each on its side.</source>
+        <translation>Trag den Körper mindestens 100&#x202f;px. Beide Füße folgen, jeder auf seiner Seite.</translation>
+    </message>
+    <message>
+        <source>Pull a foot at least 75&#x202f;px away and let go. The line shows how far the spring swings.</source>
+        <translation>Zieh einen Fuß mindestens 75&#x202f;px weg und lass los. Die Linie zeigt, wie weit die Feder schwingt.</translation>
+    </message>
+    <message>
+        <source>Carry the body at least 100&#x202f;px to the side. If you do it slowly, it looks like walking.</source>
+        <translation>Trag den Körper mindestens 100&#x202f;px zur Seite. Wenn du es langsam tust, sieht es aus wie Gehen.</translation>
+    </message>
+    <message>
+        <source>carry it 100&#x202f;px to the side. It came %1&#x202f;px.</source>
+        <translation>trag ihn 100&#x202f;px zur Seite. Er kam %1&#x202f;px weit.</translation>
+    </message>
+    <message>
+        <source>Pull a foot at least 75&#x202f;px away and let go. Now the body comes along.</source>
+        <translation>Zieh einen Fuß mindestens 75&#x202f;px weg und lass los. Jetzt kommt der Körper mit.</translation>
+    </message>
+    <message>
+        <source>Lift the body at least 60&#x202f;px and let go. It lands on its feet and walks on, for 60&#x202f;frames.</source>
+        <translation>Heb den Körper mindestens 60&#x202f;px an und lass los. Die Figur landet auf den Füßen und geht weiter, 60&#x202f;Bilder lang.</translation>
+    </message>
+    <message>
+        <source>lift it 60&#x202f;px or more. It came %1&#x202f;px up.</source>
+        <translation>heb ihn 60&#x202f;px oder mehr. Er kam %1&#x202f;px hoch.</translation>
+    </message>
+    <message>
+        <source>set **spread** back to 360°.</source>
+        <translation>setze **Verteilung** zurück auf 360°.</translation>
+    </message>
+    <message>
+        <source>set **feet** back to 5.</source>
+        <translation>setze **Füße** zurück auf 5.</translation>
+    </message>
+    <message>
+        <source>Press **Space**, take the large disc, lift it near to the upper edge of the picture, let go, and wait two seconds.</source>
+        <translation>Drück die **Leertaste**, nimm die große Scheibe, heb sie bis nahe an den oberen Rand der Szene, lass los und warte zwei Sekunden.</translation>
+    </message>
+    <message>
+        <source>Press **Reset all**. Type 0.3 into the field beside **Speed**. Play three seconds and stop. Go on frame by frame with **→** until all feet are in the air.</source>
+        <translation>Drück **Alle zurücksetzen**. Gib 0,3 in das Feld neben **Tempo** ein. Spiele drei Sekunden ab und halte an. Geh mit **→** Bild für Bild weiter, bis alle Füße in der Luft sind.</translation>
+    </message>
+    <message>
+        <source>Press **Space**. Press the mouse button in the picture, and with the button down go far to the left or right, past the edge of the picture if need be.</source>
+        <translation>Drück die **Leertaste**. Drück in der Szene die Maustaste und geh mit gedrückter Taste weit nach links oder rechts, wenn nötig über den Rand der Szene hinaus.</translation>
+    </message>
+    <message>
+        <source>Choose **turn** beside **At a wall**. Type 200 beside **Left wall** and 340 beside **Right wall**, press **Space**, and wait until it turns.</source>
+        <translation>Wähle **umkehren** neben **An einer Wand**. Gib 200 neben **Linke Wand** und 340 neben **Rechte Wand** ein, drück die **Leertaste** und warte, bis sie umkehrt.</translation>
+    </message>
+    <message>
+        <source>let it stand for ten frames.</source>
+        <translation>lass es zehn Bilder lang stehen.</translation>
+    </message>
+    <message>
+        <source>choose **turn** beside **At a wall**.</source>
+        <translation>wähle **umkehren** neben **An einer Wand**.</translation>
     </message>
 </context>
 <context>

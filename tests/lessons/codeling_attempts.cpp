@@ -24,16 +24,16 @@ std::vector<Attempt> attempts()
              p.target({420, 150});
              p.playUntilDone(200);
          }},
-        {"motor", 1, "keeps all",
+        {"motor", 1, "thrown",
+         [](Player &p) {
+             p.drag("lead", {400, 300}, 10);
+             p.playUntilDone(200);
+         }},
+        {"motor", 2, "keeps all",
          [](Player &p) {
              p.set("keep", 1.0);
              p.target({300, 100});
              p.playUntilDone(150);
-         }},
-        {"motor", 2, "thrown",
-         [](Player &p) {
-             p.drag("lead", {400, 300}, 10);
-             p.playUntilDone(200);
          }},
         {"orientation", 0, "sent up, then to the left",
          [](Player &p) {
@@ -135,11 +135,19 @@ std::vector<Attempt> attempts()
         {"motor", 0, "too close",
          [](Player &p) {
              p.play(5);
-             p.target(p.at("lead") + sim::Vec2{60, 80});
+             p.target(p.at("lead") + sim::Vec2{30, 40});
              p.play(200);
          },
-         "click 150 px away or more. That was 100 px."},
-        {"motor", 2, "too slow",
+         "click 100 px away or more. That was 50 px."},
+        {"motor", 2, "sent before keep was set",
+         [](Player &p) {
+             p.target({300, 100});
+             p.play(150);
+             p.set("keep", 1.0);
+             p.play(110);
+         },
+         "click the background."},
+        {"motor", 1, "too slow",
          [](Player &p) {
              p.drag("lead", p.at("lead") + sim::Vec2{20, 0}, 10);
              p.play(100);

@@ -65,7 +65,7 @@ std::vector<Attempt> attempts()
              p.drag("foot0", p.at("foot0") + sim::Vec2{50, 0}, 20);
              p.play(400);
          },
-         "carry it 100 px or more. It came 50 px."},
+         "carry it 75 px or more. It came 50 px."},
         {"any_number", 1, "too short",
          [](Player &p) {
              p.set("feet", 12.0);

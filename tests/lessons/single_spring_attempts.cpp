@@ -4,7 +4,7 @@ namespace support {
 
 std::vector<Attempt> attempts()
 {
-    const auto slowThrow = [](Player &p) { p.drag("foot", {150, 150}, 12); };
+    const auto slowThrow = [](Player &p) { p.drag("foot", {310, 170}, 6); };
     return {
         {"drag", 0, "to the cross",
          [](Player &p) {
@@ -95,6 +95,7 @@ std::vector<Attempt> attempts()
          [](Player &p) {
              p.grab("foot");
              p.carryTo({270, 290}, 10);
+             p.play(6);
          }},
         {"radial", 2, "a wide ring",
          [](Player &p) {
@@ -128,7 +129,7 @@ std::vector<Attempt> attempts()
          "let go while the mouse moves, at 5 px per frame or more. Yours left at 1.0."},
         {"drag", 1, "not yet still",
          [](Player &p) {
-             p.drag("foot", {150, 150}, 12);
+             p.drag("foot", {310, 170}, 6);
              p.play(5);
          },
          "let time run (**Space**) until nothing moves."},
@@ -142,10 +143,18 @@ std::vector<Attempt> attempts()
         {"drag", 2, "after 40 frames",
          [](Player &p) {
              p.set("damp", 1.0);
-             p.drag("foot", {150, 150}, 12);
+             p.drag("foot", {310, 170}, 6);
              p.play(40);
          },
          "let it glide for 60 frames with this damping. So far: 39."},
+        {"drag", 2, "thrown before damping was set",
+         [](Player &p) {
+             p.drag("foot", {310, 170}, 6);
+             p.play(5);
+             p.set("damp", 1.0);
+             p.play(70);
+         },
+         "take it with the mouse, and let go of it."},
         {"fixed_centre", 0, "not far enough",
          [](Player &p) {
              p.drag("foot", {270, 250}, 20);
@@ -162,10 +171,10 @@ std::vector<Attempt> attempts()
          "play on for 10 frames from where the two part. So far: 4."},
         {"moving_body", 0, "not far enough",
          [](Player &p) {
-             p.drag("body", {370, 200}, 20);
+             p.drag("body", {330, 200}, 20);
              p.play(300);
          },
-         "carry it 200 px or more. It came 100 px."},
+         "carry it 100 px or more. It came 60 px."},
         {"offset", 1, "only −5",
          [](Player &p) {
              p.set("offset", -5.0);
@@ -184,6 +193,12 @@ std::vector<Attempt> attempts()
              p.carryTo({320, 250}, 10);
          },
          "hold it straight below the body. It is off by 45°."},
+        {"radial", 1, "only passing by",
+         [](Player &p) {
+             p.grab("foot");
+             p.carryTo({270, 290}, 10);
+         },
+         "hold it still there for a moment."},
     };
 }
 

@@ -32,20 +32,20 @@ void compareFormulas(Player &p, sim::Vec2 at)
 std::vector<Attempt> attempts()
 {
     return {
-        {"trunk", 0, "set", [](Player &p) { p.set("base_length", 200.0); }},
-        {"trunk", 1, "switched",
+        {"trunk", 1, "set", [](Player &p) { p.set("base_length", 200.0); }},
+        {"trunk", 0, "switched",
          [](Player &p) {
              p.play(10);
              p.set("formula", 1.0);
              p.play(1);
          }},
-        {"branches", 0, "raised",
+        {"branches", 2, "raised",
          [](Player &p) {
              p.set("min_scale", 0.7);
              p.play(1);
          }},
-        {"branches", 1, "set", [](Player &p) { p.set("spread", 90.0); }},
-        {"branches", 2, "set", [](Player &p) { p.set("slope", 0.7); }},
+        {"branches", 0, "set", [](Player &p) { p.set("spread", 90.0); }},
+        {"branches", 1, "set", [](Player &p) { p.set("slope", 0.7); }},
         {"randomness", 0, "set", [](Player &p) { p.set("jitter", 0.0); }},
         {"randomness", 1, "set", [](Player &p) { p.set("jitter", 60.0); }},
         {"randomness", 2, "chosen", [](Player &p) { p.set("spread", 90.0); }},
@@ -172,7 +172,7 @@ std::vector<Attempt> attempts()
              blow(p, {60, 200}, 60);
          }},
         // Near misses, and what is still to do then
-        {"branches", 0, "seven branches",
+        {"branches", 2, "seven branches",
          [](Player &p) {
              p.set("min_scale", 0.6);
              p.play(1);

@@ -109,7 +109,14 @@ std::vector<Attempt> standing()
          [](Player &p) {
              p.drag("body", p.at("body") + sim::Vec2{0, -100}, 100);
          },
-         "carry it 200 px to the side. It came 0 px."},
+         "carry it 100 px to the side. It came 0 px."},
+        {"body_pulled", 1, "thrown before damping was set",
+         [](Player &p) {
+             p.drag("body", p.at("body") + sim::Vec2{60, -40}, 6);
+             p.set("damp", 1.0);
+             p.play(120);
+         },
+         "take it with the mouse, and let go of it."},
         {"ground", 0, "not yet there",
          [](Player &p) {
              p.set("speed", -0.05);
@@ -119,13 +126,20 @@ std::vector<Attempt> standing()
         {"ground", 2, "before any foot bounces", [](Player &p) { p.set("bounce", 0.8); },
          "stop at a frame in which a foot on the ground moves up, at 1 px per frame or more: go there with "
          "**→**."},
+        {"steering", 2, "only passing through",
+         [](Player &p) {
+             p.key(&sim::Keys::left, true);
+             for (int i = 0; i < 25 && p.run().now().gaitSpeed[0] > 0.004; ++i)
+                 p.play(1);
+         },
+         "let it stand for ten frames."},
         {"ground", 3, "carried to the side",
          [](Player &p) {
              p.play(50);
              p.drag("body", p.at("body") + sim::Vec2{140, 0}, 30);
              p.play(3);
          },
-         "lift it 100 px or more. It came 0 px up."},
+         "lift it 60 px or more. It came 0 px up."},
     };
 }
 
@@ -193,13 +207,16 @@ std::vector<Attempt> further()
         {"steering", 2, "by key",
          [](Player &p) {
              p.key(&sim::Keys::left, true);
-             p.playUntilDone(25);
+             for (int i = 0; i < 25 && p.run().now().gaitSpeed[0] > 0.004; ++i)
+                 p.play(1);
+             p.key(&sim::Keys::left, false);
+             p.playUntilDone(15);
          }},
         {"steering", 2, "by the pointer on the body",
          [](Player &p) {
              p.play(30);
              p.point(p.at("body"), true);
-             p.playUntilDone(5);
+             p.playUntilDone(40);
          }},
         {"walls", 0, "walking on",
          [](Player &p) {
