@@ -40,6 +40,7 @@ void BuildGuide::start()
     m_bench.setTool(BuildTool::select);
     m_bench.choose({});
     m_isOn = true;
+    m_hasWalked = false;
     m_shown = text();
     emit changed();
 }
@@ -57,6 +58,11 @@ void BuildGuide::follow()
         return;
     if (!m_bench.isOpen()) {
         leave(); // in another lesson there is nothing to build
+        return;
+    }
+    m_hasWalked = m_hasWalked || step() == Step::done;
+    if (m_hasWalked && m_session.timeline().at().frame == 0) {
+        leave();
         return;
     }
     const QString now = text();

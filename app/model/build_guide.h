@@ -65,7 +65,8 @@ private:
     Session &m_session;
     Workbench &m_bench;
     bool m_isOn = false;
-    QString m_shown; ///< what it asked for last
+    bool m_hasWalked = false; ///< all is done: it ends when the learner goes back to the start
+    QString m_shown;          ///< what it asked for last
 };
 
 }

@@ -3,6 +3,7 @@
 #include "app/model/sentences.h"
 #include "app/model/session.h"
 #include "app/model/step_words.h"
+#include "lessons/api/choice_group.h"
 #include "sim/error.h"
 #include "sim/methods/methods.h"
 
@@ -16,9 +17,13 @@ namespace app {
 namespace {
 
 /// A parameter and a value of it, for the name of a ghost.
-QString written(const QString &parameter, double value)
+QString written(const lessons::Parameter &parameter, double value)
 {
-    return QStringLiteral("%1 %2").arg(parameter, QLocale().toString(value, 'g', 4));
+    const QStringList &titles = parameter.choiceTitles.isEmpty() ? parameter.choices : parameter.choiceTitles;
+    if (!titles.isEmpty())
+        return QStringLiteral("%1 %2").arg(parameter.name,
+                                           lessons::withoutGroup(titles.value(static_cast<int>(value))));
+    return QStringLiteral("%1 %2").arg(parameter.id, QLocale().toString(value, 'g', 4));
 }
 
 /// The way in which `script` was computed before `method` took its place: its step, or its method.
@@ -59,7 +64,8 @@ void Session::setParameter(const QString &id, double value)
                   values, {m_timeline->script().method, sim::findMethod(step().method.toStdString())});
         return;
     }
-    edit({tr("Change %1").arg(withinSentence(declared->name)), written(id, was), id, written(id, value)},
+    edit({tr("Change %1").arg(withinSentence(declared->name)), written(*declared, was), id,
+          written(*declared, value)},
          [&](sim::Timeline &timeline) { return timeline.set(id.toStdString(), value); });
 }
 
@@ -136,9 +142,10 @@ void Session::runAgain(const sim::Remedy &remedy)
 {
     pause();
     const std::int64_t frame = m_timeline->at().frame;
-    const QString changed = QString::fromStdString(remedy.parameter);
-    const QString was = remedy.setsParameter() ? written(changed, parameter(changed))
-                                               : written(m_timeline->script(), *remedy.method);
+    const lessons::Parameter *changed =
+        remedy.setsParameter() ? step().parameter(QString::fromStdString(remedy.parameter)) : nullptr;
+    const QString was =
+        changed ? written(*changed, parameter(changed->id)) : written(m_timeline->script(), *remedy.method);
     m_timeline->seek({}); // the way to that frame may be long: goTo() takes it in slices
     edit({tr("Apply remedy"), was, {}, tr("a remedy")}, [&](sim::Timeline &timeline) {
         const sim::StepSize step = timeline.script().step;

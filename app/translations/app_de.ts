@@ -1786,6 +1786,10 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <source>Inside frame %1: %2</source>
         <translation>Innerhalb von Bild %1: %2</translation>
     </message>
+    <message>
+        <source>%1 has moved things directly, not by a velocity.</source>
+        <translation>%1 hat Dinge direkt bewegt, nicht über eine Geschwindigkeit.</translation>
+    </message>
 </context>
 <context>
     <name>Gestures</name>

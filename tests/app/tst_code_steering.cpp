@@ -87,7 +87,7 @@ private slots:
                     pull = std::get<sim::Vec2>(live.value);
             }
         }
-        QVERIFY(card.value().startsWith(shownValue(pull)));
+        QVERIFY(card.value().startsWith(shownValue(pull, 3)));
         QVERIFY(card.value().endsWith("px/frame²"));
         QVERIFY(card.accessibleName().contains(card.value()));
         const QString before = card.value();

@@ -17,7 +17,7 @@ namespace app {
 
 namespace {
 
-constexpr int goneWidth = 36;               ///< px: three figures
+constexpr int besideGone = 14;              ///< px: the number of lines that are gone, and its button
 constexpr qint64 playingMilliseconds = 100; ///< between two sets of values while playing: no dancing numbers
 
 }
@@ -83,7 +83,6 @@ void CodePanel::makeActions()
         button->setFocusPolicy(Qt::TabFocus);
         row->addWidget(button);
     }
-    m_goneLines->setFixedWidth(goneWidth);
     connect(m_newLines, &QToolButton::clicked, m_view, &CodeView::showNextNew);
     connect(m_goneLines, &QToolButton::toggled, this, &CodePanel::showGoneLines);
     connect(m_goneLines, &QToolButton::clicked, m_view, &CodeView::showFirstGone);
@@ -245,7 +244,9 @@ void CodePanel::showNewLines()
     m_newLines->setAccessibleName(text);
     m_newLines->setVisible(count > 0);
     const int gone = m_listing.goneLines();
-    m_goneLines->setText(QStringLiteral("−%1").arg(gone)); // the title has little room
+    const QString less = QStringLiteral("−%1").arg(gone); // the title has little room
+    m_goneLines->setText(less);
+    m_goneLines->setFixedWidth(m_goneLines->fontMetrics().horizontalAdvance(less) + besideGone);
     m_goneLines->setAccessibleName(gone == 1 ? tr("1 line gone") : tr("%1 lines gone").arg(gone));
     m_goneLines->setVisible(gone > 0);
 }

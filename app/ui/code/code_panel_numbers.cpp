@@ -19,6 +19,7 @@ namespace {
 
 constexpr int editorWidth = 92;
 constexpr int editorHeight = 26;
+constexpr int moreOnCard = 3; ///< decimals that a value has on the card, and not beside its line
 
 }
 
@@ -227,7 +228,7 @@ void CodePanel::showCard()
     if (const lessons::Parameter *parameter = m_step->parameter(symbol.parameter))
         value = typedText(*parameter, m_session.parameter(symbol.parameter));
     else if (!history.samples.empty())
-        value = shownValue(history.samples.back().value);
+        value = shownValue(history.samples.back().value, moreOnCard);
     if (!symbol.unit.isEmpty() && (!history.samples.empty() || !symbol.parameter.isEmpty()))
         value += QChar(0x2009) + symbol.unit;
     const QRect word(m_view->viewport()->mapToGlobal(m_asked->word.topLeft()), m_asked->word.size());

@@ -27,8 +27,9 @@ CardGallery::CardGallery(QSize picture, int columns, const Theme &theme, QWidget
     connect(&m_later, &QTimer::timeout, this, &CardGallery::paintNext);
 }
 
-void CardGallery::popUp(const QWidget &anchor)
+void CardGallery::popUp(QWidget &anchor)
 {
+    m_anchor = &anchor;
     fill();
     adjustSize();
     const QRect room = anchor.screen()->availableGeometry();
@@ -42,6 +43,17 @@ void CardGallery::popUp(const QWidget &anchor)
     show();
     if (!m_buttons.empty())
         m_buttons.front()->setFocus(Qt::PopupFocusReason);
+}
+
+void CardGallery::hideEvent(QHideEvent *event)
+{
+    QFrame::hideEvent(event);
+    if (!m_anchor)
+        return;
+    // The pointer has left it while this page had the mouse, and nothing told it so.
+    m_anchor->setAttribute(Qt::WA_UnderMouse,
+                           m_anchor->rect().contains(m_anchor->mapFromGlobal(QCursor::pos())));
+    m_anchor->update();
 }
 
 void CardGallery::fill()

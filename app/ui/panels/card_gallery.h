@@ -4,6 +4,7 @@
 
 #include <QFrame>
 #include <QPixmap>
+#include <QPointer>
 #include <QTimer>
 
 #include <functional>
@@ -37,13 +38,14 @@ public:
     CardGallery(QSize picture, int columns, const Theme &theme, QWidget *parent = nullptr);
 
     /// Shows the gallery below or above `anchor`, where there is room.
-    void popUp(const QWidget &anchor);
+    void popUp(QWidget &anchor);
     const std::vector<QToolButton *> &cards() const { return m_buttons; }
 
 protected:
     /// The cards that there are now.
     virtual std::vector<GalleryCard> entries() = 0;
     bool eventFilter(QObject *watched, QEvent *event) override;
+    void hideEvent(QHideEvent *event) override;
 
 private:
     void fill();
@@ -55,6 +57,7 @@ private:
     const int m_columns;
     const Theme &m_theme;
     QGridLayout *m_grid;
+    QPointer<QWidget> m_anchor; ///< what it hangs from
     std::vector<GalleryCard> m_cards;
     std::vector<QToolButton *> m_buttons;  ///< one a card
     std::map<QString, QPixmap> m_pictures; ///< painted before, by key and scheme

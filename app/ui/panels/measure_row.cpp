@@ -52,6 +52,19 @@ double MeasureRow::valueAt(std::int64_t frame) const
                                                        : std::numeric_limits<double>::quiet_NaN();
 }
 
+double MeasureRow::valueNow() const
+{
+    const sim::Timeline &run = m_session.timeline();
+    if (m_session.isGlancing() || run.at().phase == 0 || !m_measure.of)
+        return valueAt(m_session.shown().at().frame);
+    // Inside a frame: of the state as it is there, and where the frame began.
+    const sim::State begun = run.track().stateAt(run.at().frame);
+    const sim::Segment &segment = run.track().shown();
+    return begun.points() == run.now().points()
+               ? m_measure.of(segment.scene, run.now(), &begun, segment.values)
+               : valueAt(run.at().frame);
+}
+
 QString MeasureRow::number() const
 {
     if (!std::isfinite(m_value))
@@ -66,7 +79,7 @@ QString MeasureRow::number() const
 
 void MeasureRow::refresh()
 {
-    m_value = valueAt(m_session.shown().at().frame);
+    m_value = valueNow();
     setAccessibleDescription(QStringLiteral("%1 %2. %3").arg(number(), m_measure.unit, m_measure.help));
     update();
 }

@@ -31,6 +31,7 @@ protected:
 
 private:
     double valueAt(std::int64_t frame) const;
+    double valueNow() const;
     void paintCourse(QPainter &painter, const QRectF &area) const;
 
     const Session &m_session;

@@ -212,11 +212,11 @@ QString BuildPanel::hint() const
 
 void BuildPanel::refresh()
 {
-    if (!m_bench.isOpen())
-        return;
-    refreshTitle();
-    refreshProperties();
-    pointOut();
+    if (m_bench.isOpen()) {
+        refreshTitle();
+        refreshProperties();
+    }
+    pointOut(); // or no more, where there is nothing to build
 }
 
 QWidget *BuildPanel::askedControl() const

@@ -17,7 +17,9 @@ namespace {
 
 constexpr double clickSlack = 3.0; ///< px of the screen that a click may move
 constexpr double dragLink = 10.0;  ///< px of the screen from which a drag makes a link
-constexpr double stride = 10.0;    ///< px that an arrow key goes
+constexpr double besideAsked =
+    8.0;                        ///< px of the screen by which a place that the guide asks for may be missed
+constexpr double stride = 10.0; ///< px that an arrow key goes
 constexpr double fineStride = 1.0; ///< with Shift
 
 bool isInput(const QEvent &event)
@@ -131,7 +133,10 @@ bool SceneBuilder::mouse(QEvent &event)
 
 sim::Vec2 SceneBuilder::placeOf(QPointF at) const
 {
-    return Camera(m_view.viewportTransform()).back(at);
+    const Camera camera(m_view.viewportTransform());
+    const auto asked = m_marks.guide->isOn() ? m_marks.guide->place() : std::nullopt;
+    const bool isMeant = asked && QLineF(camera.at(*asked), at).length() <= besideAsked;
+    return isMeant ? *asked : camera.back(at);
 }
 
 int SceneBuilder::pointAt(QPointF at) const

@@ -22,7 +22,25 @@ struct Account
     bool pulled = false;          ///< since the last move, a force worked
     bool turnedIntoSpeed = false; ///< since the last move, velocities changed other than by a force
     bool anyMove = false;
+    QString placed; ///< the title of the last phase that may have put points elsewhere without a move
 };
+
+/// Whether what acts in `phase` may put points elsewhere by itself.
+bool placesPoints(const sim::Phase &phase)
+{
+    const sim::Effect *effect = phase.effect.get();
+    return dynamic_cast<const sim::Driver *>(effect) || dynamic_cast<const sim::Constraint *>(effect) ||
+           dynamic_cast<const sim::Contact *>(effect);
+}
+
+/// Whether any point is in another place, or turned another way, than where the frame under way began.
+bool anyIsElsewhere(const sim::Timeline &timeline)
+{
+    const sim::State begun = timeline.track().stateAt(timeline.at().frame);
+    const sim::State &now = timeline.now();
+    return begun.points() != now.points() || !(begun.position == now.position).all() ||
+           (begun.angle.rows() == now.angle.rows() && !(begun.angle == now.angle).all());
+}
 
 Account accountOf(const sim::Segment &segment, int done)
 {
@@ -37,6 +55,8 @@ Account accountOf(const sim::Segment &segment, int done)
         if (i >= done)
             continue;
         account.anyMove |= phase.moves;
+        if (placesPoints(phase))
+            account.placed = phrase(phase.title);
         if (phase.moves)
             account.pulled = account.turnedIntoSpeed = false;
         else if (dynamic_cast<const sim::Force *>(phase.effect.get()))
@@ -85,8 +105,11 @@ QString frameCaption(const sim::Timeline &timeline)
     const bool gathers = timeline.now().acceleration.rows() > 0;
     const QString nothing =
         steps > 0 ? Text::tr("nothing has moved in it yet") : Text::tr("nothing has moved yet");
+    const bool isPlaced = !account.anyMove && !account.placed.isEmpty() && anyIsElsewhere(timeline);
     const QString what =
-        account.anyMove ? afterSomeMove(account, pipeline, done) : beforeAnyMove(account, gathers, nothing);
+        isPlaced          ? Text::tr("%1 has moved things directly, not by a velocity.").arg(account.placed)
+        : account.anyMove ? afterSomeMove(account, pipeline, done)
+                          : beforeAnyMove(account, gathers, nothing);
     if (all > 1)
         return Text::tr("Inside frame %1, step %2 of %3: %4").arg(at.frame).arg(steps + 1).arg(all).arg(what);
     return Text::tr("Inside frame %1: %2").arg(at.frame).arg(what);

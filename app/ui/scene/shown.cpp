@@ -12,9 +12,10 @@ namespace {
 
 /// px of the screen. Velocities get more room: damping takes a tenth of one, and that must be seen.
 constexpr double longestVelocity = 140.0;
-constexpr double finestPull = 0.01;   ///< px/frame^2, the least that the legend's arrow stands for
-constexpr double worthKeeping = 0.15; ///< of the longest arrow: below, a kept scale makes arrows too short
-constexpr std::int64_t saidFor = 15;  ///< frames for which the legend tells that a scale has changed
+constexpr double finestPull = 0.01;     ///< px/frame^2, the least that the legend's arrow stands for
+constexpr double finestVelocity = 0.01; ///< px/frame, likewise
+constexpr double worthKeeping = 0.15;   ///< of the longest arrow: below, a kept scale makes arrows too short
+constexpr std::int64_t saidFor = 15;    ///< frames for which the legend tells that a scale has changed
 
 sim::Vec2 rowOf(const Eigen::ArrayX2d &values, int point)
 {
@@ -115,10 +116,10 @@ void measureArrows(Shown &shown, std::int64_t frame)
 {
     const double pull = longestPull(shown);
     shown.hasPulls = pull > 0.0;
-    // What rests still feels pulls of a billionth: those are not blown up to arrows.
+    // What rests still feels pulls of a billionth, and creeps: those are not blown up to arrows.
     renew(shown.scales.pull, pull, longestArrow, finestPull, frame);
     if (shown.showsVelocities())
-        renew(shown.scales.velocity, fastest(shown), longestVelocity, 0.0, frame);
+        renew(shown.scales.velocity, fastest(shown), longestVelocity, finestVelocity, frame);
 }
 
 QString sumWords(const Shown &shown)
