@@ -260,10 +260,6 @@ Jeder **Effekt** in der Liste hat seinen Preis, und einer, der nicht darin steht
         <translation>Weniger als **0,1&#x2009;px** daneben, innerhalb von **1&#x2009;µs** pro Bild.</translation>
     </message>
     <message>
-        <source>Set **Gravity** to 0 and play on for 60&#x2009;frames. It is left out now; look for its line in the code.</source>
-        <translation>Setze **Schwerkraft** auf 0 und spiele 60&#x2009;Bilder weiter. Jetzt ist sie weggelassen; such ihre Zeile im Code.</translation>
-    </message>
-    <message>
         <source>Set **Bounce** to 0 and wait until all lie still.</source>
         <translation>Setze **Abprall** auf 0 und warte, bis alle still liegen.</translation>
     </message>
@@ -548,10 +544,6 @@ und das halbe h lässt davon 1/2, 1/4, 1/16 übrig, für p = 1, 2, 4.</translati
         <translation>Doppelt so viele sind doppelt so viel Arbeit, und ein Effekt, der nicht da ist, kostet nichts.</translation>
     </message>
     <message>
-        <source>Type 10000 into the field beside **Creatures**, press **Space**, and wait a moment. Then type 20000, and wait again.</source>
-        <translation>Gib im Feld neben **Figuren** 10000 ein, drück die **Leertaste** und warte einen Moment. Gib dann 20000 ein und warte noch einmal.</translation>
-    </message>
-    <message>
         <source>Type 0 into the field beside **Gravity**, press **Space**, and wait two seconds.</source>
         <translation>Gib im Feld neben **Schwerkraft** 0 ein, drück die **Leertaste** und warte zwei Sekunden.</translation>
     </message>
@@ -713,7 +705,15 @@ und das halbe h lässt davon 1/2, 1/4, 1/16 übrig, für p = 1, 2, 4.</translati
     </message>
     <message>
         <source>Order 1: from 1/4&#x2009;frame to 1/8&#x2009;frame, the error falls from 24 to 15&#x2009;px, not to a sixteenth.</source>
-        <translation>Ordnung 1: Von 1/4 Bild zu 1/8 Bild fällt der Fehler von 24 auf 15 px, nicht auf ein Sechzehntel.</translation>
+        <translation>Ordnung 1: Von 1/4&#x2009;Bild zu 1/8&#x2009;Bild fällt der Fehler von 24 auf 15&#x2009;px, nicht auf ein Sechzehntel.</translation>
+    </message>
+    <message>
+        <source>Type 10000 into the field beside **Creatures**, press **Space**, and wait a moment. Then type 20000, and wait again. The panel Effects (**Ctrl+4**) tells how long a frame takes.</source>
+        <translation>Gib im Feld neben **Figuren** 10000 ein, drück die **Leertaste** und warte einen Moment. Gib dann 20000 ein und warte noch einmal. Das Feld Effekte (**Strg+4**) sagt, wie lange ein Bild dauert.</translation>
+    </message>
+    <message>
+        <source>Set **Gravity** to 0 and play on for 60&#x2009;frames. It is left out now: its phase is gone from the strip below.</source>
+        <translation>Setze **Schwerkraft** auf 0 und spiele 60&#x2009;Bilder weiter. Jetzt ist sie weggelassen: Ihre Phase fehlt im Streifen darunter.</translation>
     </message>
 </context>
 <context>

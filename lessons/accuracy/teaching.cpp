@@ -182,10 +182,11 @@ Teaching crowd()
         Text::tr("Twice as many are twice the work, and an effect that is not there costs nothing."),
         {
             Text::tr("Type 10000 into the field beside **Creatures**, press **Space**, and wait a moment. "
-                     "Then type 20000, and wait again."),
-            Text::tr("Type 0 into the field beside **Gravity**, press **Space**, and wait two seconds."),
+                     "Then type 20000, and wait again. The panel Effects (**Ctrl+4**) tells how long a frame "
+                     "takes."),
             Text::tr("Type 0 into the field beside **Bounce**, press **Space**, and wait. Fewer creatures "
                      "are sooner done."),
+            Text::tr("Type 0 into the field beside **Gravity**, press **Space**, and wait two seconds."),
         },
         {{Text::tr("Effect"), Text::tr("effect|effects"),
           Text::tr("One thing that acts in a scene: springs, gravity, damping, walls. Only those that a "

@@ -275,16 +275,15 @@ std::vector<Try> crowdTries()
              keptFor("creatures", someTime)}}
             .answered(Text::tr("About twice: each creature costs the same. It is more where the machine’s "
                                "cache no longer holds all of them.")),
-        {Text::tr(
-             "Set **Gravity** to 0 and play on for 60 frames. It is left out now; look for its line in the "
-             "code."),
-         {isSet("gravity", 0.0), keptFor("gravity", someTime)}},
         {Text::tr("Set **Bounce** to 0 and wait until all lie still."),
          {isSet("bounce", 0.0),
           {[](const Timeline &run) {
                return isBetweenFrames(run) && (run.now().velocity.abs() <= stillness).all() && isStill(run);
            },
            Text::tr("let time run (**Space**) until nothing moves.")}}},
+        {Text::tr("Set **Gravity** to 0 and play on for 60 frames. It is left out now: its phase is gone "
+                  "from the strip below."),
+         {isSet("gravity", 0.0), keptFor("gravity", someTime)}},
     };
 }
 

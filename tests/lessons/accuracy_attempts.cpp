@@ -113,16 +113,16 @@ std::vector<Attempt> attempts()
              p.set("creatures", 20'000);
              p.play(61);
          }},
-        {"crowd", 1, "no gravity",
+        {"crowd", 1, "no bounce",
+         [](Player &p) {
+             p.set("bounce", 0.0);
+             p.playUntilDone(1500);
+         }},
+        {"crowd", 2, "no gravity",
          [](Player &p) {
              p.play(30);
              p.set("gravity", 0.0);
              p.play(61);
-         }},
-        {"crowd", 2, "no bounce",
-         [](Player &p) {
-             p.set("bounce", 0.0);
-             p.playUntilDone(1500);
          }},
         // Near misses, and what is still to do then
         {"big_step", 0, "not far enough", [](Player &p) { withStep(p, "semi_implicit_euler", 0.125, 40); },

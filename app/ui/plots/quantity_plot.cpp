@@ -21,13 +21,15 @@ constexpr double dash = 4.5;        ///< px
 constexpr double paleFuture = 0.35; ///< how much of its colour a curve has after the cursor
 const QMargins besideTime(54, 22, 14, 24);
 const QMargins besideQuantity(54, 22, 16, 42); ///< with a name below the axis
-constexpr double noise = 1e-12; ///< of the numbers on the axis: less than this is rounding, and shown as 0
+constexpr double noise = 1e-12; ///< of the numbers on the axis: less than this is rounding, and shown as 0,
+constexpr double surelyNoise = 1e-9; ///< but no more than this, however far an old run flew off
 const char *const curveLayer = "curves";
 const char *const ghostLayer = "ghost"; ///< below it: the old run stays as it is where the cursor moves
 
 double withoutNoise(double value, const PlotRange &range)
 {
-    return std::abs(value) < noise * std::max(std::abs(range.low), std::abs(range.high)) ? 0.0 : value;
+    const double largest = std::max(std::abs(range.low), std::abs(range.high));
+    return std::abs(value) < std::min(noise * largest, surelyNoise) ? 0.0 : value;
 }
 
 }

@@ -17,6 +17,7 @@
 #include <QTest>
 #include <QToolButton>
 
+#include <algorithm>
 #include <stdexcept>
 
 using namespace app;
@@ -54,7 +55,6 @@ void Learner::begin(std::size_t number)
     leavePicture();
     comeBack(); // a list that dropped down before may close only now
     QTest::keyClick(&m_window, Qt::Key_R, Qt::ControlModifier);
-    QTest::keyClick(&m_window, Qt::Key_0, Qt::ControlModifier);
     settle();
 }
 
@@ -148,6 +148,14 @@ QPoint Learner::onScreen(sim::Vec2 place) const
     return m_view.viewportTransform().map(QPointF(place.x, place.y)).toPoint();
 }
 
+QPoint Learner::inPicture(sim::Vec2 place) const
+{
+    const QRect picture = m_view.viewport()->rect().adjusted(2, 2, -2, -2);
+    const QPoint seen = onScreen(place);
+    return {std::clamp(seen.x(), picture.left(), picture.right()),
+            std::clamp(seen.y(), picture.top(), picture.bottom())};
+}
+
 int Learner::bodyAt(QPoint place) const
 {
     return Hand::bodyAt(m_view.shown(), Camera(m_view.viewportTransform()), place);
@@ -199,7 +207,7 @@ void Learner::grab(const std::string &body)
 
 void Learner::moveHand(sim::Vec2 to)
 {
-    move(onScreen(to));
+    move(inPicture(to));
 }
 
 void Learner::letGo()
@@ -222,15 +230,15 @@ QPoint Learner::freePlaceNear(QPoint place) const
 void Learner::point(sim::Vec2 where, bool down)
 {
     if (!m_isDown && down)
-        press(freePlaceNear(onScreen(where)));
-    move(onScreen(where));
+        press(freePlaceNear(inPicture(where)));
+    move(onScreen(where)); // with the button down it may go past the edge
     if (!down && m_isDown)
         release();
 }
 
 void Learner::target(sim::Vec2 where)
 {
-    press(freePlaceNear(onScreen(where)));
+    press(freePlaceNear(inPicture(where)));
     release();
 }
 

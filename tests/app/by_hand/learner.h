@@ -64,6 +64,8 @@ public:
 private:
     void openRow(const QString &title, const QModelIndex &parent);
     QPoint onScreen(sim::Vec2 place) const;
+    /// The same for where the hand goes: a learner does not know what is outside of the picture.
+    QPoint inPicture(sim::Vec2 place) const;
     int bodyAt(QPoint place) const;
     QPoint freePlaceNear(QPoint place) const;
     void press(QPoint place);

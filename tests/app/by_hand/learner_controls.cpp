@@ -31,9 +31,10 @@ namespace {
 constexpr int mostMilliseconds = 60'000; ///< that anything takes
 constexpr int awayFromBody = 45;         ///< px on the screen
 
+/// Types into a field that was clicked or that a command has opened: what it held is selected.
 void replaceText(QWidget *field, const QString &text)
 {
-    QTest::keyClick(field, Qt::Key_A, Qt::ControlModifier);
+    settle();
     QTest::keyClicks(field, text);
     QTest::keyClick(field, Qt::Key_Return);
 }

@@ -1,5 +1,6 @@
 // A learner walks through one lesson, with mouse and keys only: opens it in the list, reads each step, does each
-// thing to try, sees its tick, and goes on. Built once for each lesson, with that lesson's attempts.
+// thing to try, sees its tick, and goes on. Built once for each lesson, with that lesson's attempts. In a window of
+// another size: SPRINGSTEP_WINDOW=1920x1080.
 
 #include "app/ui/panels/summary_page.h"
 #include "tests/app/by_hand/learner.h"
@@ -43,7 +44,10 @@ void ByHand::initTestCase()
     m_theme.apply(*qApp);
     m_session = std::make_unique<Session>(m_library);
     m_window = std::make_unique<MainWindow>(*m_session, m_theme);
-    m_window->resize(1280, 800);
+    const QList<QByteArray> size =
+        qEnvironmentVariable("SPRINGSTEP_WINDOW", "1280x800").toLatin1().split('x');
+    QCOMPARE(size.size(), 2);
+    m_window->resize(size[0].toInt(), size[1].toInt());
     m_window->show();
     QApplication::setActiveWindow(m_window.get());
     QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
@@ -107,7 +111,9 @@ void ByHand::followTry(const Attempt &attempt)
         QFAIL(qPrintable(QStringLiteral("%1: %2").arg(text, error.what())));
     }
     // A budget that was measured just before is measured again only after a while.
-    QVERIFY2(QTest::qWaitFor([&] { return m_learner->sees(attempt.number); }, 2000), qPrintable(text));
+    const bool isTicked = QTest::qWaitFor([&] { return m_learner->sees(attempt.number); }, 2000);
+    const QString todo = m_session->step().tries[attempt.number].conditions.todo(m_session->timeline());
+    QVERIFY2(isTicked, qPrintable(text + " Still to do: " + todo));
 }
 
 void ByHand::theSummarySaysThatAllIsDone()
