@@ -12,6 +12,12 @@ constexpr int space = 6;
 constexpr int glyph = 16;
 constexpr int arrow = 12;
 
+/// Whether the pointer is over `button`. A menu that has closed may have left it marked as under the mouse.
+bool isHovered(const QWidget &button)
+{
+    return button.underMouse() && button.rect().contains(button.mapFromGlobal(QCursor::pos()));
+}
+
 }
 
 FlatButton::FlatButton(const Theme &theme, QWidget *parent) : QToolButton(parent), m_theme(theme)
@@ -81,7 +87,7 @@ void FlatButton::paintEvent(QPaintEvent *)
     const Tokens &t = m_theme.tokens();
     QPainter p(this);
     p.setRenderHint(QPainter::Antialiasing);
-    if (underMouse() || isDown())
+    if (isHovered(*this) || isDown())
         m_theme.paintSurface(p, rect(), 6, Surface::hovered);
     int x = m_icon.isEmpty() || !m_value.isEmpty() || !m_caption.isEmpty() ? padding : (width() - glyph) / 2;
     if (!m_icon.isEmpty()) {
