@@ -117,8 +117,8 @@ std::vector<Try> dragTries()
         {Text::tr("Throw it: let go while the mouse moves at 5 px per frame or more. It glides and stops."),
          {letGoOf("foot"), fastEnough(), allStill()}},
         Try{Text::tr("Set **damping** to 1 and throw it again. Does it ever stop? Give it 60 frames."),
-            {isSet("damp", 1.0), letGoOf("foot"), fastEnough(),
-             leftAlone(60, Text::tr("let it glide for 60 frames with this damping. So far: %1.")), moves()}}
+            {isSet("damp", 1.0), letGoSinceSet("damp", "foot"), fastEnough(), moves(),
+             leftAlone(60, Text::tr("let it glide for 60 frames with this damping. So far: %1."))}}
             .answered(Text::tr("No. Nothing takes a share of its velocity, so it keeps all of it and glides "
                                "on for ever.")),
     };
@@ -137,8 +137,8 @@ std::vector<Try> fixedCentreTries()
          {insideAFrame(), onlyPulled()}},
         Try{Text::tr(
                 "Set **damping** to 1, pull the foot out and let go. Does it ever stop? Give it 100 frames."),
-            {isSet("damp", 1.0), letGoOf("foot"),
-             leftAlone(100, Text::tr("let it swing for 100 frames with this damping. So far: %1.")), moves()}}
+            {isSet("damp", 1.0), letGoSinceSet("damp", "foot"), moves(),
+             leftAlone(100, Text::tr("let it swing for 100 frames with this damping. So far: %1."))}}
             .answered(Text::tr("No. Nothing takes a share of its velocity, so it swings as wide as at first, "
                                "for ever.")),
         compareDamping(),

@@ -103,7 +103,7 @@ private slots:
         bench.giveFeet();
         bench.clickWhatIsAsked(bench.tool("Choose"));
         bench.type("speed", "0.05");
-        QVERIFY(qobject_cast<NumberBox *>(QApplication::focusWidget())); // which would take a space
+        QVERIFY(!qobject_cast<NumberBox *>(QApplication::focusWidget())); // Return has given the keys back
         bench.clickWhatIsAsked(bench.effect("Ground"));
         bench.clickWhatIsAsked(bench.effect("Walls"));
         QWidget *focus = QApplication::focusWidget();
@@ -138,6 +138,7 @@ private slots:
         QTest::keyClicks(swing, "0.05");
         QTest::keyClick(swing, Qt::Key_Return);
         for (const char *effect : {"Ground", "Walls"}) {
+            QTRY_VERIFY(bench.effect(effect)->isVisible());
             bench.effect(effect)->setFocus(Qt::TabFocusReason);
             QTest::keyClick(bench.effect(effect), Qt::Key_Space);
         }

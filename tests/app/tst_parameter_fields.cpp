@@ -374,8 +374,8 @@ void ParameterFieldsTest::aClickSelectsTheNumberAndSpaceOrEnterTakesWhatWasTyped
     BesidePicture bench;
     QVERIFY(bench.picture.hasFocus());
     NumberBox &box = bench.box();
-    QTest::mouseClick(&box, Qt::LeftButton, {}, box.rect().center());
-    const auto *edit = box.findChild<QLineEdit *>();
+    auto *edit = box.findChild<QLineEdit *>();
+    QTest::mouseClick(edit, Qt::LeftButton);
     QTRY_COMPARE(edit->selectedText(), edit->text());
     QTest::keyClicks(&box, "0.7");
     QTest::keyClick(&box, key);

@@ -62,15 +62,28 @@ struct Stage
         return count;
     }
 
+    /// Whether all bodies of the companion are in the picture; false where there is none.
+    bool isCompanionSeen() const
+    {
+        const Shown &beside = view.beside();
+        const QRectF seen = view.viewport()->rect();
+        for (int i = 0; i < beside.points(); ++i) {
+            const sim::Vec2 at = beside.state().at(i) + beside.shift;
+            if (!seen.contains(onScreen(at)))
+                return false;
+        }
+        return beside.points() > 0;
+    }
+
     /// Whether enough is in the picture: all; or, of a run that is there to blow up, something, as long as there is any
-    /// body within half the way to where no picture goes.
+    /// body within half the way to where no picture goes, or else the companion that it is compared with.
     bool isSeen(const QString &lesson) const
     {
         if (lesson != "hard_cases")
             return outside() == 0;
         const sim::State state = session.picture().state;
         const bool isGone = (state.position.abs().rowwise().maxCoeff() > 0.5 * worldReach).all();
-        return isGone || outside() < state.points();
+        return isGone || outside() < state.points() || isCompanionSeen();
     }
 
     void goOn(int frames)

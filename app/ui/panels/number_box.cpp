@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace app {
 
@@ -48,6 +49,7 @@ NumberBox::NumberBox(const lessons::Parameter &parameter, const Theme &theme, QW
     connect(this, &QDoubleSpinBox::editingFinished, this, &NumberBox::write);
     connect(&theme, &Theme::changed, this, &NumberBox::dress);
     connect(qApp, &QApplication::focusChanged, this, &NumberBox::remember);
+    lineEdit()->installEventFilter(this);
     dress();
 }
 
@@ -202,6 +204,16 @@ bool NumberBox::event(QEvent *event)
     return QDoubleSpinBox::event(event);
 }
 
+bool NumberBox::eventFilter(QObject *watched, QEvent *event)
+{
+    if (event->type() == QEvent::MouseButtonPress) {
+        const bool isUntouched = !lineEdit()->isModified() && !lineEdit()->hasSelectedText();
+        if (std::exchange(m_isFresh, false) || isUntouched)
+            QTimer::singleShot(0, this, &NumberBox::selectAll); // after the press, which moves the cursor
+    }
+    return QDoubleSpinBox::eventFilter(watched, event);
+}
+
 void NumberBox::focusInEvent(QFocusEvent *event)
 {
     m_inFull = true;
@@ -209,12 +221,10 @@ void NumberBox::focusInEvent(QFocusEvent *event)
     QDoubleSpinBox::focusInEvent(event);
     if (event->reason() == Qt::PopupFocusReason)
         return;
-    m_byMouse = event->reason() == Qt::MouseFocusReason;
-    if (m_byMouse)
-        QTimer::singleShot(0, this,
-                           &NumberBox::selectAll); // after the press, which puts the cursor somewhere
-    else
-        selectAll();
+    m_isFresh = true;
+    if (event->reason() != Qt::ActiveWindowFocusReason)
+        m_byMouse = event->reason() == Qt::MouseFocusReason;
+    selectAll();
 }
 
 void NumberBox::focusOutEvent(QFocusEvent *event)

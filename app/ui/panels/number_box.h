@@ -44,6 +44,7 @@ signals:
 
 protected:
     bool event(QEvent *event) override;
+    bool eventFilter(QObject *watched, QEvent *event) override;
     void focusInEvent(QFocusEvent *event) override;
     void focusOutEvent(QFocusEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
@@ -73,6 +74,7 @@ private:
     bool m_rounds = false;
     QPointer<QWidget> m_before; ///< what had the keyboard before a click came here
     bool m_byMouse = false;     ///< whether a click gave it the keyboard
+    bool m_isFresh = false; ///< whether no click has put a cursor into the number since it got the keyboard
 };
 
 }

@@ -12,9 +12,10 @@ namespace {
 
 constexpr double pleasant = 2.6;          ///< the zoom of a creature that is small enough for it
 constexpr double arrowRoom = 100.0;       ///< px of the screen round a creature with arrows
-constexpr double creatureReach = 120.0;   ///< px round a creature's middle that a hand needs, at least
+constexpr double creatureReach = 75.0;    ///< px round a creature's middle that it needs, at least
+constexpr double handReach = 110.0;       ///< likewise, for a hand that carries something
 constexpr double creatureRoom = 12.0;     ///< px that it needs beside its outermost body
-constexpr double nearWall = 80.0;         ///< px from a creature to a wall that is shown with it
+constexpr double nearWall = 40.0;         ///< px from a creature to a wall that is shown with it
 constexpr double solidSide = 12.0;        ///< px beyond the walls that a room shows
 constexpr double groundBorder = 52.0;     ///< px of the screen below a floor: scale and legends stand there
 constexpr double endlessBorder = 68.0;    ///< likewise, of an endless ground: distances stand there too
@@ -77,6 +78,7 @@ QRectF restArea(const Picture &picture, const Shown &beside)
     if (look.sky != lessons::Look::Sky::paper)
         return look.stage;
     QRectF area = creatureArea(picture);
+    area = area.united(around(area.center(), handReach));
     if (look.ground)
         area.setBottom(*look.ground);
     const bool isSmall = area.width() < look.stage.width() && area.height() < look.stage.height();

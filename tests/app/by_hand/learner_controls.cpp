@@ -178,12 +178,13 @@ void Learner::set(const std::string &parameter, double value)
             chooseFrom(*row->findChild<QComboBox *>(), static_cast<int>(value));
         } else {
             auto *box = row->findChild<NumberBox *>();
-            QTest::mouseClick(box, Qt::LeftButton);
+            QTest::mouseClick(box->findChild<QLineEdit *>(), Qt::LeftButton);
             replaceText(box, QString::number(value, 'g', 12));
         }
         settle(); // the row may be gone with the run that it belonged to
         if (std::abs(m_session.parameter(QString::fromStdString(parameter)) - value) > 1e-9)
-            throw std::runtime_error("the field does not take a value for " + parameter);
+            throw std::runtime_error("the field does not take a value for " + parameter + ": it is " +
+                                     std::to_string(m_session.parameter(QString::fromStdString(parameter))));
         return;
     }
     throw std::runtime_error("no parameter is called " + parameter);
