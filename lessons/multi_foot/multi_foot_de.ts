@@ -76,20 +76,12 @@ Die Federn sind nicht schuld: Mit zwei Zeitschritten von je einem halben Bild ha
         <translation>Mehrere Züge an einem Körper addieren sich, einer nach dem anderen.</translation>
     </message>
     <message>
-        <source>Press **Space**. Take one of the small discs, pull it to the edge of the picture, let go, and wait.</source>
-        <translation>Drück die **Leertaste**. Nimm eine der kleinen Scheiben, zieh sie an den Rand der Szene, lass los und warte.</translation>
-    </message>
-    <message>
         <source>Press **Space**, take the large disc, and carry it from one side of the picture to the other.</source>
         <translation>Drück die **Leertaste**, nimm die große Scheibe und trag sie von einer Seite der Szene zur anderen.</translation>
     </message>
     <message>
         <source>A loop adds the springs, so the same code does for any number of feet.</source>
         <translation>Eine Schleife addiert die Federn, darum taugt derselbe Code für beliebig viele Füße.</translation>
-    </message>
-    <message>
-        <source>Press **Space**, pull one of the small discs to the edge of the picture, let go, and wait.</source>
-        <translation>Drück die **Leertaste**, zieh eine der kleinen Scheiben an den Rand der Szene, lass los und warte.</translation>
     </message>
     <message>
         <source>Play some seconds, drag the timeline back to the left, change **Damping**, and play on for a second.</source>
@@ -218,6 +210,14 @@ Ist das so viel, dass der Körper **über** seinen Ort hinaus zurückkommt, und 
     <message>
         <source>press **Home**, and set **feet** to 12 there: the creature was out of shape.</source>
         <translation>drück **Pos1** und setze **Füße** dort auf 12: Das Wesen war aus der Form.</translation>
+    </message>
+    <message>
+        <source>Press **Space**. Take one of the small discs, pull it to the upper edge of the picture, let go, and wait.</source>
+        <translation>Drück die **Leertaste**. Nimm eine der kleinen Scheiben, zieh sie an den oberen Rand der Szene, lass los und warte.</translation>
+    </message>
+    <message>
+        <source>Press **Space**, pull one of the small discs to the upper edge of the picture, let go, and wait.</source>
+        <translation>Drück die **Leertaste**, zieh eine der kleinen Scheiben an den oberen Rand der Szene, lass los und warte.</translation>
     </message>
 </context>
 <context>

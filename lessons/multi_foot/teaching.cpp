@@ -18,8 +18,9 @@ Teaching twoFeet()
     return {"two_feet",
             Text::tr("Several pulls on one body add up, one after the other."),
             {
-                Text::tr("Press **Space**. Take one of the small discs, pull it to the edge of the picture, "
-                         "let go, and wait."),
+                Text::tr(
+                    "Press **Space**. Take one of the small discs, pull it to the upper edge of the picture, "
+                    "let go, and wait."),
                 Text::tr("Press **Space**, take the large disc, and carry it from one side of the picture to "
                          "the other."),
                 Text::tr("Press **Home**. Type 0.9 into the field beside **Damping**, press **Space**, and "
@@ -35,8 +36,9 @@ Teaching anyNumber()
         "any_number",
         Text::tr("A loop adds the springs, so the same code does for any number of feet."),
         {
-            Text::tr("Press **Space**, pull one of the small discs to the edge of the picture, let go, and "
-                     "wait."),
+            Text::tr(
+                "Press **Space**, pull one of the small discs to the upper edge of the picture, let go, and "
+                "wait."),
             Text::tr("Press **Home**. Type 12 into the field beside **Feet**, press **Space**, and wait "
                      "seven seconds."),
             Text::tr("Play some seconds, drag the timeline back to the left, change **Damping**, and play "

@@ -264,10 +264,6 @@ Zieh sie, wirf sie, lass sie fallen. Die Farbe eines Stabs zeigt, welcher Fehler
         <translation>Ein Stab misst seinen Fehler und schiebt beide Enden um die Hälfte davon: keine Feder, keine Geschwindigkeit.</translation>
     </message>
     <message>
-        <source>Press **Space**. Hold the mouse button down in the picture and lead p0 to one side.</source>
-        <translation>Drück die **Leertaste**. Halte in der Szene die Maustaste gedrückt und führe p0 zur Seite.</translation>
-    </message>
-    <message>
         <source>Stop. Press the mouse button 50&#x2009;px or more beside p0 and keep it down. Then press **Shift+→** once.</source>
         <translation>Halte an. Drück die Maustaste 50&#x2009;px oder mehr neben p0 und halte sie gedrückt. Dann drück einmal **Umschalt+→**.</translation>
     </message>
@@ -618,6 +614,10 @@ Und hat ein Stab x inzwischen bewegt, ist x − before eine andere Zahl: Die Ges
     <message>
         <source>Stop, and press **Shift+→** until the strip under the timeline marks the sticks.</source>
         <translation>Halte an und drück **Umschalt+→**, bis der Streifen unter der Zeitleiste die Stäbe markiert.</translation>
+    </message>
+    <message>
+        <source>Press **Space**. Hold the mouse button down in the picture and lead p0 into an upper corner.</source>
+        <translation>Drück die **Leertaste**. Halte in der Szene die Maustaste gedrückt und führe p0 in eine obere Ecke.</translation>
     </message>
 </context>
 <context>

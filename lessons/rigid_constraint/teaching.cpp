@@ -19,8 +19,8 @@ Teaching pair()
         "pair",
         Text::tr("A stick measures its error and moves both ends by half of it: no spring, no velocity."),
         {
-            Text::tr("Press **Space**. Hold the mouse button down in the picture and lead p0 to one "
-                     "side."),
+            Text::tr("Press **Space**. Hold the mouse button down in the picture and lead p0 into an "
+                     "upper corner."),
             Text::tr("Stop. Press the mouse button 50 px or more beside p0 and keep it down. Then press "
                      "**Shift+→** once."),
             Text::tr("Type 0 into the field beside **Length**. Press **Space**, hold the mouse button down "

@@ -107,8 +107,9 @@ Step steeringStep()
 Step wallsStep()
 {
     Step step = stepOf("walls", Text::tr("Walls to bump into"));
-    step.addParameters({atWall(), speed(), top(), change()});
-    step.addParameters(sideWalls());
+    step.addParameters({atWall()});
+    step.addParameters(sideWalls()); // the room is what the step is about
+    step.addParameters({speed(), top(), change()});
     addCommon(step);
     step.narration = Text::tr(
         "Two walls, as in the lesson before, for feet and body. Where an edge is past a wall, it is put "

@@ -83,7 +83,8 @@ Step feetBelowStep()
 Step curvedLegsStep()
 {
     Step step = stepOf("curved_legs", Text::tr("Curved legs"));
-    step.addParameters({drop(), curve()});
+    step.parameters.insert(step.parameters.begin(), curve()); // what the step is about comes first
+    step.addParameters({drop()});
     step.narration = Text::tr(
         "Two straight twigs are no legs. A **curve** needs one more point: the cross above each foot, "
         "**curve** pixels up. The leg leaves the foot towards that point and comes to the body from there. "

@@ -37,15 +37,16 @@ Teaching bones()
 
 Teaching legs()
 {
-    return {"legs",
-            Text::tr("A leg is a line that is drawn anew for each picture; nothing feels it."),
-            {
-                Text::tr("Type 100 into the field beside **Leg**, press **Space**, and wait."),
-                Text::tr("Press **Space**, take a small disc, pull it to the edge of the picture, and let "
-                         "go."),
-            },
-            {},
-            {}};
+    return {
+        "legs",
+        Text::tr("A leg is a line that is drawn anew for each picture; nothing feels it."),
+        {
+            Text::tr("Type 100 into the field beside **Leg**, press **Space**, and wait."),
+            Text::tr("Press **Space**, take a small disc, pull it to the upper edge of the picture, and let "
+                     "go."),
+        },
+        {},
+        {}};
 }
 
 Teaching feetBelow()
@@ -114,7 +115,7 @@ Teaching bodyPulled()
         "body_pulled",
         Text::tr("Each leg pulls foot and body just as hard, so legs alone get nowhere."),
         {
-            Text::tr("Press **Space**, take a small disc, pull it to the edge of the picture, and let "
+            Text::tr("Press **Space**, take a small disc, pull it to the upper edge of the picture, and let "
                      "go."),
             Text::tr("Type 1 into the field beside **Damping**. Press **Space**, take the large disc, swing "
                      "it, and let go on the way. Then wait four seconds."),

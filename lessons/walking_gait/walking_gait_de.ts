@@ -544,10 +544,6 @@ Von hier an ist k 0,1.</translation>
         <translation>Gib 100 in das Feld neben **Bein** ein, drück die **Leertaste** und warte.</translation>
     </message>
     <message>
-        <source>Press **Space**, take a small disc, pull it to the edge of the picture, and let go.</source>
-        <translation>Drück die **Leertaste**, nimm eine kleine Scheibe, zieh sie an den Rand der Szene und lass los.</translation>
-    </message>
-    <message>
         <source>One number that is added to y moves all places below the body.</source>
         <translation>Eine Zahl, die zu y addiert wird, schiebt alle Orte unter den Körper.</translation>
     </message>
@@ -926,6 +922,10 @@ Die Uhr macht nur a größer, Bild für Bild. Dann schwingt x hin und her, und y
     <message>
         <source>choose **turn** beside **At a wall**.</source>
         <translation>wähle **umkehren** neben **An einer Wand**.</translation>
+    </message>
+    <message>
+        <source>Press **Space**, take a small disc, pull it to the upper edge of the picture, and let go.</source>
+        <translation>Drück die **Leertaste**, nimm eine kleine Scheibe, zieh sie an den oberen Rand der Szene und lass los.</translation>
     </message>
 </context>
 <context>
