@@ -160,10 +160,6 @@ auf einmal. Federn, die zur Seite zeigen, ziehen weniger, darum zählt im Mittel
 Ist das so viel, dass der Körper **über** seinen Ort hinaus zurückkommt, und zwar weiter, als er davon entfernt war, dann ist der nächste Zug noch stärker. Von da an ist jede Schwingung weiter als die vorige.</translation>
     </message>
     <message>
-        <source>let time run (**Space**) until it has left the picture.</source>
-        <translation>lass die Zeit laufen (**Leertaste**), bis sie die Szene verlassen hat.</translation>
-    </message>
-    <message>
         <source>Yes. After 50&#x202f;frames nothing moves faster than a tenth of a pixel per frame.</source>
         <translation>Ja. Nach 50&#x202f;Bildern bewegt sich nichts schneller als ein Zehntel Pixel pro Bild.</translation>
     </message>
@@ -218,6 +214,10 @@ Ist das so viel, dass der Körper **über** seinen Ort hinaus zurückkommt, und 
     <message>
         <source>Press **Space**, pull one of the small discs to the upper edge of the picture, let go, and wait.</source>
         <translation>Drück die **Leertaste**, zieh eine der kleinen Scheiben an den oberen Rand der Szene, lass los und warte.</translation>
+    </message>
+    <message>
+        <source>let time run (**Space**) until it has left the stage.</source>
+        <translation>lass die Zeit laufen (**Leertaste**), bis sie die Bühne verlassen hat.</translation>
     </message>
 </context>
 <context>

@@ -35,7 +35,7 @@ Conditions footPulledAndStill()
 Condition flewOff()
 {
     return {[](const Timeline &run) { return !onStage(middle(run)) && sim::length(momentum(run)) >= 2.0; },
-            Text::tr("let time run (**Space**) until it has left the picture.")};
+            Text::tr("let time run (**Space**) until it has left the stage.")};
 }
 
 /// The numbers outgrew what a computer can hold, or are on their way there.

@@ -47,7 +47,7 @@ Condition holdingAnEnd()
 Condition flewOff()
 {
     return {[](const Timeline &run) { return !onStage(middle(run)) && sim::length(momentum(run)) >= 2.0; },
-            Text::tr("let time run (**Space**) until the pair has left the picture.")};
+            Text::tr("let time run (**Space**) until the pair has left the stage.")};
 }
 
 Condition dampingIs(double value)

@@ -132,10 +132,6 @@ Das gilt nur, wenn beide Züge **im selben Moment** genommen werden. Bewegt sich
         <translation>Gib 100 in das Feld neben **Radius** ein, drück die **Leertaste** und warte.</translation>
     </message>
     <message>
-        <source>let time run (**Space**) until the pair has left the picture.</source>
-        <translation>lass die Zeit laufen (**Leertaste**), bis das Paar die Szene verlassen hat.</translation>
-    </message>
-    <message>
         <source>set **damping** to 0.9.</source>
         <translation>setze **Dämpfung** auf 0,9.</translation>
     </message>
@@ -214,6 +210,10 @@ Aber er zeigt, wie lang die Feder ist. Wo er länger ist als **Radius**, zieht d
     <message>
         <source>squeeze the leg to under 30&#x202f;px and let go there. It was %1&#x202f;px long.</source>
         <translation>drück das Bein auf unter 30&#x202f;px zusammen und lass dort los. Es war %1&#x202f;px lang.</translation>
+    </message>
+    <message>
+        <source>let time run (**Space**) until the pair has left the stage.</source>
+        <translation>lass die Zeit laufen (**Leertaste**), bis das Paar die Bühne verlassen hat.</translation>
     </message>
 </context>
 <context>

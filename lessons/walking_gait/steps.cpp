@@ -54,7 +54,8 @@ Step legsStep()
     step.narration = Text::tr(
         "A **leg** is a line from the body to a foot. It is made anew for each picture, from where body and "
         "foot are at that moment. Nothing feels it: the code that moves the feet is the same as before.\n\n"
-        "Still it tells you something: how long the spring is. At rest each line is as long as **leg** "
+        "Still it tells you something: how far the foot is from the body. At rest each line is as long as "
+        "**leg** "
         "says, 50 px. While a foot swings, you see it stretch and shrink.");
     step.tries = legsTries();
     step.scene = legs::setUp;

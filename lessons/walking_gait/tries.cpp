@@ -108,7 +108,7 @@ std::vector<Try> legsTries()
         Try{Text::tr("Set **leg** to 100 and wait until all is still. How long are the lines?"),
             {isSet("leg", 100.0), allStill()}}
             .answered(Text::tr("100 px: at rest a line is as long as **leg** says.")),
-        {Text::tr("Pull a foot at least 75 px away and let go. The line shows how far the spring swings."),
+        {Text::tr("Pull a foot at least 75 px away and let go. The line shows how far the foot swings."),
          {letGoOfAFoot(), carriedFar(75.0)}},
     };
 }

@@ -364,14 +364,6 @@ Der Körper ist wieder ein Griff: Nur deine Hand bewegt ihn.</translation>
         <translation>Beine</translation>
     </message>
     <message>
-        <source>A **leg** is a line from the body to a foot. It is made anew for each picture, from where body and foot are at that moment. Nothing feels it: the code that moves the feet is the same as before.
-
-Still it tells you something: how long the spring is. At rest each line is as long as **leg** says, 50&#x202f;px. While a foot swings, you see it stretch and shrink.</source>
-        <translation>Ein **Bein** ist eine Linie vom Körper zu einem Fuß. Sie wird für jedes Bild neu gemacht, aus dem, wo Körper und Fuß in diesem Moment sind. Nichts spürt sie: Der Code, der die Füße bewegt, ist derselbe wie zuvor.
-
-Trotzdem sagt sie dir etwas: wie lang die Feder ist. In Ruhe ist jede Linie so lang, wie **Bein** sagt, 50&#x202f;px. Während ein Fuß schwingt, siehst du sie sich dehnen und schrumpfen.</translation>
-    </message>
-    <message>
         <source>Feet below the body</source>
         <translation>Füße unten</translation>
     </message>
@@ -868,10 +860,6 @@ Die Uhr macht nur a größer, Bild für Bild. Dann schwingt x hin und her, und y
         <translation>Trag den Körper mindestens 100&#x202f;px. Beide Füße folgen, jeder auf seiner Seite.</translation>
     </message>
     <message>
-        <source>Pull a foot at least 75&#x202f;px away and let go. The line shows how far the spring swings.</source>
-        <translation>Zieh einen Fuß mindestens 75&#x202f;px weg und lass los. Die Linie zeigt, wie weit die Feder schwingt.</translation>
-    </message>
-    <message>
         <source>Carry the body at least 100&#x202f;px to the side. If you do it slowly, it looks like walking.</source>
         <translation>Trag den Körper mindestens 100&#x202f;px zur Seite. Wenn du es langsam tust, sieht es aus wie Gehen.</translation>
     </message>
@@ -926,6 +914,18 @@ Die Uhr macht nur a größer, Bild für Bild. Dann schwingt x hin und her, und y
     <message>
         <source>Press **Space**, take a small disc, pull it to the upper edge of the picture, and let go.</source>
         <translation>Drück die **Leertaste**, nimm eine kleine Scheibe, zieh sie an den oberen Rand der Szene und lass los.</translation>
+    </message>
+    <message>
+        <source>A **leg** is a line from the body to a foot. It is made anew for each picture, from where body and foot are at that moment. Nothing feels it: the code that moves the feet is the same as before.
+
+Still it tells you something: how far the foot is from the body. At rest each line is as long as **leg** says, 50&#x202f;px. While a foot swings, you see it stretch and shrink.</source>
+        <translation>Ein **Bein** ist eine Linie vom Körper zu einem Fuß. Sie wird für jedes Bild neu gemacht, aus dem, wo Körper und Fuß in diesem Moment sind. Nichts spürt sie: Der Code, der die Füße bewegt, ist derselbe wie zuvor.
+
+Trotzdem sagt sie dir etwas: wie weit der Fuß vom Körper weg ist. In Ruhe ist jede Linie so lang, wie **Bein** sagt, 50&#x202f;px. Während ein Fuß schwingt, siehst du sie sich dehnen und schrumpfen.</translation>
+    </message>
+    <message>
+        <source>Pull a foot at least 75&#x202f;px away and let go. The line shows how far the foot swings.</source>
+        <translation>Zieh einen Fuß mindestens 75&#x202f;px weg und lass los. Die Linie zeigt, wie weit der Fuß schwingt.</translation>
     </message>
 </context>
 <context>
