@@ -53,6 +53,12 @@ NumberBox::NumberBox(const lessons::Parameter &parameter, const Theme &theme, QW
     dress();
 }
 
+NumberBox::~NumberBox()
+{
+    // Qt takes the keyboard from it on the way, when it is no NumberBox any more.
+    disconnect(qApp, nullptr, this, nullptr);
+}
+
 void NumberBox::dress()
 {
     setFont(m_theme.mono(13));

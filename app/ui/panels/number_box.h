@@ -19,6 +19,7 @@ class NumberBox : public QDoubleSpinBox
 
 public:
     NumberBox(const lessons::Parameter &parameter, const Theme &theme, QWidget *parent = nullptr);
+    ~NumberBox() override;
 
     /// Shows a value without chosen(). While the learner types, it waits.
     void show(double value);
