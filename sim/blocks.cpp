@@ -71,7 +71,7 @@ std::vector<Run>::const_iterator runAt(const std::vector<Run> &runs, int point)
 bool isDivisible(const Phase &phase)
 {
     std::vector<Tie> ties;
-    if (dynamic_cast<const Constraint *>(phase.effect.get()))
+    if (as<Constraint>(phase.effect))
         phase.effect->ties(ties);
     return phase.runOn && phase.points.count > 0 && ties.empty();
 }

@@ -54,11 +54,23 @@ enum class Sees {
 /// Two points of which at least one feels the other.
 using Tie = std::pair<int, int>;
 
+class Driver;
+class Force;
+class Torque;
+class Drag;
+class Constraint;
+class Contact;
+
+/// What an effect does in a step: each is one of these six.
+using Role = std::variant<const Driver *, const Force *, const Torque *, const Drag *, const Constraint *,
+                          const Contact *>;
+
 /// Something that acts on points. Const and without memory of its own: all that changes is in the State.
 class Effect
 {
 public:
     virtual ~Effect() = default;
+    virtual Role role() const = 0;
     /// Names the effect in files: lower case with underscores.
     virtual std::string id() const = 0;
     /// What a learner calls it, in English; see SIM_TEXT.
@@ -116,6 +128,7 @@ private:
 class Force : public Effect
 {
 public:
+    Role role() const final { return this; }
     /// Adds `scale` times the acceleration (px/frame^2) of each point of `movers` to its row of `into`, one pull
     /// after the other. Points that feel nothing get nothing. A force whose other end feels the opposite in the same
     /// moment adds that to the other end's row at once, whether or not it is among `movers`.
@@ -150,6 +163,7 @@ public:
 class Torque : public Effect
 {
 public:
+    Role role() const final { return this; }
     /// Adds `scale` times the angular acceleration (degrees/frame^2) of each point of `movers` to its row of `into`.
     virtual void add(const State &state, Points movers, double scale, Eigen::ArrayXd &into) const = 0;
     /// As for a Force.
@@ -166,6 +180,7 @@ public:
 class Drag : public Effect
 {
 public:
+    Role role() const final { return this; }
     virtual void slow(State &state, Points points, double h) const = 0;
     /// What slow() does with each of `points`, where none of them turns and that is a rule for one point; else none.
     virtual PointRule rule(Points, double) const { return {}; }
@@ -189,6 +204,7 @@ enum class Pace {
 class Driver : public Effect
 {
 public:
+    Role role() const final { return this; }
     virtual void drive(State &state, double h) const = 0;
     virtual Pace pace() const { return Pace::once; }
     virtual std::vector<Live> explain(const State &before, const State &after, int point) const = 0;
@@ -199,6 +215,7 @@ public:
 class Constraint : public Effect
 {
 public:
+    Role role() const final { return this; }
     /// `points`: those whose turn it is; count() says whether any condition belongs to them.
     virtual void enforce(State &state, Points points, Directions directions, double h) const = 0;
     virtual std::vector<Live> explain(const State &before, const State &after, int point) const = 0;
@@ -223,6 +240,7 @@ struct Surface
 class Contact : public Effect
 {
 public:
+    Role role() const final { return this; }
     virtual void resolve(State &state, Points points) const = 0;
     /// What resolve() does with each of `points`, where that is a rule for one point; else none.
     virtual PointRule rule(Points) const { return {}; }
@@ -231,6 +249,30 @@ public:
 };
 
 using EffectPtr = std::shared_ptr<const Effect>;
+
+/// Returns `effect` as a Force, a Drag, ...; null where it has another role.
+template <class Type>
+const Type *as(const Effect &effect)
+{
+    const Role role = effect.role();
+    const auto *found = std::get_if<const Type *>(&role);
+    return found ? *found : nullptr;
+}
+
+/// The same; null for null.
+template <class Type>
+const Type *as(const EffectPtr &effect)
+{
+    return effect ? as<Type>(*effect) : nullptr;
+}
+
+/// The same with a share in its ownership.
+template <class Type>
+std::shared_ptr<const Type> shared(const EffectPtr &effect)
+{
+    const Type *found = as<Type>(effect);
+    return found ? std::shared_ptr<const Type>(effect, found) : nullptr;
+}
 
 /// What changed of a point, position and then velocity, under the names "x" and "v": an explanation for effects
 /// whose formula computes nothing else.

@@ -21,7 +21,7 @@ std::vector<double> ratesOf(const Scene &scene, const std::vector<Points> &runs)
 {
     std::vector<double> rates(static_cast<std::size_t>(countOf(runs)), 0.0);
     for (const EffectPtr &effect : scene.effects) {
-        const auto *drag = dynamic_cast<const Drag *>(effect.get());
+        const auto *drag = as<Drag>(effect);
         std::size_t row = 0;
         for (const Points &run : runs) {
             for (int i = run.first; drag && i < run.end(); ++i)
@@ -51,7 +51,7 @@ std::vector<std::shared_ptr<const Type>> all(const Scene &scene, const std::vect
 {
     std::vector<std::shared_ptr<const Type>> found;
     for (const EffectPtr &effect : scene.effects) {
-        const auto typed = std::dynamic_pointer_cast<const Type>(effect);
+        const auto typed = shared<Type>(effect);
         const auto works = [&](Points run) { return typed->count(scene.start, run) > 0; };
         if (typed && std::any_of(runs.begin(), runs.end(), works))
             found.push_back(typed);
@@ -111,9 +111,9 @@ Flow::Flow(const Scene &scene, Directions directions, std::vector<Points> runs)
 void Flow::listEffects(const Scene &scene)
 {
     for (const EffectPtr &effect : scene.effects) {
-        const auto *driver = dynamic_cast<const Driver *>(effect.get());
-        const auto *drag = dynamic_cast<const Drag *>(effect.get());
-        if (dynamic_cast<const Force *>(effect.get()) || dynamic_cast<const Torque *>(effect.get()) ||
+        const auto *driver = as<Driver>(effect);
+        const auto *drag = as<Drag>(effect);
+        if (as<Force>(effect) || as<Torque>(effect) ||
             (driver && driver->pace() != Pace::once) || (drag && hasRates(*drag, m_runs)))
             m_effects.push_back(effect);
     }
@@ -125,10 +125,10 @@ EffectPtr Flow::firstJump(const Scene &scene, Contacts contacts)
     for (const EffectPtr &effect : scene.effects) {
         if (effect->count(scene.start, everything) == 0)
             continue;
-        const auto *driver = dynamic_cast<const Driver *>(effect.get());
-        const auto *drag = dynamic_cast<const Drag *>(effect.get());
-        const bool contact = dynamic_cast<const Contact *>(effect.get());
-        if (dynamic_cast<const Constraint *>(effect.get()) || (driver && driver->pace() == Pace::once) ||
+        const auto *driver = as<Driver>(effect);
+        const auto *drag = as<Drag>(effect);
+        const bool contact = as<Contact>(effect);
+        if (as<Constraint>(effect) || (driver && driver->pace() == Pace::once) ||
             (drag && !hasRates(*drag, {everything})) || (contact && contacts == Contacts::doNotFit))
             return effect;
     }

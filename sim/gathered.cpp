@@ -26,7 +26,7 @@ std::vector<Gathered> gathered(const Track &track)
             for (Gathered &one : all)
                 one.acceleration.middleRows(phase.points.first, phase.points.count).setZero();
         }
-        const auto *force = dynamic_cast<const Force *>(phase.effect.get());
+        const auto *force = as<Force>(phase.effect);
         if (!force)
             continue;
         auto found =
@@ -48,7 +48,7 @@ std::vector<Gathered> pullsNow(const Track &track)
     const State &state = track.now();
     const Directions directions = track.script().method->directions();
     for (const EffectPtr &effect : track.shown().scene.effects) {
-        const auto *force = dynamic_cast<const Force *>(effect.get());
+        const auto *force = as<Force>(effect);
         if (!force)
             continue;
         all.push_back({effect, Eigen::ArrayX2d::Zero(state.points(), 2)});

@@ -22,7 +22,7 @@ EffectPtr hardestOn(int point, const Scene &scene, const State &before, Directio
     EffectPtr hardest;
     double most = 0.0;
     for (const EffectPtr &effect : scene.effects) {
-        const auto *force = dynamic_cast<const Force *>(effect.get());
+        const auto *force = as<Force>(effect);
         if (!force || force->count(before, {point, 1}) == 0)
             continue;
         const double size = sizeOf(force->explain(before, point, directions));
@@ -63,7 +63,7 @@ Guilt guiltOf(const Phase &phase, const Scene &scene, const State &before, int p
 {
     Guilt guilt;
     guilt.effect = phase.effect || point < 0 ? phase.effect : hardestOn(point, scene, before, directions);
-    if (const auto *force = dynamic_cast<const Force *>(guilt.effect.get()); force && point >= 0)
+    if (const auto *force = as<Force>(guilt.effect); force && point >= 0)
         guilt.other = otherEnd(*force, before, point, directions);
     return guilt;
 }

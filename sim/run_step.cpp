@@ -19,7 +19,7 @@ void runBlock(const Pipeline &pipeline, const Block &block, State &state)
 void makeRoom(const Pipeline &pipeline, State &state)
 {
     const auto constrains = [](const Phase &phase) {
-        return dynamic_cast<const Constraint *>(phase.effect.get()) != nullptr;
+        return as<Constraint>(phase.effect) != nullptr;
     };
     const bool remembers = std::any_of(pipeline.phases.begin(), pipeline.phases.end(), constrains);
     if (remembers && state.previous.rows() != state.points())

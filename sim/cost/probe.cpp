@@ -195,7 +195,7 @@ public:
 template <class Base, class Seeing>
 EffectPtr probed(const EffectPtr &effect, Tally &tally)
 {
-    const auto typed = std::dynamic_pointer_cast<const Base>(effect);
+    const auto typed = shared<Base>(effect);
     return typed ? std::make_shared<const Seeing>(typed, tally) : nullptr;
 }
 

@@ -54,10 +54,10 @@ std::vector<char> moversOf(const Effect &effect, const State &state)
 int pointsOf(const Effect &effect, const State &state, const std::vector<char> &movers, Directions directions)
 {
     std::vector<char> touched = movers;
-    const auto *force = dynamic_cast<const Force *>(&effect);
+    const auto *force = as<Force>(effect);
     if (force)
         markPulled(*force, state, directions, touched);
-    if (force ? force->balances(state) : dynamic_cast<const Constraint *>(&effect) != nullptr)
+    if (force ? force->balances(state) : as<Constraint>(effect) != nullptr)
         markTied(effect, state, touched);
     return static_cast<int>(std::count(touched.begin(), touched.end(), 1));
 }

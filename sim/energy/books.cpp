@@ -13,13 +13,13 @@ namespace {
 std::optional<Account> accountOf(const Phase &phase)
 {
     const Effect *effect = phase.effect.get();
-    if (dynamic_cast<const Drag *>(effect))
+    if (as<Drag>(*effect))
         return Account::damping;
-    if (dynamic_cast<const Contact *>(effect))
+    if (as<Contact>(*effect))
         return Account::impact;
-    if (dynamic_cast<const Constraint *>(effect))
+    if (as<Constraint>(*effect))
         return effect->kind() == Kind::contact ? Account::impact : Account::sticks;
-    if (const auto *driver = dynamic_cast<const Driver *>(effect)) {
+    if (const auto *driver = as<Driver>(*effect)) {
         if (driver->pace() == Pace::follows)
             return Account::hand; // it only stops what is held
         return effect->kind() == Kind::wind ? Account::wind : Account::motors;
@@ -31,14 +31,14 @@ std::optional<Account> accountOf(const Phase &phase)
 
 bool isForce(const Phase &phase)
 {
-    return dynamic_cast<const Force *>(phase.effect.get()) ||
-           dynamic_cast<const Torque *>(phase.effect.get());
+    return as<Force>(phase.effect) ||
+           as<Torque>(phase.effect);
 }
 
 /// A driver that moves nothing.
 bool isClock(const Phase &phase)
 {
-    const auto *driver = dynamic_cast<const Driver *>(phase.effect.get());
+    const auto *driver = as<Driver>(phase.effect);
     return driver && driver->pace() == Pace::flows;
 }
 
@@ -126,8 +126,8 @@ void Books::change(Account account, const State &before, const State &after, Bal
 void Books::gather(const Phase &phase, const State &before, const State &after, Gathering &gathering,
                    Balance &into) const
 {
-    const auto *force = dynamic_cast<const Force *>(phase.effect.get());
-    const auto *torque = dynamic_cast<const Torque *>(phase.effect.get());
+    const auto *force = as<Force>(phase.effect);
+    const auto *torque = as<Torque>(phase.effect);
     Gathered one{
         phase.effect, Eigen::ArrayX2d::Zero(before.points(), 2), Eigen::ArrayXd::Zero(before.points()), {}};
     const bool balances = m_meter.balances(*phase.effect);

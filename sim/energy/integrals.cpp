@@ -33,14 +33,14 @@ bool holds(const Flow &flow, int point)
 bool isDriven(const Flow &flow)
 {
     return std::any_of(flow.effects().begin(), flow.effects().end(), [](const EffectPtr &effect) {
-        return dynamic_cast<const Driver *>(effect.get()) != nullptr;
+        return as<Driver>(effect) != nullptr;
     });
 }
 
 bool runsClock(const Flow &flow)
 {
     for (const EffectPtr &effect : flow.effects()) {
-        const auto *driver = dynamic_cast<const Driver *>(effect.get());
+        const auto *driver = as<Driver>(effect);
         if (driver && driver->pace() == Pace::flows)
             return true;
     }
@@ -173,9 +173,9 @@ double Integrals::clockPower(const State &state) const
 void Integrals::addPowers(State &state, const Island &island, const Moment &now, Sums &sums) const
 {
     for (const EffectPtr &effect : m_effects) {
-        if (const auto *force = dynamic_cast<const Force *>(effect.get()); force && !m_meter.turns())
+        if (const auto *force = as<Force>(effect); force && !m_meter.turns())
             addForce(*force, state, island, now, sums);
-        else if (const auto *torque = dynamic_cast<const Torque *>(effect.get()))
+        else if (const auto *torque = as<Torque>(effect))
             addTorque(*torque, state, now, sums);
     }
     if (m_ticks)
@@ -251,7 +251,7 @@ double Integrals::lifted(Begun &begun, const Island &island, double time, const 
     Eigen::ArrayXd rows(island.flow.size());
     double gained = 0.0;
     for (const EffectPtr &effect : m_effects) {
-        const auto *force = dynamic_cast<const Force *>(effect.get());
+        const auto *force = as<Force>(effect);
         if (!force || !m_meter.isStored(*force))
             continue;
         island.flow.pull(*force, middle, rows.data());

@@ -26,7 +26,7 @@ bool isTurning(const Scene &scene)
 Eigen::ArrayXd inertiaOf(const Scene &scene)
 {
     for (const EffectPtr &effect : scene.effects) {
-        const auto *torque = dynamic_cast<const Torque *>(effect.get());
+        const auto *torque = as<Torque>(effect);
         Eigen::ArrayXd inertia = torque ? torque->inertia() : Eigen::ArrayXd();
         if (inertia.size() == scene.start.spin.size())
             return (inverseMassOf(scene) != 0.0).select(inertia, 0.0);
@@ -54,8 +54,8 @@ Meter::Meter(const Scene &scene) : m_turns(isTurning(scene)), m_inverseMass(inve
     m_mass = m_turns ? inertiaOf(scene) : (m_inverseMass != 0.0).select(1.0 / m_inverseMass, 0.0);
     const State start = freed(scene.start);
     for (const EffectPtr &effect : scene.effects) {
-        const auto *force = dynamic_cast<const Force *>(effect.get());
-        const auto *torque = dynamic_cast<const Torque *>(effect.get());
+        const auto *force = as<Force>(effect);
+        const auto *torque = as<Torque>(effect);
         if (force && !m_turns && force->energy(start))
             m_stores.push_back({effect, force, nullptr, force->balances(start)});
         else if (torque && m_turns && torque->energy(start))

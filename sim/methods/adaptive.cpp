@@ -10,7 +10,7 @@ namespace {
 std::string firstDrag(const Scene &scene)
 {
     for (const EffectPtr &effect : scene.effects) {
-        if (dynamic_cast<const Drag *>(effect.get()))
+        if (as<Drag>(effect))
             return effect->id();
     }
     return {};
@@ -21,7 +21,7 @@ std::vector<EffectPtr> effectsWithin(const Flow &flow, const Scene &scene)
 {
     std::vector<EffectPtr> all = flow.effects();
     for (const EffectPtr &effect : scene.effects) {
-        if (dynamic_cast<const Contact *>(effect.get()))
+        if (as<Contact>(effect))
             all.push_back(effect);
     }
     return all;

@@ -16,7 +16,7 @@ Points everything(const Scene &scene)
 /// Whether what a driver does is a phase of its own: the others go with time, and that is in the equations.
 bool jumps(const Effect &effect)
 {
-    const auto *driver = dynamic_cast<const Driver *>(&effect);
+    const auto *driver = as<Driver>(effect);
     return driver && driver->pace() == Pace::once;
 }
 
@@ -25,18 +25,18 @@ bool fits(const Effect &effect, const State &state)
 {
     const Points all = {0, state.points()};
     Slopes slopes(state.points());
-    if (const auto *force = dynamic_cast<const Force *>(&effect))
+    if (const auto *force = as<Force>(effect))
         return force->addSlopes(state, all, 1.0, Directions::apart, slopes);
-    if (const auto *torque = dynamic_cast<const Torque *>(&effect))
+    if (const auto *torque = as<Torque>(effect))
         return torque->addSlopes(state, all, 1.0, slopes);
-    if (const auto *drag = dynamic_cast<const Drag *>(&effect)) {
+    if (const auto *drag = as<Drag>(effect)) {
         for (int i = 0; i < state.points(); ++i) {
             if (!drag->rate(i))
                 return false;
         }
         return true;
     }
-    return dynamic_cast<const Driver *>(&effect) || dynamic_cast<const Contact *>(&effect);
+    return as<Driver>(effect) || as<Contact>(effect);
 }
 
 Phase phaseOf(const EffectPtr &effect, const Scene &scene)
@@ -133,13 +133,13 @@ std::vector<Phase> Implicit::phases(const Scene &scene, StepSize size) const
     std::vector<Phase> driversFirst, solve, contacts, driversLast;
     bool leading = true;
     for (const EffectPtr &effect : scene.effects) {
-        const auto driver = std::dynamic_pointer_cast<const Driver>(effect);
+        const auto driver = shared<Driver>(effect);
         leading = leading && driver;
         if (effect->count(scene.start, everything(scene)) == 0)
             continue;
         if (driver && jumps(*driver))
             (leading ? driversFirst : driversLast).push_back(driving(driver, scene, size.h));
-        else if (const auto contact = std::dynamic_pointer_cast<const Contact>(effect))
+        else if (const auto contact = shared<Contact>(effect))
             contacts.push_back(touching(contact, scene));
     }
     Phase whole = solving(scene, size.h);

@@ -10,7 +10,7 @@ const char *const here = "sim/methods/parts.h";
 
 bool runsInOrder(const EffectPtr &effect)
 {
-    return !dynamic_cast<const Driver *>(effect.get());
+    return !as<Driver>(effect);
 }
 
 /// The same points in ascending order, neighbouring runs made one.
@@ -116,7 +116,7 @@ template <class Accept>
 void PhaseList::drivers(std::size_t first, std::size_t end, double h, Accept &&accept)
 {
     for (std::size_t i = first; i < end; ++i) {
-        const auto one = std::dynamic_pointer_cast<const Driver>(m_scene.effects[i]);
+        const auto one = shared<Driver>(m_scene.effects[i]);
         if (one && accept(one->pace()))
             driver(one, h);
     }
@@ -235,14 +235,16 @@ void PhaseList::dampingWithoutRate(const Share &share)
 
 void PhaseList::asListed(const Share &share, const Adding &adding)
 {
-    forEach<Effect>(share, [&](const EffectPtr &effect) {
-        if (const auto asForce = std::dynamic_pointer_cast<const Force>(effect))
+    for (const EffectPtr &effect : m_scene.effects) {
+        if (effect->count(m_scene.start, share.points) == 0)
+            continue;
+        if (const auto asForce = shared<Force>(effect))
             force(asForce, share, adding);
-        else if (const auto asTorque = std::dynamic_pointer_cast<const Torque>(effect))
+        else if (const auto asTorque = shared<Torque>(effect))
             torque(asTorque, share, adding);
-        else if (const auto asDrag = std::dynamic_pointer_cast<const Drag>(effect))
+        else if (const auto asDrag = shared<Drag>(effect))
             drag(asDrag, share, 1.0);
-    });
+    }
 }
 
 std::function<void(State &, Points)> PhaseList::remembering(const Share &share) const

@@ -216,7 +216,7 @@ template <class Type, class Visit>
 void PhaseList::forEach(const Share &share, Visit &&visit) const
 {
     for (const EffectPtr &effect : m_scene.effects) {
-        const auto typed = std::dynamic_pointer_cast<const Type>(effect);
+        const auto typed = shared<Type>(effect);
         if (typed && typed->count(m_scene.start, share.points) > 0)
             visit(typed);
     }

@@ -166,7 +166,7 @@ Phase stagePhase(const char *id, const char *title, const Scene &scene, const ch
 void nameOthers(Phase &phase, const Plan &plan, Directions directions)
 {
     for (const EffectPtr &effect : plan.flow.effects()) {
-        if (dynamic_cast<const Force *>(effect.get()) || dynamic_cast<const Torque *>(effect.get()))
+        if (as<Force>(effect) || as<Torque>(effect))
             continue;
         phase.within.push_back(effect);
         for (const Region &region : effect->regions(directions))

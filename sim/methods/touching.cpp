@@ -9,7 +9,7 @@ Touching::Touching(const Scene &scene, const std::vector<Points> &runs)
 {
     std::vector<const Contact *> contacts;
     for (const EffectPtr &effect : scene.effects) {
-        if (const auto *contact = dynamic_cast<const Contact *>(effect.get()))
+        if (const auto *contact = as<Contact>(effect))
             contacts.push_back(contact);
     }
     int row = 0;

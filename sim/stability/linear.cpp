@@ -206,7 +206,7 @@ std::vector<double> ratesOf(const Linear &linear)
     for (const int row : linear.rows) {
         double sum = 0.0;
         for (const EffectPtr &effect : linear.scene.effects) {
-            if (const auto *drag = dynamic_cast<const Drag *>(effect.get()))
+            if (const auto *drag = as<Drag>(effect))
                 sum += drag->rate(row % points).value_or(0.0);
         }
         rates.push_back(sum);
@@ -221,7 +221,7 @@ void addForce(Linear &linear, const EffectPtr &effect, std::vector<Acting> actin
     for (const Slopes::Entry &one : acting.front().entries)
         linear.finite = linear.finite && std::isfinite(one.value);
     linear.parts.push_back({effect, acting.front().entries});
-    if (dynamic_cast<const Torque *>(effect.get()))
+    if (as<Torque>(effect))
         linear.scene.effects.push_back(std::make_shared<LinearTorque>(std::move(acting)));
     else
         linear.scene.effects.push_back(std::make_shared<LinearForce>(std::move(acting)));
@@ -252,10 +252,10 @@ Linear linearise(const Scene &scene, const State &state, const Method &method)
     for (const EffectPtr &effect : scene.effects) {
         if (effect->idle() || effect->count(state, everything) == 0)
             continue;
-        const auto *force = dynamic_cast<const Force *>(effect.get());
-        const auto *torque = dynamic_cast<const Torque *>(effect.get());
-        const auto *drag = dynamic_cast<const Drag *>(effect.get());
-        const auto *driver = dynamic_cast<const Driver *>(effect.get());
+        const auto *force = as<Force>(effect);
+        const auto *torque = as<Torque>(effect);
+        const auto *drag = as<Drag>(effect);
+        const auto *driver = as<Driver>(effect);
         if (force || torque) {
             std::vector<Acting> acting;
             for (const Points share : sharesOf(scene)) {
