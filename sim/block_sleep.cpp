@@ -7,12 +7,6 @@ namespace sim {
 
 namespace {
 
-bool contains(const Block &block, int point)
-{
-    return std::any_of(block.begin(), block.end(),
-                       [point](const Piece &piece) { return piece.points.contains(point); });
-}
-
 /// Whether the rows of `points` are the same in two arrays that have one row a point, or none at all.
 template <class Array>
 bool sameRows(const Array &a, const Array &b, Points points)
@@ -47,10 +41,9 @@ void BlockSleep::look(const Pipeline &pipeline, const State &before, const State
     bool any = false;
     for (std::size_t i = 0; i < m_asleep.size(); ++i) {
         const Block &block = pipeline.blocks[i];
-        const bool held = contains(block, before.hold.point) || contains(block, after.hold.point);
-        const bool rests = !held && std::all_of(block.begin(), block.end(), [&](const Piece &piece) {
-            return sameRows(before, after, piece.points);
-        });
+        const bool held = block.contains(before.hold.point) || block.contains(after.hold.point);
+        const bool rests = !held && std::all_of(block.runs.begin(), block.runs.end(),
+                                                [&](Points run) { return sameRows(before, after, run); });
         m_asleep[i] = rests ? 1 : 0;
         any = any || rests;
     }
@@ -61,7 +54,7 @@ void BlockSleep::look(const Pipeline &pipeline, const State &before, const State
 void BlockSleep::wake(const Pipeline &pipeline, int point)
 {
     for (std::size_t i = 0; point >= 0 && i < m_asleep.size(); ++i) {
-        if (m_asleep[i] != 0 && contains(pipeline.blocks[i], point))
+        if (m_asleep[i] != 0 && pipeline.blocks[i].contains(point))
             m_asleep[i] = 0;
     }
 }

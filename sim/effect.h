@@ -1,9 +1,9 @@
 #pragma once
 
 #include "sim/direction.h"
-#include "sim/point_rule.h"
 #include "sim/state.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -61,9 +61,9 @@ class Drag;
 class Constraint;
 class Contact;
 
-/// What an effect does in a step: each is one of these six.
-using Role = std::variant<const Driver *, const Force *, const Torque *, const Drag *, const Constraint *,
-                          const Contact *>;
+/// What an effect does in a step: each is one of these six. std::monostate: nothing that a method knows.
+using Role = std::variant<std::monostate, const Driver *, const Force *, const Torque *, const Drag *,
+                          const Constraint *, const Contact *>;
 
 /// Something that acts on points. Const and without memory of its own: all that changes is in the State.
 class Effect
@@ -124,6 +124,9 @@ private:
     std::vector<Entry> m_entries;
 };
 
+/// Adds accelerations of a part of a scene's points (px/frame^2) to their rows of `into`.
+using AddPart = std::function<void(const State &state, Eigen::ArrayX2d &into)>;
+
 /// Pushes points, and moves none.
 class Force : public Effect
 {
@@ -134,16 +137,19 @@ public:
     /// moment adds that to the other end's row at once, whether or not it is among `movers`.
     virtual void add(const State &state, Points movers, double scale, Directions directions,
                      Eigen::ArrayX2d &into) const = 0;
-    /// The same in parts that are taken in ascending order and leave out no point that is tied to one of theirs: in
-    /// sum they come to what add() does with all of those points. A part adds nothing to points of later ones, whose
-    /// sums have not begun yet: what two parts have between them is left to the later one, for both ends.
-    virtual void addPart(const State &state, Points part, double scale, Directions directions,
-                         Eigen::ArrayX2d &into) const
+    /// Finds out once what add() needs to know of the points of `runs`, which are in ascending order and hold all points
+    /// that are tied to any of theirs: the result adds what add() does with them for Directions::apart, and may be
+    /// called again and again as long as this effect lives.
+    virtual AddPart part(const std::vector<Points> &runs) const
     {
-        add(state, part, scale, directions, into);
+        return [this, runs](const State &state, Eigen::ArrayX2d &into) {
+            for (const Points &run : runs)
+                add(state, run, 1.0, Directions::apart, into);
+        };
     }
-    /// What add() does with each of the points as they stand in `onto`, where that is a rule for one point; else none.
-    virtual PointRule rule(Points, double, Onto) const { return {}; }
+    /// The acceleration straight down (px/frame^2), where it is the same for every point that feels forces and all that
+    /// this force does.
+    virtual std::optional<double> fall() const { return {}; }
     /// Adds `scale` times the derivatives of what add() adds. Returns false, and adds nothing, for a force that has
     /// none.
     virtual bool addSlopes(const State &, Points, double, Directions, Slopes &) const { return false; }
@@ -182,8 +188,9 @@ class Drag : public Effect
 public:
     Role role() const final { return this; }
     virtual void slow(State &state, Points points, double h) const = 0;
-    /// What slow() does with each of `points`, where none of them turns and that is a rule for one point; else none.
-    virtual PointRule rule(Points, double) const { return {}; }
+    /// The share of its velocity that each of `points` keeps over `h` frames, where it is the same for all of them and
+    /// all that this drag does.
+    virtual std::optional<double> keep(Points, double) const { return {}; }
     /// The c of `point` (1/frame) for a drag that is v' = -c v: 0 for what it leaves alone, infinite for what it
     /// stops at once. Empty for any other kind of drag.
     virtual std::optional<double> rate(int) const { return {}; }
@@ -242,8 +249,6 @@ class Contact : public Effect
 public:
     Role role() const final { return this; }
     virtual void resolve(State &state, Points points) const = 0;
-    /// What resolve() does with each of `points`, where that is a rule for one point; else none.
-    virtual PointRule rule(Points) const { return {}; }
     /// The surfaces that `point` meets: what resolve() comes to when steps get small.
     virtual std::vector<Surface> surfaces(int point) const = 0;
 };

@@ -91,6 +91,8 @@ Flow::Flow(const Scene &scene, Directions directions, std::vector<Points> runs)
         if (!m_inert.back())
             m_idle.push_back(point);
     });
+    for (const auto &force : m_forces)
+        m_pulls.push_back(force->part(m_runs));
     const std::vector<double> rates = ratesOf(scene, m_runs);
     for (int row = 0; row < m_size; ++row) {
         const double rate = rates[static_cast<std::size_t>(row % m_points)];
@@ -113,8 +115,8 @@ void Flow::listEffects(const Scene &scene)
     for (const EffectPtr &effect : scene.effects) {
         const auto *driver = as<Driver>(effect);
         const auto *drag = as<Drag>(effect);
-        if (as<Force>(effect) || as<Torque>(effect) ||
-            (driver && driver->pace() != Pace::once) || (drag && hasRates(*drag, m_runs)))
+        if (as<Force>(effect) || as<Torque>(effect) || (driver && driver->pace() != Pace::once) ||
+            (drag && hasRates(*drag, m_runs)))
             m_effects.push_back(effect);
     }
 }
@@ -203,10 +205,8 @@ void Flow::clear(State &state) const
 void Flow::accelerations(State &state, double *a) const
 {
     clear(state);
-    for (const auto &force : m_forces) {
-        for (const Points &run : m_runs)
-            force->add(state, run, 1.0, m_directions, state.acceleration);
-    }
+    for (const AddPart &pull : m_pulls)
+        pull(state, state.acceleration);
     for (const auto &torque : m_torques) {
         for (const Points &run : m_runs)
             torque->add(state, run, 1.0, state.turning);

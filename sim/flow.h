@@ -110,6 +110,7 @@ private:
     std::optional<double> m_oneRate;
     std::vector<EffectPtr> m_effects;
     std::vector<std::shared_ptr<const Force>> m_forces;
+    std::vector<AddPart> m_pulls; ///< of each force, on all points
     std::vector<std::shared_ptr<const Torque>> m_torques;
     std::vector<std::shared_ptr<const Driver>> m_flowing;
     std::vector<std::shared_ptr<const Driver>> m_following;

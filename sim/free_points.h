@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <vector>
 
 namespace sim {
 
@@ -25,6 +26,9 @@ inline Points common(Points points, Points others)
     const int end = std::min(points.end(), others.end());
     return {first, std::max(0, end - first)};
 }
+
+/// The same points in ascending order, neighbouring runs made one.
+std::vector<Points> inOrder(std::vector<Points> runs);
 
 /// From so many points on it pays to look first whether all of them feel forces, as they mostly do.
 constexpr int worthLooking = 32;

@@ -1,5 +1,7 @@
 #include "sim/islands.h"
 
+#include "sim/free_points.h"
+
 #include <algorithm>
 #include <numeric>
 
@@ -74,6 +76,19 @@ std::vector<std::vector<Points>> islandsOf(const Scene &scene)
             runs.push_back({i, 1});
     }
     return islands;
+}
+
+std::vector<Points> inOrder(std::vector<Points> runs)
+{
+    std::sort(runs.begin(), runs.end(), [](Points a, Points b) { return a.first < b.first; });
+    std::vector<Points> fewer;
+    for (const Points &run : runs) {
+        if (!fewer.empty() && fewer.back().end() == run.first)
+            fewer.back().count += run.count;
+        else
+            fewer.push_back(run);
+    }
+    return fewer;
 }
 
 }

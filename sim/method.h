@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,8 +15,36 @@ namespace sim {
 /// Whether somebody still waits for what may take long; asked now and then on the way.
 using GoesOn = std::function<bool()>;
 
-/// One part of a step: the smallest stretch of time that a learner can stop after.
-struct Phase
+/// Work on some of a scene's points: found out once, done again each step.
+using PartWork = std::function<void(State &)>;
+
+/// The same simple work for each point that feels forces, as a value.
+struct PointStep
+{
+    enum class Does {
+        falls, ///< a.y = a.y + by, px/frame^2
+        kicks, ///< kick() for `by` frames
+        keeps, ///< damp(): `by` is the share of its velocity that a point keeps
+        moves, ///< move() for `by` frames
+    };
+    Does does = Does::moves;
+    double by = 0.0;
+};
+
+/// What runs in a phase: a piece of work that is the same for all of its points.
+struct Kernel
+{
+    /// The work on all of them.
+    std::function<void(State &)> run;
+    /// Only where it works point by point, or on ties of effects that see what is tied: the same work on the points of
+    /// some runs, which are in ascending order. Parts that no tie leads out of come, in any order, to what `run` does.
+    std::function<PartWork(const std::vector<Points> &runs)> part;
+    /// Where it is no more than this; see fusedKernels().
+    std::optional<PointStep> step = {};
+};
+
+/// What a learner sees of a phase.
+struct ShownPhase
 {
     std::string id;    ///< the effect's id, or the method's own: "kick", "move"
     std::string title; ///< in English; see SIM_TEXT
@@ -28,23 +57,33 @@ struct Phase
     bool moves = false;            ///< whether the gathered accelerations are spent after it
     double kicks = 0.0;            ///< frames for which it lets gathered accelerations act on velocities
     bool integrates = false;       ///< whether it is part of a step that forces and damping act in all along
-    std::function<void(State &)> run;
-    /// What of `run` is the method's own and comes before the effect's part: sums that begin at nothing, places that
-    /// are kept. Running it once more before `run` changes nothing. Null where there is none.
-    std::function<void(State &)> prelude;
-    /// Only where the phase works point by point, or on ties of effects that see what is tied: does the same for a
-    /// part of its points. Parts that no tie leads out of come to what `run` does, in any order; one of several runs of
-    /// points is run by run, in order, and as one run where a constraint ties.
-    std::function<void(State &, Points)> runOn;
-    /// What `run` does with each of its points, where that is a rule for one point and all that it does.
-    PointRule rule;
-    /// Only where `run` may take long: does the same, and leaves off when nobody waits any more. Returns whether it is
-    /// done; if not, the state is good for nothing.
+    /// The numbers behind what the phase did to `point`, given the states around it.
+    std::function<std::vector<Live>(const State &before, const State &after, int point)> explain;
+};
+
+/// One part of a step: the smallest stretch of time that a learner can stop after.
+struct Phase : ShownPhase
+{
+    /// In the order in which they run. The last one is what is shown; those before it are the method's own preparation:
+    /// sums that begin at nothing, places that are kept. To run one of those once more changes nothing.
+    std::vector<Kernel> kernels;
+    /// Only where it may take long: does the same as the kernels, and leaves off when nobody waits any more. Returns
+    /// whether it is done; if not, the state is good for nothing.
     std::function<bool(State &, const GoesOn &)> runWhile;
     /// Where it takes steps of its own: runs it, and tells each smooth part of the way. Else null.
     std::function<void(State &, const LapVisit &)> runByLaps;
-    /// The numbers behind what the phase did to `point`, given the states around it.
-    std::function<std::vector<Live>(const State &before, const State &after, int point)> explain;
+
+    void run(State &state) const
+    {
+        for (const Kernel &kernel : kernels)
+            kernel.run(state);
+    }
+    /// Runs the method's preparation alone.
+    void prepare(State &state) const
+    {
+        for (std::size_t i = 0; i + 1 < kernels.size(); ++i)
+            kernels[i].run(state);
+    }
 };
 
 /// Whether a method's steps have a length or a tolerance.

@@ -1,7 +1,6 @@
 #include "sim/pipeline.h"
 
 #include "sim/error.h"
-#include "sim/joined.h"
 
 #include <algorithm>
 #include <cmath>
@@ -70,8 +69,8 @@ Pipeline compose(const Scene &scene, const Method &method, StepSize step)
     checkFit(acting, method, pipeline.phases);
     if (pipeline.phases.empty())
         throw Error("nothing-moves", {{"method", method.id()}});
-    pipeline.passes = joined(pipeline.phases);
-    pipeline.blocks = blocksOf(acting, pipeline.passes);
+    pipeline.kernels = fusedKernels(pipeline.phases);
+    pipeline.blocks = blocksOf(acting, pipeline.phases);
     return pipeline;
 }
 

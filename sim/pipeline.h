@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/blocks.h"
+#include "sim/fused_motion.h"
 #include "sim/method.h"
 
 #include <cstdint>
@@ -13,9 +14,10 @@ struct Pipeline
     std::vector<Phase> phases;
     StepSize step;
     std::vector<EffectPtr> leftOut; ///< listed, but idle: no phase computes them
-    /// The same step for those who do not look into it, neighbouring phases made one: see joined() and runStep().
-    std::vector<Phase> passes;
-    std::vector<Block> blocks; ///< the passes in blocks; empty: pass after pass is as good. See runStep()
+    /// The same step for those who do not look into it: kernel after kernel, see fusedKernels().
+    std::vector<StepKernel> kernels;
+    std::vector<Block>
+        blocks; ///< the same in blocks of islands; empty where that gains nothing. See runStep()
 
     int phasesPerStep() const { return static_cast<int>(phases.size()); }
     int phasesPerRow() const { return phasesPerStep() * step.perRow; }

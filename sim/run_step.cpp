@@ -9,18 +9,10 @@ namespace {
 /// So many take more than 0.1 ms on one thread: 9 us each in bench_blocks, where 10,000 creatures are 40 blocks.
 constexpr std::size_t blocksWorthSharing = 16;
 
-void runBlock(const Pipeline &pipeline, const Block &block, State &state)
-{
-    for (const Piece &piece : block)
-        pipeline.passes[static_cast<std::size_t>(piece.pass)].runOn(state, piece.points);
-}
-
 /// Blocks share State::previous: the first phase that keeps places there would make room for all of them.
 void makeRoom(const Pipeline &pipeline, State &state)
 {
-    const auto constrains = [](const Phase &phase) {
-        return as<Constraint>(phase.effect) != nullptr;
-    };
+    const auto constrains = [](const Phase &phase) { return as<Constraint>(phase.effect) != nullptr; };
     const bool remembers = std::any_of(pipeline.phases.begin(), pipeline.phases.end(), constrains);
     if (remembers && state.previous.rows() != state.points())
         state.previous = state.position;
@@ -42,16 +34,18 @@ void runStep(const Pipeline &pipeline, State &state, Crew &crew)
 void runStep(const Pipeline &pipeline, State &state, Crew &crew, const std::vector<char> &asleep)
 {
     if (pipeline.blocks.empty()) {
-        for (const Phase &pass : pipeline.passes)
-            pass.run(state);
+        for (const StepKernel &step : pipeline.kernels)
+            step.kernel.run(state);
         return;
     }
     makeRoom(pipeline, state);
     const int blocks = static_cast<int>(pipeline.blocks.size());
     const auto run = [&](int number) {
         const auto block = static_cast<std::size_t>(number);
-        if (asleep.empty() || asleep[block] == 0)
-            runBlock(pipeline, pipeline.blocks[block], state);
+        if (!asleep.empty() && asleep[block] != 0)
+            return;
+        for (const PartWork &work : pipeline.blocks[block].work)
+            work(state);
     };
     const auto sleepers = static_cast<std::size_t>(std::count(asleep.begin(), asleep.end(), 1));
     if (pipeline.blocks.size() - sleepers >= blocksWorthSharing) {

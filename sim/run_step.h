@@ -7,7 +7,7 @@
 
 namespace sim {
 
-/// Runs all passes of one step: block after block where the pipeline has blocks, else pass after pass. Either way
+/// Runs one step: block after block where the pipeline has blocks, else phase after phase. Either way
 /// `state` comes out the same in every bit.
 void runStep(const Pipeline &pipeline, State &state);
 

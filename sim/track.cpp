@@ -153,12 +153,14 @@ Track::Next Track::runOn(Cursor target, const GoesOn &goesOn)
 bool Track::runWhole(const Pipeline &pipeline, State &state, const std::vector<char> &asleep,
                      const GoesOn &goesOn) const
 {
-    if (!pipeline.blocks.empty()) {
+    const bool mayTakeLong = std::any_of(pipeline.phases.begin(), pipeline.phases.end(),
+                                         [](const Phase &phase) { return phase.runWhile != nullptr; });
+    if (!mayTakeLong || !goesOn) {
         runStep(pipeline, state, m_crew, asleep);
         return !goesOn || goesOn();
     }
-    return std::all_of(pipeline.passes.begin(), pipeline.passes.end(),
-                       [&](const Phase &pass) { return run(pass, state, goesOn); });
+    return std::all_of(pipeline.phases.begin(), pipeline.phases.end(),
+                       [&](const Phase &phase) { return run(phase, state, goesOn); });
 }
 
 Track::Next Track::endRow(const GoesOn &goesOn)

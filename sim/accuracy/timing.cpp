@@ -71,8 +71,8 @@ private:
         for (std::int64_t frame = done + rowFrames; frame <= end; frame += rowFrames) {
             state.frame = frame;
             for (int step = 0; step < m_pipeline.step.perRow; ++step) {
-                for (const Phase &pass : m_pipeline.passes)
-                    pass.run(state);
+                for (const StepKernel &kernel : m_pipeline.kernels)
+                    kernel.kernel.run(state);
             }
         }
     }

@@ -40,12 +40,16 @@ public:
     void add(const State &state, Points movers, double scale, Directions directions,
              Eigen::ArrayX2d &into) const override
     {
-        ask(&Force::add, state, movers, scale, directions, into);
+        note(state, into, {movers},
+             [seen = m_seen, movers, scale, directions](const State &at, Eigen::ArrayX2d &sum) {
+                 seen->add(at, movers, scale, directions, sum);
+             });
     }
-    void addPart(const State &state, Points part, double scale, Directions directions,
-                 Eigen::ArrayX2d &into) const override
+    AddPart part(const std::vector<Points> &runs) const override
     {
-        ask(&Force::addPart, state, part, scale, directions, into);
+        return [this, runs, add = m_seen->part(runs)](const State &state, Eigen::ArrayX2d &into) {
+            note(state, into, runs, add);
+        };
     }
     bool addSlopes(const State &state, Points movers, double scale, Directions directions,
                    Slopes &into) const override
@@ -68,21 +72,17 @@ public:
     }
 
 private:
-    using Add = void (Force::*)(const State &, Points, double, Directions, Eigen::ArrayX2d &) const;
-
-    void ask(Add how, const State &state, Points points, double scale, Directions directions,
-             Eigen::ArrayX2d &into) const
+    template <class Add>
+    void note(const State &state, Eigen::ArrayX2d &into, const std::vector<Points> &runs,
+              const Add &add) const
     {
         m_tally.makeRoom(state);
-        m_tally.turn(points);
-        m_tally.acts.add([&] {
-            return replayOf([seen = m_seen, how, state, points, scale, directions, into = into]() mutable {
-                ((*seen).*how)(state, points, scale, directions, into);
-            });
-        });
+        for (const Points &run : runs)
+            m_tally.turn(run);
+        m_tally.acts.add([&] { return replayOf([add, state, into = into]() mutable { add(state, into); }); });
         for (int i = 0; i < m_tally.repeats; ++i)
-            ((*m_seen).*how)(state, points, scale, directions, m_tally.pulls);
-        ((*m_seen).*how)(state, points, scale, directions, into);
+            add(state, m_tally.pulls);
+        add(state, into);
     }
 };
 

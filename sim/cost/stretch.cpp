@@ -159,9 +159,9 @@ std::optional<PhaseTimes> Stretch::timeApart(const Pipeline &pipeline, const Goe
                 if (goesOn && !goesOn())
                     return {};
                 const Phase &phase = pipeline.phases[i];
-                if (phase.prelude)
-                    times.prelude[i] += timed(phase.prelude);
-                times.run[i] += timed(phase.run);
+                if (phase.kernels.size() > 1)
+                    times.prelude[i] += timed([&](State &state) { phase.prepare(state); });
+                times.run[i] += timed([&](State &state) { phase.run(state); });
             }
         }
     }

@@ -57,11 +57,11 @@ void Damping::slow(State &state, Points points, double h) const
                     [share, spin = state.spin.data()](int i) { return dampSpin(spin[i], share); });
 }
 
-PointRule Damping::rule(Points points, double h) const
+std::optional<double> Damping::keep(Points points, double h) const
 {
     if (shareOf(points).count < points.count)
         return {};
-    return rules::Damps{keep(h)};
+    return keep(h);
 }
 
 std::optional<double> Damping::rate(int point) const

@@ -45,7 +45,7 @@ public:
     Sees sees() const override { return Sees::tied; }
     bool idle() const override { return m_damp == 1.0; }
     void slow(State &state, Points points, double h) const override;
-    PointRule rule(Points points, double h) const override;
+    std::optional<double> keep(Points points, double h) const override;
     std::optional<double> rate(int point) const override;
     std::vector<Live> explain(const State &before, const State &after, int point, double h) const override;
     /// The factor that a velocity keeps over `h` frames.

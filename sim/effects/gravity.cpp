@@ -4,19 +4,15 @@
 
 namespace sim {
 
-namespace {
-
 /// Published: Creatures I, step 19.
 //! [gravity]
-Vec2 fall(double gravity)
+static Vec2 fall(double gravity)
 {
     // for every point; y points down
     Vec2 pull = {0, gravity};
     return pull;
 }
 //! [gravity]
-
-}
 
 std::vector<Region> Gravity::regions(Directions) const
 {
@@ -32,15 +28,12 @@ void Gravity::add(const State &state, Points movers, double scale, Directions, E
 {
     double *down = into.data() + into.rows(); // the column of y
     replaceFree(state.inverseMass, movers, down,
-                [=, gravity = m_gravity](int i) { return down[i] + scale * fall(gravity).y; });
+                [=, gravity = m_gravity](int i) { return down[i] + scale * sim::fall(gravity).y; });
 }
 
-PointRule Gravity::rule(Points, double scale, Onto onto) const
+std::optional<double> Gravity::fall() const
 {
-    const double by = scale * fall(m_gravity).y;
-    if (onto == Onto::velocity)
-        return rules::FallsAtOnce{by};
-    return rules::Falls{by};
+    return sim::fall(m_gravity).y;
 }
 
 bool Gravity::addSlopes(const State &, Points, double, Directions, Slopes &) const
@@ -54,7 +47,7 @@ std::optional<double> Gravity::energy(const State &state) const
     double sum = 0.0;
     for (int i = 0; i < state.points(); ++i) {
         if (state.feels(i))
-            sum -= fall(m_gravity).y * state.position(i, 1) / state.inverseMass[i];
+            sum -= sim::fall(m_gravity).y * state.position(i, 1) / state.inverseMass[i];
     }
     return sum;
 }
@@ -63,7 +56,7 @@ std::vector<Live> Gravity::explain(const State &state, int mover, Directions) co
 {
     if (!state.feels(mover))
         return {};
-    return {{"pull", fall(m_gravity)}};
+    return {{"pull", sim::fall(m_gravity)}};
 }
 
 }

@@ -20,7 +20,7 @@ public:
     bool idle() const override { return m_gravity == 0.0; }
     void add(const State &state, Points movers, double scale, Directions directions,
              Eigen::ArrayX2d &into) const override;
-    PointRule rule(Points movers, double scale, Onto onto) const override;
+    std::optional<double> fall() const override;
     bool addSlopes(const State &state, Points movers, double scale, Directions directions,
                    Slopes &into) const override;
     std::optional<double> energy(const State &state) const override;

@@ -48,14 +48,6 @@ std::vector<Surface> Ground::surfaces(int point) const
     return {{{0.0, -1.0}, -m_soil.ground, m_soil.bounce, grip}};
 }
 
-PointRule Ground::rule(Points points) const
-{
-    const auto isWhole = [&](const Points &run) { return common(run, points).count == points.count; };
-    if (std::none_of(m_runs.begin(), m_runs.end(), isWhole))
-        return {};
-    return rules::MeetsGround{this};
-}
-
 void Ground::resolve(State &state, Points points) const
 {
     const Columns x(state.position), v(state.velocity);

@@ -56,7 +56,6 @@ public:
     Sees sees() const override { return Sees::tied; }
     bool idle() const override { return std::isinf(m_soil.ground) && m_soil.ground > 0.0; }
     void resolve(State &state, Points points) const override;
-    PointRule rule(Points points) const override;
     std::vector<Surface> surfaces(int point) const override;
 
     const Soil &soil() const { return m_soil; }

@@ -1,7 +1,8 @@
 #pragma once
 
+#include "sim/effects/pair_force.h"
 #include "sim/effects/reaction.h"
-#include "sim/resting.h"
+#include "sim/effects/spring.h"
 
 #include <cmath>
 #include <vector>
@@ -34,9 +35,6 @@ struct LegRule
     Reaction reaction = Reaction::none; ///< what the body feels
 };
 
-using std::cos;
-using std::sin;
-
 /// Where a foot belongs: `leg` px from the body, against the direction `angle` (rad).
 /// Published: Creatures II, step 4.
 // Shown lines are short.
@@ -46,8 +44,8 @@ inline
 Vec2 boneTarget(
     Vec2 body, double angle, double leg)
 {
-    Vec2 bone = {leg * cos(angle),
-                 leg * sin(angle)};
+    Vec2 bone = {leg * std::cos(angle),
+                 leg * std::sin(angle)};
     Vec2 target = body - bone;
     return target;
 }
@@ -80,53 +78,65 @@ inline double gaitAngle(double angle, double gait)
 }
 //! [gait_angle]
 
-/// Springs that pull each foot to its own place, wherever it is.
-class LegSpring : public Force, public Resting
+/// Springs that pull each foot to its own place, wherever it is. A foot is the mover, its body the anchor.
+struct LegLaw : LegRule
+{
+    struct Numbers
+    {
+        double angle = 0.0; ///< rad
+        int clock = 0;
+        friend bool operator==(const Numbers &, const Numbers &) = default;
+    };
+    static constexpr bool isMutual = false;
+
+    /// With the angle to which the gait clock has turned the leg.
+    Numbers now(const State &state, const Numbers &one) const
+    {
+        return {aim == Aim::swing ? gaitAngle(one.angle, state.gait[one.clock]) : one.angle, one.clock};
+    }
+    Vec2 target(Vec2 body, const Numbers &one) const
+    {
+        return aim == Aim::bone ? boneTarget(body, one.angle, leg) : belowTarget(body, one.angle, leg, drop);
+    }
+    Pull pull(Vec2 foot, Vec2 body, const Numbers &one) const { return {published(foot, body, one)}; }
+    static Vec2 pullInOnePlace(Vec2, const Numbers &) { return {}; }
+    Vec2 published(Vec2 foot, Vec2 body, const Numbers &one) const
+    {
+        return spring(foot, target(body, one), k).pull;
+    }
+    Slope slope(Vec2, Vec2, const Numbers &) const { return slopeToPlace(k); }
+    /// Where the clock turns a leg it lifts what the leg has stored, too: that is the clock's work.
+    double energy(Vec2 foot, Vec2 body, const Numbers &one) const
+    {
+        return springEnergy(length(target(body, one) - foot), k);
+    }
+    std::vector<Live> live(Vec2 foot, Vec2 body, Vec2 parting, const Numbers &one,
+                           Directions directions) const;
+    RestEnd rest(const State &state, const Pair &legPair, const Numbers &one) const
+    {
+        return {legPair.mover, legPair.anchor, target(state.at(legPair.anchor), one), false};
+    }
+};
+
+extern template class PairForce<LegLaw>;
+
+class LegSpring : public RestingPairForce<LegLaw>
 {
 public:
-    LegSpring(std::vector<Leg> legs, LegRule rule);
+    LegSpring(const std::vector<Leg> &legs, LegRule rule);
 
     std::string id() const override { return "leg_spring"; }
     std::string title() const override { return SIM_TEXT("legs"); }
     Kind kind() const override { return Kind::spring; }
     std::vector<Region> regions(Directions directions) const override;
-    int count(const State &state, Points points) const override;
-    Sees sees() const override { return m_rule.aim == Aim::swing ? Sees::scene : Sees::tied; }
-    void ties(std::vector<Tie> &into) const override;
-    bool idle() const override { return m_rule.k == 0.0; }
-    /// A leg belongs to its foot: with Reaction::equal its body is pulled when the foot is among `movers`.
-    void add(const State &state, Points movers, double scale, Directions directions,
-             Eigen::ArrayX2d &into) const override;
-    void addPart(const State &state, Points part, double scale, Directions directions,
-                 Eigen::ArrayX2d &into) const override;
-    bool addSlopes(const State &state, Points movers, double scale, Directions directions,
-                   Slopes &into) const override;
-    std::optional<double> energy(const State &state) const override;
-    bool balances(const State &state) const override;
-    std::vector<Live> explain(const State &state, int mover, Directions directions) const override;
-    void rests(const State &state, std::vector<RestEnd> &into) const override;
+    Sees sees() const override { return rule().aim == Aim::swing ? Sees::scene : Sees::tied; }
+    bool idle() const override { return rule().k == 0.0; }
 
     /// Where the foot of the leg numbered `number` belongs, px.
     Vec2 target(const State &state, int number) const;
     /// Ordered by foot.
-    const std::vector<Leg> &legs() const { return m_legs; }
-    const LegRule &rule() const { return m_rule; }
-
-private:
-    template <class Visit>
-    void forEach(const State &state, Points feet, Visit &&visit) const;
-    Vec2 targetOf(const State &state, const Leg &leg) const;
-    Vec2 pull(const State &state, const Leg &leg) const;
-    void addLeg(const State &state, const Leg &leg, double scale, Eigen::ArrayX2d &into) const;
-    bool bodyFeels(const State &state, const Leg &leg) const
-    {
-        return m_rule.reaction == Reaction::equal && state.feels(leg.body);
-    }
-    std::vector<Live> explainFoot(const State &state, const Leg &leg) const;
-
-    std::vector<Leg> m_legs;   ///< by foot
-    std::vector<Leg> m_byLast; ///< the same by the higher of their two points
-    LegRule m_rule;
+    std::vector<Leg> legs() const;
+    const LegRule &rule() const { return law(); }
 };
 
 }

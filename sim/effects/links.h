@@ -1,131 +1,131 @@
 #pragma once
 
-#include "sim/effects/link_runs.h"
-#include "sim/effects/slope.h"
+#include "sim/effect.h"
 
 #include <algorithm>
-#include <optional>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace sim {
 
-/// Links ordered by mover, and among one mover's in the order given: the order in which its pulls are added up.
+/// One directed link: `mover` is pulled, `anchor` is what it is pulled to (or by).
+struct Link
+{
+    int mover = 0;
+    int anchor = 0;
+    friend bool operator==(const Link &, const Link &) = default;
+};
+
+/// Two points of which the first, or both, feel a pull between them.
+struct Pair
+{
+    int mover = 0;
+    int anchor = 0;
+    int number = 0;        ///< which numbers (stiffness, length, ...) are its own
+    bool bothWays = false; ///< whether the anchor feels the exact opposite in the same moment
+};
+
+/// Links that all have the same numbers, as pairs; and back.
+std::vector<Pair> pairsOf(const std::vector<Link> &links);
+std::vector<Link> linksOf(const std::vector<Pair> &pairs);
+
+/// Neighbouring pairs of a PairList whose points follow each other in memory, so that a loop over them runs in vector
+/// registers.
+struct PairBatch
+{
+    enum class Shape {
+        row,    ///< from pair to pair both the mover and the anchor are one farther
+        fan,    ///< one mover, and anchors one after the other
+        listed, ///< any points: they are read from the list
+    };
+    Shape shape = Shape::listed;
+    int mover = 0;  ///< of the first pair
+    int anchor = 0; ///< of the first pair
+    int first = 0;  ///< the first pair's place in the list
+    int count = 0;
+    bool bothWays = false; ///< of all of them, unless they are listed
+
+    /// Whether no point is both a mover and an anchor of this row: then the order of its sums does not matter.
+    bool isDisjoint() const { return mover + count <= anchor || anchor + count <= mover; }
+};
+
+/// Pairs in the order in which they are computed, divided into batches.
+struct PairList
+{
+    std::vector<Pair> pairs;
+    std::vector<PairBatch> batches; ///< each pair is in one
+    std::vector<Points> runs;       ///< the points that the pairs pull, in ascending order
+};
+
+/// The links of a force. Links that lead to and fro between two points are one pair, computed once.
 class Links
 {
 public:
-    explicit Links(std::vector<Link> links);
-
-    /// Calls `visit(link)` for each link whose mover is in `movers` and feels forces.
-    template <class Visit>
-    void forEach(const State &state, Points movers, Visit &&visit) const
+    /// `links` in the order in which each point's pulls are added up. `areMutual`: whether the link back from an anchor
+    /// to its mover has the exactly opposite pull, if it has the same numbers: `sameNumbers(a, b)` compares Pair::number.
+    template <class SameNumbers>
+    Links(std::vector<Pair> links, bool areMutual, SameNumbers &&sameNumbers)
+        : m_pairs(areMutual ? merged(links, sameNumbers) : links), m_links(std::move(links))
     {
-        const auto before = [](const Link &link, int point) { return link.mover < point; };
-        auto link = std::lower_bound(m_links.begin(), m_links.end(), movers.first, before);
-        for (; link != m_links.end() && link->mover < movers.end(); ++link) {
-            if (state.feels(link->mover))
-                visit(*link);
-        }
+        index();
     }
 
-    int count(const State &state, Points movers) const
-    {
-        int total = 0;
-        forEach(state, movers, [&](const Link &) { ++total; });
-        return total;
-    }
+    /// The first link of `mover` or a higher one.
+    std::vector<Pair>::const_iterator from(int mover) const;
+    /// One mover after the other, and of one mover in the order given.
+    const std::vector<Pair> &links() const { return m_links; }
+    /// One more than the highest point.
+    int points() const { return m_points; }
+    /// Each two points once, in the order in which pulls are computed.
+    const std::vector<Pair> &pairs() const { return m_pairs; }
 
-    void ties(std::vector<Tie> &into) const
-    {
-        for (const Link &link : m_links)
-            into.emplace_back(link.mover, link.anchor);
-    }
-
-    /// The sum of what links have stored where `potential(link)` is that of one. A pair that pulls both ways stores it
-    /// once. Empty where a link pulls one end only of two that can feel: it has no potential.
-    template <class Potential>
-    std::optional<double> stored(const State &state, Potential &&potential) const
-    {
-        double sum = 0.0;
-        for (std::size_t i = 0; i < m_links.size(); ++i) {
-            const Link &link = m_links[i];
-            if (!state.feels(link.mover))
-                continue;
-            if (state.feels(link.anchor) && !m_answered[i])
-                return {};
-            sum += (state.feels(link.anchor) ? 0.5 : 1.0) * potential(link);
-        }
-        return sum;
-    }
-
-    /// Whether no link that is felt leads to what can feel.
-    bool areTied(const State &state) const
-    {
-        return std::none_of(m_links.begin(), m_links.end(), [&](const Link &link) {
-            return state.feels(link.mover) && state.feels(link.anchor);
-        });
-    }
-
-    /// Whether every link that is felt has another that pulls back as much.
-    bool balance(const State &state) const
-    {
-        for (std::size_t i = 0; i < m_links.size(); ++i) {
-            if (state.feels(m_links[i].mover) && !(state.feels(m_links[i].anchor) && m_answered[i]))
-                return false;
-        }
-        return true;
-    }
-
-    const LinkRuns &runs() const { return m_runs; }
-    const std::vector<Link> &list() const { return m_links; }
+    /// The pairs between points of `runs`, which are in ascending order and hold all points that are tied to any of
+    /// theirs, in batches: the order of each point's pulls stays. `areMutual` as above: lets batches turn pairs round.
+    PairList batches(const std::vector<Points> &runs, bool areMutual) const;
 
 private:
-    std::vector<Link> m_links;
-    LinkRuns m_runs;
-    std::vector<char> m_answered; ///< whether as many links go the other way, one entry a link
+    template <class SameNumbers>
+    static std::vector<Pair> merged(const std::vector<Pair> &links, SameNumbers &&sameNumbers)
+    {
+        std::vector<int> byEnds(links.size()); // sorted by mover, then anchor, then place
+        for (std::size_t i = 0; i < links.size(); ++i)
+            byEnds[i] = static_cast<int>(i);
+        const auto at = [&](int i) -> const Pair & { return links[static_cast<std::size_t>(i)]; };
+        std::sort(byEnds.begin(), byEnds.end(), [&](int a, int b) {
+            return std::tuple(at(a).mover, at(a).anchor, a) < std::tuple(at(b).mover, at(b).anchor, b);
+        });
+        std::vector<Pair> pairs;
+        std::vector<char> isTaken(links.size(), 0);
+        for (std::size_t i = 0; i < links.size(); ++i) {
+            if (isTaken[i] != 0)
+                continue;
+            isTaken[i] = 1;
+            Pair pair = links[i];
+            const std::pair back{pair.anchor, pair.mover};
+            auto other = std::lower_bound(byEnds.begin(), byEnds.end(), back, [&](int a, const auto &ends) {
+                return std::pair(at(a).mover, at(a).anchor) < ends;
+            });
+            for (; !pair.bothWays && pair.mover != pair.anchor && other != byEnds.end() &&
+                   std::pair(at(*other).mover, at(*other).anchor) == back;
+                 ++other) {
+                char &taken = isTaken[static_cast<std::size_t>(*other)];
+                if (taken == 0 && !at(*other).bothWays && sameNumbers(pair.number, at(*other).number)) {
+                    taken = 1;
+                    pair.bothWays = true;
+                }
+            }
+            pairs.push_back(pair);
+        }
+        return pairs;
+    }
+
+    void index();
+
+    std::vector<Pair> m_pairs;
+    std::vector<Pair> m_links;  ///< sorted by mover
+    std::vector<int> m_byMover; ///< places in m_pairs, sorted by mover
+    int m_points = 0;
 };
-
-/// Adds `scale * pull(link)` for each link of `movers`, link after link: for pulls that are not computed
-/// run by run; see addPullRuns().
-template <class Pull>
-void addPulls(const Links &links, const State &state, Points movers, double scale, Eigen::ArrayX2d &into,
-              Pull &&pull)
-{
-    links.forEach(state, movers, [&](const Link &link) {
-        const Vec2 a = state.inverseMass[link.mover] * pull(link);
-        into(link.mover, 0) += scale * a.x;
-        into(link.mover, 1) += scale * a.y;
-    });
-}
-
-/// The same for how pulls change: `slope(link)` is how that of one link changes with the place of its mover; with
-/// that of its anchor it changes by the opposite.
-template <class SlopeOf>
-void addPullSlopes(const Links &links, const State &state, Points movers, double scale, Slopes &into,
-                   SlopeOf &&slope)
-{
-    links.forEach(state, movers, [&](const Link &link) {
-        addSlopeBetween(into, link.mover, link.anchor, (scale * state.inverseMass[link.mover]) * slope(link));
-    });
-}
-
-/// What the links of `mover` compute: every number when it is one link, only the sum when there are several. The
-/// last number is what addPulls() adds: a mass takes its share of it.
-template <class ExplainLink>
-std::vector<Live> explainLinks(const Links &links, const State &state, int mover, ExplainLink &&explainLink)
-{
-    std::vector<Live> last;
-    Vec2 sum;
-    int count = 0;
-    links.forEach(state, {mover, 1}, [&](const Link &link) {
-        last = explainLink(link);
-        Vec2 &pull = std::get<Vec2>(last.back().value);
-        pull = state.inverseMass[mover] * pull;
-        sum = sum + pull;
-        ++count;
-    });
-    if (count > 1)
-        return {{"pull", sum}};
-    return last;
-}
 
 }

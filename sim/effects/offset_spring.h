@@ -1,7 +1,7 @@
 #pragma once
 
-#include "sim/effects/links.h"
-#include "sim/resting.h"
+#include "sim/effects/pair_force.h"
+#include "sim/effects/spring.h"
 
 namespace sim {
 
@@ -19,39 +19,63 @@ Vec2 offsetTarget(Vec2 anchor, double offset)
 //! [offset_target]
 // clang-format on
 
-/// Springs from points to places that lie `offset` pixels to the right of other points.
-class OffsetSpring : public Force, public Resting
+/// Springs from points to places that lie `offset` pixels to the right of other points. To and fro between two points
+/// both are pulled to the right: so each link is computed by itself.
+struct OffsetLaw
+{
+    struct Numbers
+    {
+        double k = 0.0;      ///< 1/frame^2
+        double offset = 0.0; ///< px
+        friend bool operator==(const Numbers &, const Numbers &) = default;
+    };
+    static constexpr bool isMutual = false;
+
+    static Vec2 target(Vec2 anchor, const Numbers &one) { return offsetTarget(anchor, one.offset); }
+    static Pull pull(Vec2 mover, Vec2 anchor, const Numbers &one) { return {published(mover, anchor, one)}; }
+    static Vec2 pullInOnePlace(Vec2, const Numbers &) { return {}; }
+    static Vec2 published(Vec2 mover, Vec2 anchor, const Numbers &one)
+    {
+        return spring(mover, target(anchor, one), one.k).pull;
+    }
+    static Slope slope(Vec2, Vec2, const Numbers &one) { return slopeToPlace(one.k); }
+    static double energy(Vec2 mover, Vec2 anchor, const Numbers &one)
+    {
+        return springEnergy(length(target(anchor, one) - mover), one.k);
+    }
+    static std::vector<Live> live(Vec2 mover, Vec2 anchor, Vec2, const Numbers &one, Directions)
+    {
+        const SpringPull s = spring(mover, target(anchor, one), one.k);
+        return {{"target", target(anchor, one)}, {"d", s.d}, {"pull", s.pull}};
+    }
+    static RestEnd rest(const State &state, const Pair &link, const Numbers &one)
+    {
+        return {link.mover, link.anchor, target(state.at(link.anchor), one), false};
+    }
+};
+
+extern template class PairForce<OffsetLaw>;
+
+class OffsetSpring : public RestingPairForce<OffsetLaw>
 {
 public:
     /// k in 1/frame^2, offset in px.
-    OffsetSpring(std::vector<Link> links, double k, double offset)
-        : m_links(std::move(links)), m_k(k), m_offset(offset)
+    OffsetSpring(const std::vector<Link> &links, double k, double offset)
+        : RestingPairForce({}, pairsOf(links), {{k, offset}})
     {
     }
 
     std::string id() const override { return "offset_spring"; }
     std::string title() const override { return SIM_TEXT("spring"); }
     Kind kind() const override { return Kind::spring; }
-    std::vector<Region> regions(Directions directions) const override;
-    int count(const State &state, Points points) const override { return m_links.count(state, points); }
-    Sees sees() const override { return Sees::tied; }
-    void ties(std::vector<Tie> &into) const override { m_links.ties(into); }
-    bool idle() const override { return m_k == 0.0; }
-    void add(const State &state, Points movers, double scale, Directions directions,
-             Eigen::ArrayX2d &into) const override;
-    bool addSlopes(const State &state, Points movers, double scale, Directions directions,
-                   Slopes &into) const override;
-    std::optional<double> energy(const State &state) const override;
-    std::vector<Live> explain(const State &state, int mover, Directions directions) const override;
-    void rests(const State &state, std::vector<RestEnd> &into) const override;
+    std::vector<Region> regions(Directions) const override
+    {
+        return {{"sim/effects/offset_spring.h", "offset_target"}, {"sim/effects/spring.h", "spring"}};
+    }
+    bool idle() const override { return numbers().front().k == 0.0; }
 
-    const std::vector<Link> &links() const { return m_links.list(); }
-    double offset() const { return m_offset; }
-
-private:
-    Links m_links;
-    double m_k;
-    double m_offset;
+    std::vector<Link> links() const { return linksOf(pairs()); }
+    double offset() const { return numbers().front().offset; }
 };
 
 }

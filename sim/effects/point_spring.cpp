@@ -34,7 +34,7 @@ bool PointSpring::addSlopes(const State &state, Points movers, double scale, Dir
 
 std::optional<double> PointSpring::energy(const State &state) const
 {
-    return state.feels(m_mover) ? springEnergy(m_centre - state.at(m_mover), m_k) : 0.0;
+    return state.feels(m_mover) ? springEnergy(length(m_centre - state.at(m_mover)), m_k) : 0.0;
 }
 
 std::vector<Live> PointSpring::explain(const State &state, int mover, Directions) const

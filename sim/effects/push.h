@@ -1,6 +1,8 @@
 #pragma once
 
+#include "sim/effects/pair_force.h"
 #include "sim/effects/reaction.h"
+#include "sim/effects/spring.h"
 
 #include <vector>
 
@@ -15,7 +17,7 @@ struct PushPull
 };
 
 /// A spring that only pushes: on `one`, away from `other`, while they are closer than `distance` px.
-/// `direction(d)` gives the direction of a distance. k in 1/frame^2.
+/// `direction(d)` gives the length and the direction of a distance. k in 1/frame^2.
 /// Source: the penalty method; Moore and Wilhelms, "Collision detection and response for computer animation", 1988.
 // Shown lines are short.
 // clang-format off
@@ -26,18 +28,56 @@ PushPull push(
     double distance, HeadingOf direction)
 {
     Vec2 from = one - other;
-    double missing =
-        distance - length(from);
+    auto [far, out] = direction(from);
+    double missing = distance - far;
     Vec2 pull = {0, 0};
     if (missing > 0)
-        pull = k * missing * direction(from);
+        pull = k * missing * out;
     return {from, missing, pull};
 }
 //! [push]
 // clang-format on
 
+/// Pushes apart every two points that come closer than `distance`.
+struct PushLaw
+{
+    double k = 0.0;        ///< 1/frame^2
+    double distance = 0.0; ///< px
+
+    struct Numbers
+    {
+        friend bool operator==(const Numbers &, const Numbers &) = default;
+    };
+    static constexpr bool isMutual = true;
+
+    Pull pull(Vec2 one, Vec2 other, const Numbers &) const
+    {
+        Heading way;
+        const Vec2 pull = push(one, other, k, distance, [&](Vec2 d) { return way = direction(d); }).pull;
+        return {pull, way.length};
+    }
+    Vec2 pullInOnePlace(Vec2 out, const Numbers &) const { return k * distance * out; }
+    Vec2 published(Vec2 one, Vec2 other, const Numbers &) const
+    {
+        return push(one, other, k, distance, publishedHeading).pull;
+    }
+    Slope slope(Vec2 one, Vec2 other, const Numbers &) const
+    {
+        const Vec2 from = one - other;
+        return length(from) < distance ? slopeToDistance(from, k, distance) : Slope();
+    }
+    double energy(Vec2 one, Vec2 other, const Numbers &) const
+    {
+        return springEnergy(std::max(0.0, distance - length(one - other)), k);
+    }
+    static Heading publishedHeading(Vec2 d) { return {length(d), publishedDirection(d).out}; }
+    std::vector<Live> live(Vec2 one, Vec2 other, Vec2 parting, const Numbers &, Directions directions) const;
+};
+
+extern template class PairForce<PushLaw>;
+
 /// Pushes apart every two of some points that come too close to each other.
-class Push : public Force
+class Push : public PairForce<PushLaw>
 {
 public:
     /// k in 1/frame^2, distance in px. With Reaction::none only the one with the lower number is pushed.
@@ -47,36 +87,15 @@ public:
     std::string title() const override { return SIM_TEXT("push"); }
     Kind kind() const override { return Kind::spring; }
     std::vector<Region> regions(Directions directions) const override;
-    int count(const State &state, Points points) const override;
-    Sees sees() const override { return Sees::tied; }
-    void ties(std::vector<Tie> &into) const override;
-    bool idle() const override { return m_k == 0.0 || m_distance <= 0.0; }
-    /// A pair belongs to the point with the lower number: with Reaction::equal the other is pushed, too, when that
-    /// one is among `movers`.
-    void add(const State &state, Points movers, double scale, Directions directions,
-             Eigen::ArrayX2d &into) const override;
-    void addPart(const State &state, Points part, double scale, Directions directions,
-                 Eigen::ArrayX2d &into) const override;
-    bool addSlopes(const State &state, Points movers, double scale, Directions directions,
-                   Slopes &into) const override;
-    std::optional<double> energy(const State &state) const override;
-    bool balances(const State &state) const override;
-    std::vector<Live> explain(const State &state, int mover, Directions directions) const override;
+    bool idle() const override { return k() == 0.0 || distance() <= 0.0; }
 
+    /// In order.
     const std::vector<int> &points() const { return m_points; }
-    double k() const { return m_k; }
-    double distance() const { return m_distance; }
+    double k() const { return law().k; }
+    double distance() const { return law().distance; }
 
 private:
-    template <class Visit>
-    void forEach(const State &state, Points movers, Visit &&visit) const;
-    void addPair(const State &state, int one, int other, double scale, Directions directions,
-                 Eigen::ArrayX2d &into) const;
-    PushPull pushOn(const State &state, int one, int other, Directions directions) const;
-
-    std::vector<int> m_points; ///< in order
-    double m_k;
-    double m_distance;
+    std::vector<int> m_points;
     Reaction m_reaction;
 };
 

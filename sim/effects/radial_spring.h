@@ -1,12 +1,13 @@
 #pragma once
 
-#include "sim/effects/links.h"
+#include "sim/effects/pair_force.h"
 #include "sim/effects/spring.h"
-#include "sim/resting.h"
+
+#include <cmath>
 
 namespace sim {
 
-/// A radial spring's pull, with what it was found from.
+/// A radial spring's pull as published, with what it was found from.
 struct RadialPull
 {
     Vec2 from;      ///< px, the anchor seen from which the mover lies along `heading`
@@ -35,47 +36,93 @@ RadialPull radialSpring(
 //! [radial_spring]
 // clang-format on
 
+/// The same pull with one root and one division, and with the exact opposite for the other end. k in 1/frame^2, radius in
+/// px. Points in one place have no direction: see partingDirection().
+/// Source: k (radius out - from) with out = from / length; Published: Creatures I, step 7.
+// Shown lines are short.
+// clang-format off
+inline
+//! [spring_pull]
+Pull springPull(
+    Vec2 mover, Vec2 anchor, double k,
+    double radius)
+{
+    Vec2 from = mover - anchor;
+    double square =
+        from.x * from.x + from.y * from.y;
+    double length = std::sqrt(square);
+    // above 0: too short, it pushes
+    double lacks = radius / length - 1;
+    Vec2 pull = k * lacks * from;
+    return {pull, length};
+}
+//! [spring_pull]
+// clang-format on
+
 /// Springs that keep points at a distance from other points, in whatever direction they are.
-class RadialSpring : public Force, public Resting
+struct RadialLaw
+{
+    struct Numbers
+    {
+        double k = 0.0;      ///< 1/frame^2
+        double radius = 0.0; ///< px, the length at which it neither pulls nor pushes
+        friend bool operator==(const Numbers &, const Numbers &) = default;
+    };
+    static constexpr bool isMutual = true;
+
+    static Pull pull(Vec2 mover, Vec2 anchor, const Numbers &one)
+    {
+        return springPull(mover, anchor, one.k, one.radius);
+    }
+    static Vec2 pullInOnePlace(Vec2 out, const Numbers &one) { return one.k * one.radius * out; }
+    static Vec2 published(Vec2 mover, Vec2 anchor, const Numbers &one)
+    {
+        return radialSpring(mover, anchor, one.k, one.radius,
+                            [](Vec2 d) { return publishedDirection(d).out; })
+            .end.pull;
+    }
+    static Slope slope(Vec2 mover, Vec2 anchor, const Numbers &one)
+    {
+        return slopeToDistance(mover - anchor, one.k, one.radius);
+    }
+    static double energy(Vec2 mover, Vec2 anchor, const Numbers &one)
+    {
+        return springEnergy(length(mover - anchor) - one.radius, one.k);
+    }
+    static std::vector<Live> live(Vec2 mover, Vec2 anchor, Vec2 parting, const Numbers &one,
+                                  Directions directions);
+    static RestEnd rest(const State &state, const Pair &link, const Numbers &one)
+    {
+        return restAt(state, link.mover, link.anchor, one.radius);
+    }
+    /// Where its source stands.
+    static std::vector<Region> regions(Directions directions);
+};
+
+extern template class PairForce<RadialLaw>;
+
+/// Radial springs that are all alike.
+class RadialSpring : public RestingPairForce<RadialLaw>
 {
 public:
     /// k in 1/frame^2, radius (the rest length) in px.
-    RadialSpring(std::vector<Link> links, double k, double radius)
-        : m_links(std::move(links)), m_k(k), m_radius(radius)
+    RadialSpring(const std::vector<Link> &links, double k, double radius)
+        : RestingPairForce({}, pairsOf(links), {{k, radius}})
     {
     }
 
     std::string id() const override { return "radial_spring"; }
     std::string title() const override { return SIM_TEXT("springs"); }
     Kind kind() const override { return Kind::spring; }
-    std::vector<Region> regions(Directions directions) const override;
-    int count(const State &state, Points points) const override { return m_links.count(state, points); }
-    Sees sees() const override { return Sees::tied; }
-    void ties(std::vector<Tie> &into) const override { m_links.ties(into); }
-    bool idle() const override { return m_k == 0.0; }
-    void add(const State &state, Points movers, double scale, Directions directions,
-             Eigen::ArrayX2d &into) const override;
-    void addPart(const State &state, Points part, double scale, Directions directions,
-                 Eigen::ArrayX2d &into) const override;
-    bool addSlopes(const State &state, Points movers, double scale, Directions directions,
-                   Slopes &into) const override;
-    std::optional<double> energy(const State &state) const override;
-    bool balances(const State &state) const override;
-    std::vector<Live> explain(const State &state, int mover, Directions directions) const override;
-    void rests(const State &state, std::vector<RestEnd> &into) const override;
+    std::vector<Region> regions(Directions directions) const override
+    {
+        return RadialLaw::regions(directions);
+    }
+    bool idle() const override { return k() == 0.0; }
 
-    const std::vector<Link> &links() const { return m_links.list(); }
-    double k() const { return m_k; }
-    double radius() const { return m_radius; }
-
-private:
-    template <class HeadingOf>
-    Vec2 pullOf(const State &state, const Link &link, HeadingOf direction) const;
-    void addRuns(Take take, const State &state, Points points, double scale, Eigen::ArrayX2d &into) const;
-
-    Links m_links;
-    double m_k;
-    double m_radius;
+    std::vector<Link> links() const { return linksOf(pairs()); }
+    double k() const { return numbers().front().k; }
+    double radius() const { return numbers().front().radius; }
 };
 
 }

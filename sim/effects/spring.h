@@ -27,10 +27,10 @@ SpringPull spring(
 //! [spring]
 // clang-format on
 
-/// What that spring has stored, stretched by `d`: k d^2 / 2. Its gradient by the mover is minus the pull.
-constexpr double springEnergy(Vec2 d, double k)
+/// What a spring has stored that is `stretch` px longer (or shorter) than at rest. Minus its gradient is the pull.
+constexpr double springEnergy(double stretch, double k)
 {
-    return 0.5 * k * (d.x * d.x + d.y * d.y);
+    return 0.5 * k * stretch * stretch;
 }
 
 }

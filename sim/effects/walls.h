@@ -70,7 +70,6 @@ public:
         return m_room.sidesAreFar() && std::isinf(m_room.floor) && m_room.floor > 0.0;
     }
     void resolve(State &state, Points points) const override;
-    PointRule rule(Points) const override { return rules::MeetsWalls{this}; }
     std::vector<Surface> surfaces(int point) const override;
 
     const Room &room() const { return m_room; }

@@ -13,13 +13,13 @@ namespace {
 std::optional<Account> accountOf(const Phase &phase)
 {
     const Effect *effect = phase.effect.get();
-    if (as<Drag>(*effect))
+    if (as<Drag>(phase.effect))
         return Account::damping;
-    if (as<Contact>(*effect))
+    if (as<Contact>(phase.effect))
         return Account::impact;
-    if (as<Constraint>(*effect))
+    if (as<Constraint>(phase.effect))
         return effect->kind() == Kind::contact ? Account::impact : Account::sticks;
-    if (const auto *driver = as<Driver>(*effect)) {
+    if (const auto *driver = as<Driver>(phase.effect)) {
         if (driver->pace() == Pace::follows)
             return Account::hand; // it only stops what is held
         return effect->kind() == Kind::wind ? Account::wind : Account::motors;

@@ -77,7 +77,7 @@ std::vector<Phase> Adaptive::phases(const Scene &scene, StepSize size) const
             phase.regions.push_back(region);
     }
     const auto courses = std::make_shared<const Courses>(scene, m_rule, directions(), size.tolerance);
-    phase.run = [courses](State &state) { courses->toNextFrame(state, [] { return true; }); };
+    phase.kernels = {{[courses](State &state) { courses->toNextFrame(state, [] { return true; }); }, {}}};
     phase.runWhile = [courses](State &state, const GoesOn &goesOn) {
         return courses->toNextFrame(state, goesOn);
     };

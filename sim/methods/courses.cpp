@@ -12,8 +12,7 @@ namespace {
 bool isOneIsland(const Scene &scene)
 {
     const auto drives = [&](const EffectPtr &effect) {
-        return as<Driver>(effect) &&
-               effect->count(scene.start, {0, scene.start.points()}) > 0;
+        return as<Driver>(effect) && effect->count(scene.start, {0, scene.start.points()}) > 0;
     };
     return scene.start.spin.rows() > 0 || std::any_of(scene.effects.begin(), scene.effects.end(), drives);
 }

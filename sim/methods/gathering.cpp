@@ -33,11 +33,6 @@ void gatherTorque(
 //! [gather_torque]
 // clang-format on
 
-void gatherPart(const Force &force, State &state, Points part, double)
-{
-    force.addPart(state, part, 1.0, Directions::apart, state.acceleration);
-}
-
 }
 
 Adding gathering()
@@ -46,8 +41,7 @@ Adding gathering()
             gatherTorque,
             {"sim/methods/gathering.cpp", "gather"},
             {"sim/methods/gathering.cpp", "gather_torque"},
-            Onto::acceleration,
-            gatherPart};
+            Onto::acceleration};
 }
 
 }

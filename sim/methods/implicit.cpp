@@ -54,7 +54,7 @@ Phase phaseOf(const EffectPtr &effect, const Scene &scene)
 Phase driving(const std::shared_ptr<const Driver> &driver, const Scene &scene, double h)
 {
     Phase phase = phaseOf(driver, scene);
-    phase.run = [driver, h](State &state) { driver->drive(state, h); };
+    phase.kernels = {{[driver, h](State &state) { driver->drive(state, h); }, {}}};
     phase.explain = [driver](const State &before, const State &after, int point) {
         return driver->explain(before, after, point);
     };
@@ -64,7 +64,8 @@ Phase driving(const std::shared_ptr<const Driver> &driver, const Scene &scene, d
 Phase touching(const std::shared_ptr<const Contact> &contact, const Scene &scene)
 {
     Phase phase = phaseOf(contact, scene);
-    phase.run = [contact, all = everything(scene)](State &state) { contact->resolve(state, all); };
+    phase.kernels = {
+        {[contact, all = everything(scene)](State &state) { contact->resolve(state, all); }, {}}};
     phase.explain = changeOf;
     return phase;
 }
@@ -118,11 +119,12 @@ Phase Implicit::solving(const Scene &scene, double h) const
                 phase.regions.push_back(shown);
         }
     }
-    phase.run = [take = taking(), equations, h](State &state) {
-        ImplicitStep step(*equations, state);
-        take(step, h);
-        step.finish();
-    };
+    phase.kernels = {{[take = taking(), equations, h](State &state) {
+                          ImplicitStep step(*equations, state);
+                          take(step, h);
+                          step.finish();
+                      },
+                      {}}};
     phase.explain = explainSolved;
     return phase;
 }

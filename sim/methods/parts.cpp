@@ -1,5 +1,7 @@
 #include "sim/methods/parts.h"
 
+#include "sim/free_points.h"
+
 #include <algorithm>
 
 namespace sim {
@@ -11,20 +13,6 @@ const char *const here = "sim/methods/parts.h";
 bool runsInOrder(const EffectPtr &effect)
 {
     return !as<Driver>(effect);
-}
-
-/// The same points in ascending order, neighbouring runs made one.
-std::vector<Points> inOrder(std::vector<Points> runs)
-{
-    std::sort(runs.begin(), runs.end(), [](Points a, Points b) { return a.first < b.first; });
-    std::vector<Points> fewer;
-    for (const Points &run : runs) {
-        if (!fewer.empty() && fewer.back().end() == run.first)
-            fewer.back().count += run.count;
-        else
-            fewer.push_back(run);
-    }
-    return fewer;
 }
 
 }
@@ -99,7 +87,7 @@ void PhaseList::driver(const std::shared_ptr<const Driver> &driver, double h)
     if (driver->count(m_scene.start, everything().points) == 0)
         return;
     Phase phase = phaseOf(driver, everything());
-    phase.run = [driver, h](State &state) { driver->drive(state, h); };
+    phase.kernels = {{[driver, h](State &state) { driver->drive(state, h); }, {}}};
     phase.explain = [driver](const State &before, const State &after, int point) {
         return driver->explain(before, after, point);
     };
@@ -155,11 +143,12 @@ void PhaseList::force(const std::shared_ptr<const Force> &force, const Share &sh
     setWork(phase, [force, add = adding.force, h = m_h](State &state, Points points) {
         add(*force, state, points, h);
     });
-    if (phase.runOn && adding.forcePart)
-        phase.runOn = [force, add = adding.forcePart, h = m_h](State &state, Points part) {
-            add(*force, state, part, h);
+    if (Kernel &kernel = phase.kernels.back(); kernel.part && adding.onto == Onto::acceleration)
+        kernel.part = [force](const std::vector<Points> &runs) {
+            return [add = force->part(runs), force](State &state) { add(state, state.acceleration); };
         };
-    phase.rule = force->rule(share.points, adding.onto == Onto::velocity ? m_h : 1.0, adding.onto);
+    if (const std::optional<double> fall = force->fall(); fall && adding.onto == Onto::acceleration)
+        phase.kernels.back().step = {PointStep::Does::falls, *fall};
     phase.explain = [force, way = m_directions](const State &before, const State &after, int point) {
         std::vector<Live> live = force->explain(before, point, way);
         if (!live.empty() && before.speed(point) != after.speed(point))
@@ -190,8 +179,8 @@ void PhaseList::drag(const std::shared_ptr<const Drag> &drag, const Share &share
     Phase phase = phaseOf(drag, share);
     const double h = part * m_h;
     setWork(phase, [drag, h](State &state, Points points) { drag->slow(state, points, h); });
-    if (!spins())
-        phase.rule = drag->rule(share.points, h);
+    if (const std::optional<double> keep = drag->keep(share.points, h); keep && !spins())
+        phase.kernels.back().step = {PointStep::Does::keeps, *keep};
     phase.explain = [drag, h](const State &before, const State &after, int point) {
         return drag->explain(before, after, point, h);
     };

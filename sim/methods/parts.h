@@ -82,6 +82,9 @@ Vec2 came(Vec2 x, Vec2 before, double h)
 using AddForce = void (*)(const Force &force, State &state, Points movers, double h);
 using AddTorque = void (*)(const Torque &torque, State &state, Points movers, double h);
 
+/// What forces are added to.
+enum class Onto { acceleration, velocity };
+
 /// Where the source of the two stands.
 struct Adding
 {
@@ -89,10 +92,7 @@ struct Adding
     AddTorque torque = nullptr;
     Region forceShown;
     Region torqueShown;
-    /// What `force` adds to.
     Onto onto = Onto::acceleration;
-    /// The same as `force` for one of the parts of Phase::runOn; null: by `force` itself.
-    AddForce forcePart = nullptr;
 };
 
 /// Adds every force to State::acceleration and every torque to State::turning.
@@ -182,34 +182,35 @@ private:
     std::function<void(State &, Points)> m_keep;
 };
 
-/// Gives `phase`, which knows its points and its effect, its work on some of them: all of it is that on all of them.
+/// A kernel that does work(state, points) with all of `points`, and with parts of them run by run.
+template <class Work>
+Kernel kernelOf(Points points, Work work)
+{
+    Kernel kernel;
+    kernel.part = [work](const std::vector<Points> &runs) {
+        return [work, runs](State &state) {
+            for (const Points &run : runs)
+                work(state, run);
+        };
+    };
+    kernel.run = [work = std::move(work), points](State &state) { work(state, points); };
+    return kernel;
+}
+
+/// Gives `phase`, which knows its points and its effect, its own kernel.
 template <class Work>
 void setWork(Phase &phase, Work work)
 {
-    if (!phase.effect || phase.effect->sees() == Sees::tied)
-        phase.runOn = work;
-    phase.run = [work = std::move(work), points = phase.points](State &state) { work(state, points); };
+    phase.kernels.push_back(kernelOf(phase.points, std::move(work)));
+    if (phase.effect && phase.effect->sees() != Sees::tied)
+        phase.kernels.back().part = nullptr;
 }
 
-/// What `phase` does first, on the same points: the method's own part of it.
+/// The same for a kernel before that of `phase`, on the same points.
 template <class Work>
 void setWorkBefore(Phase &phase, Work before)
 {
-    phase.rule = {};
-    phase.run = [before, run = phase.run, points = phase.points](State &state) {
-        before(state, points);
-        run(state);
-    };
-    if (phase.runOn)
-        phase.runOn = [before, run = phase.runOn](State &state, Points points) {
-            before(state, points);
-            run(state, points);
-        };
-    phase.prelude = [before, later = phase.prelude, points = phase.points](State &state) {
-        before(state, points);
-        if (later)
-            later(state);
-    };
+    phase.kernels.insert(phase.kernels.begin(), kernelOf(phase.points, std::move(before)));
 }
 
 template <class Type, class Visit>

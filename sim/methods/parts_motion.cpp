@@ -81,7 +81,7 @@ void PhaseList::kick(const Share &share, double part)
         forEachRun(runs, points, [&](Points run) { kickAll(state, run, h); });
     });
     if (areAll(runs, share.points))
-        phase.rule = rules::Kicks{part * m_h};
+        phase.kernels.back().step = {PointStep::Does::kicks, part * m_h};
     phase.explain = [](const State &before, const State &after, int point) {
         return std::vector<Live>{{"v", after.speed(point), before.speed(point)}};
     };
@@ -116,7 +116,7 @@ void PhaseList::move(const Share &share, double part)
         forEachRun(runs, points, [&](Points run) { moveAll(state, run, h); });
     });
     if (areAll(runs, share.points))
-        phase.rule = rules::Moves{part * m_h};
+        phase.kernels.back().step = {PointStep::Does::moves, part * m_h};
     if (const auto keep = remembering(share))
         setWorkBefore(phase, keep);
     phase.explain = [](const State &before, const State &after, int point) {
@@ -174,7 +174,6 @@ void PhaseList::contacts(const Share &share)
     forEach<Contact>(share, [&](const std::shared_ptr<const Contact> &contact) {
         Phase phase = phaseOf(contact, share);
         setWork(phase, [contact](State &state, Points points) { contact->resolve(state, points); });
-        phase.rule = contact->rule(share.points);
         phase.explain = [](const State &before, const State &after, int point) {
             return changeOf(before, after, point);
         };

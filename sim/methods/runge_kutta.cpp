@@ -193,19 +193,21 @@ std::vector<Phase> RungeKutta::phases(const Scene &scene, StepSize size) const
     const auto plan = std::make_shared<const Plan>(scene, m_tableau, directions(), size.h);
     const auto trial = [&](int stage) {
         Phase phase = stagePhase("trial", SIM_TEXT("try a place"), scene, m_shown);
-        phase.run = [plan, stage](State &state) {
-            keepSlope(state, *plan, stage - 1);
-            goTo(state, *plan, stage);
-        };
+        phase.kernels = {{[plan, stage](State &state) {
+                              keepSlope(state, *plan, stage - 1);
+                              goTo(state, *plan, stage);
+                          },
+                          {}}};
         nameOthers(phase, *plan, directions());
         return phase;
     };
     const auto move = [&] {
         Phase phase = stagePhase("step", SIM_TEXT("move"), scene, m_shown);
-        phase.run = [plan](State &state) {
-            keepSlope(state, *plan, plan->columns.stages - 1);
-            finish(state, *plan);
-        };
+        phase.kernels = {{[plan](State &state) {
+                              keepSlope(state, *plan, plan->columns.stages - 1);
+                              finish(state, *plan);
+                          },
+                          {}}};
         return phase;
     };
     const int stages = step.anyMoves() ? m_tableau.stages : 0;

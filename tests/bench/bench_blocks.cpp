@@ -38,8 +38,8 @@ void byPass(benchmark::State &run, int creatures)
     Crowd crowd(creatures);
     for (auto _ : run) {
         crowd.nextFrame();
-        for (const sim::Phase &pass : crowd.pipeline.passes)
-            pass.run(crowd.state);
+        for (const sim::Phase &phase : crowd.pipeline.phases)
+            phase.run(crowd.state);
         benchmark::ClobberMemory();
     }
     run.SetItemsProcessed(run.iterations() * creatures);
@@ -63,7 +63,7 @@ void bySize(benchmark::State &run, int creatures)
 {
     Crowd crowd(creatures);
     const int points = static_cast<int>(run.range(0));
-    crowd.pipeline.blocks = sim::blocksOf(crowd.scene, crowd.pipeline.passes, {points, 1});
+    crowd.pipeline.blocks = sim::blocksOf(crowd.scene, crowd.pipeline.phases, {points, 1});
     for (auto _ : run) {
         crowd.nextFrame();
         sim::runStep(crowd.pipeline, crowd.state);

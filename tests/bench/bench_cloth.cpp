@@ -7,6 +7,7 @@
 #include "sim/flow.h"
 #include "sim/methods/conjugate_gradients.h"
 #include "sim/methods/methods.h"
+#include "sim/run_step.h"
 
 #include <benchmark/benchmark.h>
 
@@ -107,8 +108,7 @@ void frames(benchmark::State &run, const sim::Scene &scene, const char *id)
     sim::State state = scene.start;
     method->prepare(state);
     for (auto _ : run) {
-        for (const sim::Phase &phase : pipeline.phases)
-            phase.run(state);
+        sim::runStep(pipeline, state);
         benchmark::DoNotOptimize(state.position.data());
     }
     run.SetComplexityN(state.points());

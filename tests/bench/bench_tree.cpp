@@ -3,7 +3,7 @@
 #include "tree_scenes.h"
 
 #include "sim/methods/methods.h"
-#include "sim/pipeline.h"
+#include "sim/run_step.h"
 
 #include <benchmark/benchmark.h>
 
@@ -19,8 +19,7 @@ void frames(benchmark::State &run, const sim::Scene &scene, const std::string &i
     method->prepare(state);
     for (auto _ : run) {
         ++state.frame;
-        for (const sim::Phase &phase : pipeline.phases)
-            phase.run(state);
+        sim::runStep(pipeline, state);
         benchmark::DoNotOptimize(state.position.data());
         benchmark::ClobberMemory();
     }

@@ -56,8 +56,7 @@ std::uint64_t hashOfRows(const sim::Script &script, int threads)
     sim::Crew crew(threads);
     auto segment = segments.at(script, 0);
     sim::Pipeline pipeline = segment->pipeline;
-    pipeline.passes = pipeline.phases;
-    pipeline.blocks = sim::blocksOf(segment->scene, pipeline.passes, {1, 1});
+    pipeline.blocks = sim::blocksOf(segment->scene, pipeline.phases, {1, 1});
     sim::State state = segment->scene.start;
     std::uint64_t hash = begun;
     bool goesOn = true;

@@ -13,16 +13,16 @@ using namespace support;
 
 namespace {
 
-/// `script`, composed, with a block for each island; for a scene of one island, which is computed pass by pass, one
-/// block that goes through the same pieces.
+/// `script`, composed, with a block for each island; for a scene of one island, which is computed kernel by kernel, one
+/// block with all of them.
 sim::Pipeline islandByIsland(const sim::Scene &scene, const sim::Script &script)
 {
     sim::Pipeline pipeline = sim::compose(scene, *script.method, script.step);
-    pipeline.blocks = sim::blocksOf(scene, pipeline.passes, {1, 1});
+    pipeline.blocks = sim::blocksOf(scene, pipeline.phases, {1, 1});
     if (pipeline.blocks.empty()) {
-        pipeline.blocks.emplace_back();
-        for (std::size_t i = 0; i < pipeline.passes.size(); ++i)
-            pipeline.blocks[0].push_back({static_cast<int>(i), pipeline.passes[i].points});
+        pipeline.blocks.push_back({{{0, scene.start.points()}}, {}});
+        for (const sim::StepKernel &one : pipeline.kernels)
+            pipeline.blocks[0].work.push_back(one.kernel.part({one.points}));
     }
     return pipeline;
 }
@@ -86,8 +86,10 @@ private:
             const sim::Script script = scriptOf(step, method.id(), 1.0);
             const sim::Scene scene = sim::sceneOf(script, script.values);
             const sim::Pipeline pipeline = sim::compose(scene, method, script.step);
-            return std::all_of(pipeline.phases.begin(), pipeline.phases.end(),
-                               [](const sim::Phase &phase) { return phase.runOn != nullptr; });
+            return std::all_of(pipeline.phases.begin(), pipeline.phases.end(), [](const sim::Phase &phase) {
+                return std::all_of(phase.kernels.begin(), phase.kernels.end(),
+                                   [](const sim::Kernel &kernel) { return kernel.part != nullptr; });
+            });
         } catch (const sim::Error &) {
             return false; // they do not fit
         }

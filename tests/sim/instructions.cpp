@@ -32,7 +32,8 @@ void count(const std::string &name, Prepare &&prepare, Do &&work)
 }
 
 /// The same for `work` on a copy of each of `states`.
-void countAs(const std::string &name, const std::vector<sim::State> &states, const Work &work)
+template <class Do>
+void countAs(const std::string &name, const std::vector<sim::State> &states, const Do &work)
 {
     std::vector<sim::State> copies;
     count(
@@ -78,9 +79,10 @@ void countPhases(const sim::Pipeline &pipeline, const Met &met)
         const sim::Phase &phase = pipeline.phases[i];
         const std::string whose = phase.effect ? "effect " + phase.effect->id() : "rest " + phase.id;
         const std::string number = std::to_string(i) + " " + whose;
-        countAs("phase " + number, met.phases[i], phase.run);
-        if (phase.prelude)
-            countAs("prelude " + number, met.phases[i], phase.prelude);
+        countAs("phase " + number, met.phases[i], [&](sim::State &state) { phase.run(state); });
+        if (phase.kernels.size() > 1)
+            countAs("prelude " + number, met.phases[i],
+                    phase.kernels.front().run); // one at most in these scenes
     }
 }
 

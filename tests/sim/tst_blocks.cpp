@@ -115,7 +115,7 @@ sim::Scene sceneCalled(const QString &name)
 sim::Pipeline inBlocks(const sim::Scene &scene, const std::string &method, sim::BlockSize size)
 {
     sim::Pipeline pipeline = sim::compose(scene, *sim::findMethod(method), sim::StepSize::of(0.5));
-    pipeline.blocks = sim::blocksOf(scene, pipeline.passes, size);
+    pipeline.blocks = sim::blocksOf(scene, pipeline.phases, size);
     return pipeline;
 }
 
@@ -172,43 +172,33 @@ private slots:
         }
     }
 
-    void takeEachPointOfEachPassOnce_data() { addRows(); }
-    void takeEachPointOfEachPassOnce()
+    void takeEachPointOnce_data() { addRows(); }
+    void takeEachPointOnce()
     {
         QFETCH(QString, scene);
         QFETCH(QString, method);
         QFETCH(int, points);
         const sim::Scene what = sceneCalled(scene);
         const sim::Pipeline pipeline = inBlocks(what, method.toStdString(), {points, 1});
-        const auto all = static_cast<std::size_t>(what.start.points());
-        std::vector<std::vector<int>> blockOf(pipeline.passes.size(), std::vector<int>(all, -1));
+        std::vector<int> blockOf(static_cast<std::size_t>(what.start.points()), -1);
         for (std::size_t block = 0; block < pipeline.blocks.size(); ++block) {
-            sim::Piece last{-1, {}};
-            for (const sim::Piece &piece : pipeline.blocks[block]) {
-                QVERIFY(piece.pass > last.pass ||
-                        (piece.pass == last.pass && piece.points.first > last.points.end()));
-                last = piece;
-                for (int i = piece.points.first; i < piece.points.end(); ++i) {
-                    int &owner = blockOf[static_cast<std::size_t>(piece.pass)][static_cast<std::size_t>(i)];
+            int end = -1;
+            for (const sim::Points &run : pipeline.blocks[block].runs) {
+                QVERIFY(run.first > end); // neighbours are one run
+                end = run.end();
+                for (int i = run.first; i < run.end(); ++i) {
+                    int &owner = blockOf[static_cast<std::size_t>(i)];
                     QCOMPARE(owner, -1);
                     owner = static_cast<int>(block);
                 }
             }
         }
-        for (std::size_t pass = 0; pass < pipeline.passes.size(); ++pass) {
-            for (std::size_t i = 0; i < all; ++i)
-                QCOMPARE(blockOf[pass][i] >= 0, pipeline.passes[pass].points.contains(static_cast<int>(i)));
-        }
+        QVERIFY(std::find(blockOf.begin(), blockOf.end(), -1) == blockOf.end());
         for (const auto &island : sim::islandsOf(what)) { // and no island is in two
-            int block = -1;
-            for (const auto &ofPass : blockOf) {
-                for (const sim::Points &run : island) {
-                    for (int i = run.first; i < run.end(); ++i) {
-                        const int here = ofPass[static_cast<std::size_t>(i)];
-                        block = block < 0 ? here : block;
-                        QVERIFY(here < 0 || here == block);
-                    }
-                }
+            const int block = blockOf[static_cast<std::size_t>(island.front().first)];
+            for (const sim::Points &run : island) {
+                for (int i = run.first; i < run.end(); ++i)
+                    QCOMPARE(blockOf[static_cast<std::size_t>(i)], block);
             }
         }
     }
@@ -245,9 +235,10 @@ private slots:
         const sim::Scene scene = triangles(30);
         sim::Pipeline pipeline = inBlocks(scene, method.toStdString(), {30, 1});
         for (int triangle = 29; triangle >= 0; --triangle) { // in any order
-            pipeline.blocks.emplace_back();
-            for (std::size_t pass = 0; pass < pipeline.passes.size(); ++pass)
-                pipeline.blocks.back().push_back({static_cast<int>(pass), {3 * triangle, 3}});
+            const std::vector<sim::Points> runs = {{3 * triangle, 3}};
+            pipeline.blocks.push_back({runs, {}});
+            for (const sim::StepKernel &one : pipeline.kernels)
+                pipeline.blocks.back().work.push_back(one.kernel.part(runs));
         }
         sim::State plain = scene.start;
         sim::findMethod(method.toStdString())->prepare(plain);

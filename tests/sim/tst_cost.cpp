@@ -87,17 +87,13 @@ public:
         };
         sim::Phase own, first, within;
         own.id = "own";
-        own.run = passing(5);
+        own.kernels = {{passing(5), {}}};
         first.id = "first";
         first.effect = scene.effects[0];
-        first.prelude = passing(20);
-        first.run = [prelude = passing(20), add = force(0)](sim::State &state) {
-            prelude(state);
-            add(state);
-        };
+        first.kernels = {{passing(20), {}}, {force(0), {}}};
         within.id = "within";
         within.within = {scene.effects[1]};
-        within.run = [&time = m_time, add = force(1), second = scene.effects[1]](sim::State &state) {
+        const auto computed = [&time = m_time, add = force(1), second = scene.effects[1]](sim::State &state) {
             time.pass(100);
             for (int i = 0; i < 3; ++i)
                 add(state);
@@ -105,6 +101,7 @@ public:
             dynamic_cast<const sim::Force &>(*second).addSlopes(state, {0, state.points()}, 1.0,
                                                                 sim::Directions::apart, slopes);
         };
+        within.kernels = {{computed, {}}};
         return {own, first, within};
     }
 

@@ -38,10 +38,11 @@ std::vector<EffectPtr> allEffects()
     };
 }
 
-/// An effect of a kind that no method knows.
+/// An effect that no method knows what to do with.
 class Foreign : public Effect
 {
 public:
+    Role role() const override { return {}; }
     std::string id() const override { return "foreign"; }
     std::string title() const override { return "foreign"; }
     Kind kind() const override { return Kind::wind; }
@@ -173,7 +174,7 @@ private slots:
         for (const MethodPtr &method : allMethods()) {
             for (const Phase &phase : compose(scene, *method, support::stepFor(*method, 1.0)).phases) {
                 QVERIFY(!phase.id.empty() && !phase.title.empty() && !phase.regions.empty());
-                QVERIFY(phase.points.count > 0 && phase.run && phase.explain);
+                QVERIFY(phase.points.count > 0 && !phase.kernels.empty() && phase.explain);
                 QCOMPARE(phase.effect == nullptr, phase.kind == Kind::motion);
             }
         }

@@ -73,79 +73,69 @@ sim::Pipeline composed(const sim::Scene &scene, const char *method, double h = 1
     return sim::compose(scene, *sim::findMethod(method), sim::StepSize::of(h));
 }
 
-std::string idsOf(const std::vector<sim::Phase> &phases)
+/// How many kernels the phases of a step have, and how many it has when they are fused.
+std::string countsOf(const sim::Scene &scene, const char *method)
 {
-    std::string ids;
-    for (const sim::Phase &phase : phases)
-        ids += (ids.empty() ? "" : " ") + phase.id;
-    return ids;
+    const sim::Pipeline pipeline = composed(scene, method);
+    std::size_t all = 0;
+    for (const sim::Phase &phase : pipeline.phases)
+        all += phase.kernels.size();
+    return std::to_string(all) + " to " + std::to_string(pipeline.kernels.size());
 }
 
 }
 
-/// Phases that run as one: the same as one after the other.
-class Joined : public QObject
+/// Gravity, kick, damping and move in one kernel: the same as one after the other.
+class FusedMotion : public QObject
 {
     Q_OBJECT
 
 private slots:
-    void neighboursThatAreRulesForOnePointBecomeOne_data()
+    void gravityKickDampingAndMoveBecomeOneKernel_data()
     {
         QTest::addColumn<QString>("method");
         QTest::addColumn<QString>("room");
         QTest::addColumn<QString>("air");
+        // with the one that clears the sums
         QTest::newRow("semi-implicit Euler") << "semi_implicit_euler"
-                                             << "radial_spring joined"
-                                             << "radial_spring joined";
-        QTest::newRow("published, group by group") << "published"
-                                                   << "radial_spring joined radial_spring joined"
-                                                   << "radial_spring joined radial_spring joined";
+                                             << "7 to 4"
+                                             << "5 to 3";
+        QTest::newRow("published: forces act at once") << "published"
+                                                       << "10 to 10"
+                                                       << "6 to 6";
         QTest::newRow("explicit Euler, which moves first") << "explicit_euler"
-                                                           << "radial_spring gravity move kick damping walls"
-                                                           << "radial_spring move kick damping";
-        QTest::newRow("position Verlet") << "position_verlet"
-                                         << "move damping radial_spring joined"
-                                         << "move damping radial_spring joined";
-        QTest::newRow("velocity Verlet") << "velocity_verlet"
-                                         << "radial_spring joined radial_spring gravity damping kick walls"
-                                         << "radial_spring joined radial_spring damping kick";
+                                                           << "7 to 7"
+                                                           << "5 to 5";
+        QTest::newRow("position Verlet, half a move last") << "position_verlet"
+                                                           << "9 to 6"
+                                                           << "7 to 5";
+        QTest::newRow("velocity Verlet, half a kick last") << "velocity_verlet"
+                                                           << "12 to 9"
+                                                           << "9 to 7";
     }
-    void neighboursThatAreRulesForOnePointBecomeOne()
+    void gravityKickDampingAndMoveBecomeOneKernel()
     {
         QFETCH(QString, method);
         QFETCH(QString, room);
         QFETCH(QString, air);
         const QByteArray id = method.toUtf8();
-        QCOMPARE(idsOf(composed(bench::crowd::inTheRoom(3), id).passes), room.toStdString());
-        QCOMPARE(idsOf(composed(inTheAir(3), id).passes), air.toStdString());
+        QCOMPARE(countsOf(bench::crowd::inTheRoom(3), id), room.toStdString());
+        QCOMPARE(countsOf(inTheAir(3), id), air.toStdString());
     }
 
-    void theStepItselfStaysAsItIs()
+    void whatIsNotTheSameForAllPointsStaysAlone()
     {
-        const sim::Pipeline pipeline = composed(bench::crowd::inTheRoom(3), "semi_implicit_euler");
-        QCOMPARE(idsOf(pipeline.phases), std::string("radial_spring gravity kick damping move walls"));
-    }
-
-    void whatIsNoRuleForAllPointsStaysAlone()
-    {
-        const auto passes = [](const sim::Scene &scene) {
-            return idsOf(composed(scene, "semi_implicit_euler").passes);
-        };
-        QCOMPARE(passes(allOnGround(3)), std::string("radial_spring joined"));
-        QCOMPARE(passes(onGround(3, 2)), std::string("radial_spring joined ground"));
-        // A constraint wants to know where points came from.
-        QCOMPARE(passes(rubbing(3)), std::string("radial_spring gravity kick damping move room came ground"));
         sim::Scene scene = bench::crowd::inTheRoom(3);
         scene.effects[2] = make_shared<sim::Damping>(0.9, sim::Points{0, 17});
-        QCOMPARE(passes(scene), std::string("radial_spring gravity kick damping joined"));
+        QCOMPARE(countsOf(scene, "semi_implicit_euler"), std::string("7 to 7"));
         scene = bench::crowd::inTheRoom(3);
         scene.groups[1].inertia = sim::Inertia::none; // bodies are handles
-        QCOMPARE(passes(scene), std::string("radial_spring gravity kick damping move walls"));
+        QCOMPARE(countsOf(scene, "semi_implicit_euler"), std::string("7 to 7"));
         scene = bench::crowd::inTheRoom(3);
-        scene.effects.push_back(make_shared<sim::Gravity>(-0.2)); // two that fall
-        QCOMPARE(passes(scene), std::string("radial_spring gravity joined"));
-        scene.effects.erase(scene.effects.begin()); // the first force begins the sums
-        QCOMPARE(passes(scene), std::string("gravity joined"));
+        scene.effects.push_back(make_shared<sim::Gravity>(-0.2)); // of two that fall the second
+        QCOMPARE(countsOf(scene, "semi_implicit_euler"), std::string("8 to 5"));
+        // A constraint wants to know where points came from.
+        QCOMPARE(countsOf(rubbing(3), "semi_implicit_euler"), std::string("10 to 10"));
     }
 
     void bringsTheSameBits_data()
@@ -181,13 +171,12 @@ private slots:
                 }
                 for (const sim::Phase &phase : pipeline.phases)
                     phase.run(plain);
-                for (const sim::Phase &pass : pipeline.passes)
-                    pass.run(state);
+                sim::runStep(pipeline, state);
                 QVERIFY2(sim::sameBits(state, plain), support::difference(state, plain).c_str());
             }
         }
     }
 };
 
-QTEST_GUILESS_MAIN(Joined)
-#include "tst_joined.moc"
+QTEST_GUILESS_MAIN(FusedMotion)
+#include "tst_fused_motion.moc"

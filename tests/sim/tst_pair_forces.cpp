@@ -1,0 +1,346 @@
+// Forces between two points: each pair is computed once, nothing is left out, the order of each point's pulls stays, and
+// the sums have the very bits of a loop that takes pair by pair.
+
+#include "support.h"
+
+#include "sim/effects/body_spring.h"
+#include "sim/effects/offset_spring.h"
+#include "sim/effects/radial_spring.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cstring>
+
+using namespace sim;
+using support::Dice;
+
+namespace {
+
+constexpr double k = 0.3, rest = 40.0;
+
+struct Layout
+{
+    const char *name;
+    int points;
+    std::vector<Link> links;
+};
+
+/// Creatures laid out foot by foot: all bodies, all first feet, and so on.
+std::vector<Link> crowd(int creatures, int feet)
+{
+    std::vector<Link> links;
+    for (int foot = 1; foot <= feet; ++foot) {
+        for (int creature = 0; creature < creatures; ++creature)
+            links.insert(links.end(),
+                         {{foot * creatures + creature, creature}, {creature, foot * creatures + creature}});
+    }
+    return links;
+}
+
+std::vector<Link> chain(int points)
+{
+    std::vector<Link> links;
+    for (int i = 1; i < points; ++i)
+        links.insert(links.end(), {{i - 1, i}, {i, i - 1}});
+    return links;
+}
+
+std::vector<Link> grid(int side)
+{
+    std::vector<Link> links;
+    for (int i = 0; i < side * side; ++i) {
+        if (i % side + 1 < side)
+            links.insert(links.end(), {{i, i + 1}, {i + 1, i}});
+        if (i + side < side * side)
+            links.insert(links.end(), {{i, i + side}, {i + side, i}});
+    }
+    return links;
+}
+
+/// Any two points; some links twice, some answered and some not.
+std::vector<Link> anyhow(int points, int count, std::uint64_t seed)
+{
+    Dice dice(seed);
+    std::vector<Link> links;
+    while (static_cast<int>(links.size()) < count) {
+        const int a = dice.whole(0, points - 1), b = dice.whole(0, points - 1);
+        if (a == b)
+            continue;
+        links.push_back({a, b});
+        if (dice.chance(0.7))
+            links.push_back({b, a});
+        if (dice.chance(0.1))
+            links.push_back({a, b});
+    }
+    return links;
+}
+
+std::vector<Layout> layouts()
+{
+    return {{"one creature", 6, support::legs(5)},
+            {"a creature of three hundred feet", 301, support::legs(300)},
+            {"one creature foot by foot", 6, crowd(1, 5)},
+            {"two creatures foot by foot", 12, crowd(2, 5)},
+            {"six hundred creatures foot by foot", 3600, crowd(600, 5)},
+            {"a chain", 50, chain(50)},
+            {"a grid", 400, grid(20)},
+            {"few links anyhow", 10, anyhow(10, 12, 1)},
+            {"many links anyhow", 40, anyhow(40, 500, 2)},
+            {"no links", 5, {}}};
+}
+
+/// Scattered; here and there a handle, another mass, or two points in one place.
+State stateOf(int points, std::uint64_t seed)
+{
+    Dice dice(seed);
+    State state = State::ofPoints(points);
+    state.acceleration.setZero(points, 2);
+    for (int i = 0; i < points; ++i) {
+        const int other = dice.whole(0, points - 1);
+        if (dice.chance(0.05))
+            state.place(i, state.at(other));
+        else if (dice.chance(0.05))
+            state.place(i, {0.0, dice.chance(0.5) ? -0.0 : 80.0});
+        else
+            state.place(i, {dice.real(-100, 500), dice.real(-100, 500)});
+        state.inverseMass[i] = dice.chance(0.1) ? 0.0 : dice.chance(0.3) ? dice.real(0.1, 3.0) : 1.0;
+        state.acceleration(i, 0) = dice.chance(0.2) ? -0.0 : dice.real(-1, 1);
+        state.acceleration(i, 1) = dice.real(-1, 1);
+    }
+    return state;
+}
+
+Vec2 radialPull(Vec2 mover, Vec2 anchor, Link link)
+{
+    const Vec2 from = {mover.x - anchor.x, mover.y - anchor.y};
+    const double length = std::sqrt(from.x * from.x + from.y * from.y);
+    if (length < 1e-150) {
+        const Vec2 out = partingDirection(link.anchor, link.mover);
+        return {k * rest * out.x, k * rest * out.y};
+    }
+    const double share = k * (rest / length - 1.0);
+    return {share * from.x, share * from.y};
+}
+
+Vec2 offsetPull(Vec2 mover, Vec2 anchor, Link)
+{
+    return {k * (anchor.x + rest - mover.x), k * (anchor.y - mover.y)};
+}
+
+Vec2 plainPull(Vec2 mover, Vec2 anchor, Link)
+{
+    return {k * (anchor.x - mover.x), k * (anchor.y - mover.y)};
+}
+
+using PullOf = Vec2 (*)(Vec2, Vec2, Link);
+
+/// The links in which the other one of a pair is not there any more: of links to and fro the first stands for both.
+/// Where the way back is not the opposite, each stays.
+struct TestPair
+{
+    Link link;
+    bool bothWays = false;
+};
+
+std::vector<TestPair> pairsOf(const std::vector<Link> &links, bool areMutual)
+{
+    std::vector<TestPair> pairs;
+    for (const Link &link : links) {
+        const auto back = std::find_if(pairs.begin(), pairs.end(), [&](const TestPair &one) {
+            return areMutual && !one.bothWays && one.link.mover == link.anchor &&
+                   one.link.anchor == link.mover;
+        });
+        if (back == pairs.end())
+            pairs.push_back({link});
+        else
+            back->bothWays = true;
+    }
+    return pairs;
+}
+
+Eigen::ArrayX2d pairByPair(const std::vector<TestPair> &pairs, const State &state, Points movers,
+                           double scale, PullOf pullOf)
+{
+    Eigen::ArrayX2d sum = state.acceleration;
+    const auto add = [&](int point, Vec2 pull) {
+        if (!movers.contains(point) || state.inverseMass[point] == 0.0)
+            return;
+        sum(point, 0) += scale * (state.inverseMass[point] * pull.x);
+        sum(point, 1) += scale * (state.inverseMass[point] * pull.y);
+    };
+    for (const auto &[link, bothWays] : pairs) {
+        const Vec2 pull = pullOf(state.at(link.mover), state.at(link.anchor), link);
+        add(link.mover, pull);
+        if (bothWays)
+            add(link.anchor, {-pull.x, -pull.y});
+    }
+    return sum;
+}
+
+bool sameBits(const Eigen::ArrayX2d &a, const Eigen::ArrayX2d &b)
+{
+    return std::memcmp(a.data(), b.data(), static_cast<std::size_t>(a.size()) * sizeof(double)) == 0;
+}
+
+std::vector<Points> someOf(int points)
+{
+    return {{0, points}, {0, points / 2}, {points / 3, points / 3}, {points - 1, 1}, {1, points - 1}, {2, 0}};
+}
+
+Links linksOf(const std::vector<Link> &links)
+{
+    return {sim::pairsOf(links), true, [](int, int) { return true; }};
+}
+
+/// What a point has pulls to, in order.
+std::vector<int> othersOf(const std::vector<Pair> &pairs, int point)
+{
+    std::vector<int> others;
+    for (const Pair &pair : pairs) {
+        if (pair.mover == point)
+            others.push_back(pair.anchor);
+        else if (pair.anchor == point && pair.bothWays)
+            others.push_back(pair.mover);
+    }
+    return others;
+}
+
+std::string shapesOf(const PairList &list)
+{
+    std::string shapes;
+    for (const PairBatch &batch : list.batches) {
+        const char *shape = batch.shape == PairBatch::Shape::row   ? "row "
+                            : batch.shape == PairBatch::Shape::fan ? "fan "
+                                                                   : "list ";
+        shapes += (shapes.empty() ? "" : ", ") + (shape + std::to_string(batch.count));
+    }
+    return shapes;
+}
+
+}
+
+class TestPairForces : public QObject
+{
+    Q_OBJECT
+
+    static void addLayoutRows()
+    {
+        QTest::addColumn<int>("index");
+        const std::vector<Layout> all = layouts();
+        for (std::size_t i = 0; i < all.size(); ++i)
+            QTest::newRow(all[i].name) << static_cast<int>(i);
+    }
+
+    static Layout layout(int index) { return layouts()[static_cast<std::size_t>(index)]; }
+
+private slots:
+    void sumsHaveTheBitsOfALoopOverPairs_data() { addLayoutRows(); }
+    void sumsHaveTheBitsOfALoopOverPairs()
+    {
+        QFETCH(int, index);
+        const Layout given = layout(index);
+        const RadialSpring radial(given.links, k, rest);
+        const OffsetSpring offset(given.links, k, rest);
+        const BodySpring plain(given.links, k);
+        struct Row
+        {
+            const Force *force;
+            PullOf pullOf;
+            std::vector<TestPair> pairs;
+        };
+        const std::vector<Row> rows = {{&radial, radialPull, pairsOf(given.links, true)},
+                                       {&offset, offsetPull, pairsOf(given.links, false)},
+                                       {&plain, plainPull, pairsOf(given.links, true)}};
+        for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+            State state = stateOf(given.points, seed);
+            if (seed % 2 == 0)
+                state.inverseMass.setOnes(); // all loops have a form for this
+            for (const Points movers : someOf(given.points)) {
+                for (const double scale : {1.0, 0.7}) {
+                    for (const Row &row : rows) {
+                        Eigen::ArrayX2d sum = state.acceleration;
+                        row.force->add(state, movers, scale, Directions::apart, sum);
+                        QVERIFY2(sameBits(sum, pairByPair(row.pairs, state, movers, scale, row.pullOf)),
+                                 row.force->id().c_str());
+                    }
+                }
+            }
+        }
+    }
+
+    void islandsByThemselvesHaveTheSameBits()
+    {
+        const int creatures = 40;
+        const std::vector<Link> links = crowd(creatures, 5);
+        const RadialSpring radial(links, k, rest);
+        const State state = stateOf(6 * creatures, 3);
+        Eigen::ArrayX2d whole = state.acceleration, parts = state.acceleration;
+        radial.part({{0, 6 * creatures}})(state, whole);
+        for (int first = 0; first < creatures; first += 8) {
+            std::vector<Points> runs;
+            for (int foot = 0; foot < 6; ++foot)
+                runs.push_back({foot * creatures + first, 8});
+            radial.part(runs)(state, parts);
+        }
+        QVERIFY(sameBits(whole, parts));
+    }
+
+    void theTwoEndsFeelExactOpposites()
+    {
+        Dice dice(7);
+        for (int run = 0; run < 2000; ++run) {
+            State state = State::ofPoints(2);
+            const double size = std::pow(10.0, dice.real(-160.0, 150.0));
+            state.place(0, {size * dice.real(-1, 1), size * dice.real(-1, 1)});
+            state.place(1, dice.chance(0.1) ? state.at(0)
+                                            : Vec2{size * dice.real(-1, 1), size * dice.real(-1, 1)});
+            const RadialSpring spring({{0, 1}, {1, 0}}, dice.real(0.0, 10.0), dice.real(0.0, 90.0));
+            Eigen::ArrayX2d pull = Eigen::ArrayX2d::Zero(2, 2);
+            spring.add(state, {0, 2}, 1.0, Directions::apart, pull);
+            QVERIFY(pull.isFinite().all());
+            QVERIFY((pull.row(0) == -pull.row(1)).all()); // or a pair makes momentum
+        }
+    }
+
+    void everyPairIsTakenOnceAndInItsPointsOrder_data() { addLayoutRows(); }
+    void everyPairIsTakenOnceAndInItsPointsOrder()
+    {
+        QFETCH(int, index);
+        const Layout given = layout(index);
+        const Links links = linksOf(given.links);
+        const PairList list = links.batches({{0, given.points}}, true);
+        QCOMPARE(list.pairs.size(), links.pairs().size());
+        int covered = 0;
+        for (const PairBatch &batch : list.batches) {
+            QCOMPARE(batch.first, covered);
+            covered += batch.count;
+        }
+        QCOMPARE(covered, static_cast<int>(list.pairs.size()));
+        for (int point = 0; point < given.points; ++point)
+            QCOMPARE(othersOf(list.pairs, point), othersOf(links.pairs(), point));
+    }
+
+    void regularPairsRunInBatches_data()
+    {
+        QTest::addColumn<int>("index");
+        QTest::addColumn<QString>("shapes");
+        QTest::newRow("one creature") << 0 << "fan 5";
+        QTest::newRow("a creature of three hundred feet") << 1 << "fan 300";
+        QTest::newRow("one creature foot by foot") << 2 << "fan 5";
+        QTest::newRow("two creatures foot by foot") << 3 << "list 10"; // too few for a row
+        QTest::newRow("six hundred creatures foot by foot")
+            << 4 << "row 600, row 600, row 600, row 600, row 600";
+        QTest::newRow("a chain") << 5 << "row 49";
+    }
+    void regularPairsRunInBatches()
+    {
+        QFETCH(int, index);
+        QFETCH(QString, shapes);
+        const Links links = linksOf(layout(index).links);
+        QCOMPARE(shapesOf(links.batches({{0, layout(index).points}}, true)), shapes.toStdString());
+    }
+};
+
+QTEST_APPLESS_MAIN(TestPairForces)
+#include "tst_pair_forces.moc"
