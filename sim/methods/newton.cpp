@@ -1,7 +1,7 @@
 #include "sim/methods/newton.h"
 
-#include "sim/methods/calm_slopes.h"
 #include "sim/methods/linear_solve.h"
+#include "sim/methods/semidefinite.h"
 
 #include <algorithm>
 #include <cmath>
@@ -132,7 +132,7 @@ std::vector<Slopes::Entry> ImplicitStep::changes(const Wanted &wanted, Kept kept
     Slopes slopes(m_state.points());
     m_equations.flow().slopes(m_state, slopes);
     const std::vector<Slopes::Entry> calm =
-        kept == Kept::calm ? calmed(slopes, m_state.points()) : std::vector<Slopes::Entry>();
+        kept == Kept::calm ? negativeParts(slopes, m_state.points()) : std::vector<Slopes::Entry>();
     const std::vector<Slopes::Entry> &given = kept == Kept::calm ? calm : slopes.entries();
     std::vector<Slopes::Entry> entries;
     entries.reserve(given.size());
@@ -176,8 +176,8 @@ Numbers ImplicitStep::correction(const Wanted &wanted, const Numbers &u)
     return stepFor(wrong, wanted.share, changes(wanted, Kept::all));
 }
 
-/// Where Newton's method has found nothing, or jumps about: the same without the slopes that push (see calmed()), so
-/// that no step leads away. It takes more steps, as what turns then comes round a part of the way at a time. Returns
+/// Where Newton's method has found nothing, or jumps about: the same without the slopes that push (see
+/// negativeParts()), so that no step leads away. It takes more steps, as what turns then comes round a part of the way at a time. Returns
 /// what misses least of all this and `plain`; see lost() where every way from the start leads out of the finite numbers.
 Numbers ImplicitStep::calmly(const Wanted &wanted, const Numbers &start, const Numbers &plain)
 {

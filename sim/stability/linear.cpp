@@ -1,8 +1,8 @@
 #include "sim/stability/linear.h"
 
 #include "sim/effects/damping.h"
-#include "sim/effects/slope.h"
 #include "sim/flow.h"
+#include "sim/methods/semidefinite.h"
 
 #include <algorithm>
 #include <cmath>
@@ -84,43 +84,10 @@ private:
     std::vector<Acting> m_acting;
 };
 
-/// What of a slope pulls together: its negative part, in its own two directions. A slope that turns (is not symmetric)
-/// has no such directions, and stays as it is.
-Slope pullingTogether(Slope a)
+/// The entries of `slopes` that pull; those that are 0 are left out.
+Entries pulling(const Slopes &slopes, int points)
 {
-    if (std::abs(a.xy - a.yx) > 1e-12 * (std::abs(a.xy) + std::abs(a.yx)))
-        return a;
-    const double mean = 0.5 * (a.xx + a.yy), half = 0.5 * (a.xx - a.yy);
-    const double radius = std::hypot(half, a.xy);
-    const double high = mean + radius, low = mean - radius;
-    if (high <= 0.0)
-        return a;
-    if (low >= 0.0)
-        return {};
-    // low times the projection on its direction
-    const double share = 0.5 * low / radius;
-    return {share * (radius - half), -share * a.xy, -share * a.xy, share * (radius + half)};
-}
-
-/// Slopes::add() writes four entries for two points; each four are a spring's own or its part for the other end, with
-/// the opposite sign. An angle has one entry and stays as it is.
-Entries together(const Slopes &slopes, int points)
-{
-    Entries all = slopes.entries();
-    for (std::size_t i = 0; i + 3 < all.size();) {
-        if (all[i].row >= 2 * points) {
-            ++i;
-            continue;
-        }
-        const double sign = all[i].row == all[i].column ? 1.0 : -1.0;
-        const Slope kept = sign * pullingTogether(sign * Slope{all[i].value, all[i + 1].value,
-                                                               all[i + 2].value, all[i + 3].value});
-        all[i].value = kept.xx;
-        all[i + 1].value = kept.xy;
-        all[i + 2].value = kept.yx;
-        all[i + 3].value = kept.yy;
-        i += 4;
-    }
+    Entries all = negativeParts(slopes, points);
     std::erase_if(all, [](const Slopes::Entry &one) { return one.value == 0.0; });
     return all;
 }
@@ -266,7 +233,7 @@ Linear linearise(const Scene &scene, const State &state, const Method &method)
                     slopes = differences(*force, state, share, way);
                 else if (!known)
                     linear.leftOut.push_back(effect);
-                acting.push_back({share, together(slopes, points)});
+                acting.push_back({share, pulling(slopes, points)});
             }
             addForce(linear, effect, std::move(acting));
         } else if (drag && hasRates(*drag, points)) {

@@ -4,13 +4,12 @@
 
 #include "sim/direction.h"
 #include "sim/effects/area_stick.h"
-#include "sim/effects/slope.h"
 #include "sim/effects/tree_wind.h"
 #include "sim/error.h"
 #include "sim/hard/scenes.h"
-#include "sim/methods/calm_slopes.h"
 #include "sim/methods/methods.h"
 #include "sim/methods/newton.h"
+#include "sim/methods/semidefinite.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -99,6 +98,9 @@ private slots:
     void moreOfNewtonsMethodIsNoHelp();
     void slopesThatPushAreLeftOut();
     void slopesThatPullStayAsTheyAre();
+    void slopesThatTurnLoseOnlyTheirPush_data();
+    void slopesThatTurnLoseOnlyTheirPush();
+    void anySlopeLosesItsPushAndNothingElse();
     void aSolutionThatIsNotFoundIsNotLookedForForEver();
     void whereEveryWayLeadsOutOfTheNumbersStandingStillIsNoAnswer_data();
     void whereEveryWayLeadsOutOfTheNumbersStandingStillIsNoAnswer();
@@ -244,7 +246,7 @@ void TestSafeguards::slopesThatPushAreLeftOut()
     // Across a spring of half its length the slope is k (50 / 25 - 1), for each end; so 1 - 2 in the matrix.
     const Slopes slopes = pressedTogether();
     QVERIFY(std::abs(leastOf(slopes.entries()) - (1.0 - 2.0)) < 1e-12);
-    QVERIFY(std::abs(leastOf(calmed(slopes, 2)) - 1.0) < 1e-12);
+    QVERIFY(std::abs(leastOf(negativeParts(slopes, 2)) - 1.0) < 1e-12);
 }
 
 void TestSafeguards::slopesThatPullStayAsTheyAre()
@@ -252,10 +254,55 @@ void TestSafeguards::slopesThatPullStayAsTheyAre()
     Slopes slopes(2);
     addSlopeBetween(slopes, 0, 1, slopeToDistance({60.0, 80.0}, 1.0, 50.0));
     slopes.addTurn(0, 1, 3.0);
-    const std::vector<Slopes::Entry> calm = calmed(slopes, 2);
+    const std::vector<Slopes::Entry> calm = negativeParts(slopes, 2);
     QCOMPARE(calm.size(), slopes.entries().size());
     for (std::size_t i = 0; i < calm.size(); ++i)
         QCOMPARE(calm[i].value, slopes.entries()[i].value);
+}
+
+void TestSafeguards::slopesThatTurnLoseOnlyTheirPush_data()
+{
+    QTest::addColumn<Slope>("slope");
+    QTest::addColumn<Slope>("kept");
+    QTest::newRow("it only turns") << Slope{0, 3, -3, 0} << Slope{0, 3, -3, 0};
+    QTest::newRow("it pulls and turns") << Slope{-2, 3, -3, -1} << Slope{-2, 3, -3, -1};
+    QTest::newRow("it pushes along y and turns") << Slope{-2, 3, -3, 1} << Slope{-2, 3, -3, 0};
+    QTest::newRow("it pushes along x and turns") << Slope{4, 3, -3, -1} << Slope{0, 3, -3, -1};
+    QTest::newRow("it pushes everywhere and turns") << Slope{1, 3, -3, 2} << Slope{0, 3, -3, 0};
+    // The symmetric part is (-1, 2; 2, -1): 1 along (1, 1), and -3 across.
+    QTest::newRow("it pushes along a diagonal and turns")
+        << Slope{-1, 2.5, 1.5, -1} << Slope{-1.5, 2, 1, -1.5};
+}
+
+void TestSafeguards::slopesThatTurnLoseOnlyTheirPush()
+{
+    QFETCH(Slope, slope);
+    QFETCH(Slope, kept);
+    const Slope found = negativePart(slope);
+    QVERIFY(std::abs(found.xx - kept.xx) < 1e-15);
+    QVERIFY(std::abs(found.xy - kept.xy) < 1e-15);
+    QVERIFY(std::abs(found.yx - kept.yx) < 1e-15);
+    QVERIFY(std::abs(found.yy - kept.yy) < 1e-15);
+}
+
+/// Against Eigen's eigenvalues.
+void TestSafeguards::anySlopeLosesItsPushAndNothingElse()
+{
+    support::Dice dice(17);
+    for (int i = 0; i < 1000; ++i) {
+        const double turn = dice.chance(0.3) ? 0.0 : dice.real(-2, 2), side = dice.real(-1, 1);
+        const Slope slope = {dice.real(-1, 1), side + turn, side - turn, dice.real(-1, 1)};
+        const Slope found = negativePart(slope);
+        Eigen::Matrix2d symmetric;
+        symmetric << slope.xx, side, side, slope.yy;
+        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(symmetric);
+        const Eigen::Matrix2d kept = eigen.eigenvectors() * eigen.eigenvalues().cwiseMin(0.0).asDiagonal() *
+                                     eigen.eigenvectors().transpose();
+        QVERIFY(std::abs(found.xx - kept(0, 0)) < 1e-14);
+        QVERIFY(std::abs(found.yy - kept(1, 1)) < 1e-14);
+        QVERIFY(std::abs(found.xy - (kept(0, 1) + turn)) < 1e-14);
+        QVERIFY(std::abs(found.yx - (kept(1, 0) - turn)) < 1e-14);
+    }
 }
 
 void TestSafeguards::aSolutionThatIsNotFoundIsNotLookedForForEver()
