@@ -32,9 +32,8 @@ bool holds(const Flow &flow, int point)
 
 bool isDriven(const Flow &flow)
 {
-    return std::any_of(flow.effects().begin(), flow.effects().end(), [](const EffectPtr &effect) {
-        return as<Driver>(effect) != nullptr;
-    });
+    return std::any_of(flow.effects().begin(), flow.effects().end(),
+                       [](const EffectPtr &effect) { return as<Driver>(effect) != nullptr; });
 }
 
 bool runsClock(const Flow &flow)
@@ -218,18 +217,18 @@ void Integrals::step(const State &before, const State &after, double h, Balance 
         end.slope = accelerations(at(begun, m_all, time, end.place), end.speed);
         return end;
     };
-    PathEnd start = endAt(before, 0.0);
+    const PathEnd start = endAt(before, 0.0);
     Eigen::ArrayXd place(m_flow.size()), speed(m_flow.size());
     m_flow.read(before, place.data(), speed.data());
     into.energy[Account::damping] += kinetic(m_all, start.speed) - kinetic(m_all, speed);
     into.momentum[Account::damping] =
         into.momentum[Account::damping] + pushOf(m_all, start.speed) - pushOf(m_all, speed);
-    HermitePath path(std::move(start), endAt(after, h), h);
+    HermitePath path(start, endAt(after, h), h);
     const auto way = [&path](double time, Eigen::ArrayXd &x, Eigen::ArrayXd &v) { path.at(time, x, v); };
     const Sums sums = along(begun, m_all, 0.0, h, way);
     book(sums, into);
     path.at(0.5 * h, place, speed);
-    path.bend(accelerations(at(begun, m_all, 0.5 * h, place), speed) - path.middleSlope());
+    path.bend(accelerations(at(begun, m_all, 0.5 * h, place), speed));
     const Sums bent = along(begun, m_all, 0.0, h, way);
     for (const AccountName &name : accountNames())
         into.doubt += std::abs(sums.energy[name.account] - bent.energy[name.account]);

@@ -14,23 +14,18 @@ struct PathEnd
     Eigen::ArrayXd slope;
 };
 
-/// The polynomial of degree 5 that has places, velocities and accelerations of both ends of a step of `h` frames. It
-/// is off a smooth motion by h^6.
-/// Source: Hairer, Norsett and Wanner, "Solving ordinary differential equations I", section II.6 (Hermite).
+/// A motion through the places, velocities and accelerations of both ends of a step of `h` frames; see Quintic.
 class HermitePath
 {
 public:
-    HermitePath(PathEnd start, PathEnd end, double h);
+    HermitePath(const PathEnd &start, const PathEnd &end, double h);
 
     void at(double time, Eigen::ArrayXd &place, Eigen::ArrayXd &speed) const;
-    /// The acceleration in the middle.
-    Eigen::ArrayXd middleSlope() const;
-    /// Adds a bump that is nothing at both ends, in places, velocities and accelerations, and in the middle changes the
-    /// acceleration by `slope`.
+    /// Gives the motion the acceleration `slope` in the middle of the step. Both ends stay as they are.
     void bend(const Eigen::ArrayXd &slope);
 
 private:
-    std::array<Eigen::ArrayXd, 7> m_powers; ///< of the share of the step
+    Eigen::ArrayXXd m_columns; ///< the coefficients of each number of the motion, see Newton::at()
     double m_h;
 };
 

@@ -3,7 +3,8 @@
 namespace sim {
 
 /// The polynomial of degree 5 in s that has given places, velocities and accelerations at s = 0 and s = 1, in Newton's
-/// form: its nodes are 0, 0, 0, 1, 1, 1, and `c` its divided differences.
+/// form: its nodes are 0, 0, 0, 1, 1, 1, and `c` its divided differences. With s = t / h and derivatives by s it is off
+/// a smooth motion by h^6.
 /// Source: Stoer and Bulirsch, "Introduction to numerical analysis", section 2.1.5.
 struct Quintic
 {
@@ -38,6 +39,14 @@ struct Newton
             sum.value = sum.value * nodes[j] + coefficients[j * apart];
         }
         return sum;
+    }
+
+    /// Returns the seventh coefficient with which the second derivative at s = 1/2 is `wanted`, given the first six: a
+    /// polynomial of degree 6. s^3 (s - 1)^3 is 0 at both ends up to its second derivative, and bends by 3/8 in the middle.
+    static double seventh(const double *c, int apart, double wanted)
+    {
+        const double bends = 2 * c[2 * apart] + 3 * c[3 * apart] - c[5 * apart] / 2;
+        return (wanted - bends) * (8.0 / 3.0);
     }
 };
 

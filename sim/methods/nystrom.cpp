@@ -147,15 +147,12 @@ void RungeKuttaNystrom::makeDense(const Attempt &step) const
             step.columns[j * n + i] = q.c[j];
         middle[i] = q.c[0] + q.c[1] / 2 + q.c[2] / 4 + q.c[3] / 8 - q.c[4] / 16 + q.c[5] / 32;
     }
-    // With the acceleration in the middle the polynomial has one degree more: s^3 (s - 1)^3 bends there by 3/8.
+    // With the acceleration in the middle the polynomial has one degree more.
     double *bend = step.scratch + (2 + w.stages) * n;
     step.pulls.at(middle, step.start + w.middle, bend);
     const double there = square * growth(0.5 * w.whole, w.rate);
-    for (int i = 0; i < n; ++i) {
-        const double *c = step.columns + i;
-        const double bends = 2 * c[2 * n] + 3 * c[3 * n] - c[5 * n] / 2;
-        step.columns[6 * n + i] = (there * bend[i] - bends) * (8.0 / 3.0);
-    }
+    for (int i = 0; i < n; ++i)
+        step.columns[6 * n + i] = Newton::seventh(step.columns + i, n, there * bend[i]);
 }
 
 Instant RungeKuttaNystrom::instant(double rate, double h, double theta) const
