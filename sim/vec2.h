@@ -17,6 +17,12 @@ struct Vec2
     friend constexpr Vec2 operator/(Vec2 a, double s) { return {a.x / s, a.y / s}; }
 };
 
+/// Returns the scalar product: |a| |b| times the cosine of the angle between them.
+constexpr double dot(Vec2 a, Vec2 b)
+{
+    return a.x * b.x + a.y * b.y;
+}
+
 /// Infinite where a coordinate is beyond 1e154, as its square is: such a place has left every bound. std::hypot would go
 /// farther, and takes twice as long in what every spring computes.
 inline double length(Vec2 a)

@@ -92,7 +92,7 @@ Condition arrived()
 double backingUp(const Timeline &run)
 {
     const sim::Vec2 v = run.now().speed(lead), way = toTarget(run);
-    return -(v.x * way.x + v.y * way.y) / std::max(1.0, sim::length(way));
+    return -dot(v, way) / std::max(1.0, sim::length(way));
 }
 
 Condition backsUp()

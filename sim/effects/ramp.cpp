@@ -15,7 +15,7 @@ Incline inclineOf(Vec2 through, double angle, double bounce)
 
 std::vector<Region> Ramp::regions(Directions) const
 {
-    return {{"sim/effects/ramp.h", "ramp"}};
+    return {{"sim/effects/ramp.h", "ramp"}, {"sim/effects/reflection.h", "reflection"}};
 }
 
 int Ramp::count(const State &state, Points points) const
@@ -25,8 +25,7 @@ int Ramp::count(const State &state, Points points) const
 
 std::vector<Surface> Ramp::surfaces(int point) const
 {
-    const double along = m_edge.through.x * m_edge.normal.x + m_edge.through.y * m_edge.normal.y;
-    return {{m_edge.normal, along + m_half[point], m_edge.bounce, Grip::none}};
+    return {{m_edge.normal, dot(m_edge.through, m_edge.normal) + m_half[point], m_edge.bounce, Grip::none}};
 }
 
 void Ramp::resolve(State &state, Points points) const

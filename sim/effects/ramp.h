@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/effects/reflection.h"
 #include "sim/effects/walls.h"
 
 namespace sim {
@@ -18,7 +19,6 @@ Incline inclineOf(Vec2 through, double angle, double bounce);
 
 /// Puts a body that is past the edge back to where it touches it, and turns the part of its velocity round that goes into
 /// it. `half` is half the body's width.
-/// Source: reflection at a plane; Moore and Wilhelms, "Collision detection and response for computer animation", 1988.
 // Shown lines are short.
 // clang-format off
 inline
@@ -29,13 +29,11 @@ Motion ramp(
 {
     Vec2 n = edge.normal;
     Vec2 from = x - edge.through;
-    double gap = from.x * n.x
-        + from.y * n.y - half;
-    double into = v.x * n.x + v.y * n.y;
+    double gap = dot(from, n) - half;
     if (gap < 0)
         x = x - gap * n;
-    if (gap < 0 && into < 0)
-        v = v - (1 + edge.bounce) * into * n;
+    if (gap < 0 && dot(v, n) < 0)
+        v = reflected(v, n, edge.bounce);
     return {x, v};
 }
 //! [ramp]

@@ -62,7 +62,7 @@ WindTorque::Change WindTorque::changeOf(const State &state, int branch) const
     const double nearer = distance > 100.0 ? strength / far : 0.0;
     const double farther = times * gustSlope(distance, state.gale, m_gusts) / far - nearer;
     // across the wind the push turns with it: along x (out by a px across) is along . out
-    const double facing = along.x * out.x + along.y * out.y;
+    const double facing = dot(along, out);
     const double turns = strength * facing / std::max(distance, 1e-150);
     const Vec2 across = {-out.y, out.x};
     return {(farther * push.turn) * out + turns * across, -strength * facing / degreesPerRadian};

@@ -84,7 +84,7 @@ double Meter::moving(const State &state) const
 double Meter::moving(const State &state, int point) const
 {
     const Vec2 v = m_turns ? Vec2{state.spin[point], 0.0} : state.speed(point);
-    return 0.5 * m_mass[point] * (v.x * v.x + v.y * v.y);
+    return 0.5 * m_mass[point] * dot(v, v);
 }
 
 Vec2 Meter::momentum(const State &state) const

@@ -1,5 +1,7 @@
 #include "sim/methods/touching.h"
 
+#include "sim/effects/reflection.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -33,10 +35,9 @@ double restingSpeed(double pull, double tolerance)
 
 Vec2 bounced(const Surface &surface, Vec2 v)
 {
-    const double into = away(surface, v);
     if (surface.grip == Grip::full)
-        v = into * surface.normal;
-    return v - ((1.0 + surface.bounce) * into) * surface.normal;
+        v = away(surface, v) * surface.normal;
+    return reflected(v, surface.normal, surface.bounce);
 }
 
 Vec2 held(const Surface &surface, Vec2 a)

@@ -35,13 +35,13 @@ private:
 /// How far `x` is from a surface: px, negative past it.
 inline double gap(const Surface &surface, Vec2 x)
 {
-    return surface.normal.x * x.x + surface.normal.y * x.y - surface.offset;
+    return dot(surface.normal, x) - surface.offset;
 }
 
 /// The part of `v` along a surface's normal: positive away from it.
 inline double away(const Surface &surface, Vec2 v)
 {
-    return surface.normal.x * v.x + surface.normal.y * v.y;
+    return dot(surface.normal, v);
 }
 
 /// The velocity of a point that touches a surface with velocity `v`.
