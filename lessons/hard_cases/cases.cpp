@@ -136,10 +136,10 @@ Look caseLook(const sim::Scene &scene, const sim::Values &)
             look.room = walls->room();
         if (const auto *ground = dynamic_cast<const sim::Ground *>(effect.get()))
             look.ground = ground->soil().ground;
-        if (const auto *sticks = dynamic_cast<const sim::Sticks *>(effect.get())) {
-            for (const sim::Stick &stick : sticks->list())
-                look.sticks.push_back({stick.a, stick.b, stick.length});
-        }
+    }
+    for (const sim::Sticks *sticks : sim::sticksAmong(scene.effects)) {
+        for (const sim::Stick &stick : sticks->list())
+            look.sticks.push_back({stick.a, stick.b, stick.length});
     }
     if (scene.names.front() == "lead" && look.sticks.empty())
         look.legs = {{0, 1}}; // a soft stick

@@ -57,23 +57,16 @@ void addSticks(sim::Scene &scene, const sim::Values &values, const std::vector<s
 std::vector<sim::Stick> sticksOf(const sim::Scene &scene)
 {
     std::vector<sim::Stick> all;
-    for (const sim::EffectPtr &effect : scene.effects) {
-        if (const auto *sticks = dynamic_cast<const sim::Sticks *>(effect.get()))
-            all.insert(all.end(), sticks->list().begin(), sticks->list().end());
-    }
+    for (const sim::Sticks *sticks : sim::sticksAmong(scene.effects))
+        all.insert(all.end(), sticks->list().begin(), sticks->list().end());
     return all;
-}
-
-double errorOf(const sim::Stick &stick, const sim::State &state)
-{
-    return sim::length(state.at(stick.a) - state.at(stick.b)) - stick.length;
 }
 
 double largestError(const sim::Scene &scene, const sim::State &state)
 {
     double largest = 0.0;
     for (const sim::Stick &stick : sticksOf(scene))
-        largest = std::max(largest, std::abs(errorOf(stick, state)));
+        largest = std::max(largest, std::abs(stickError(stick, state)));
     return largest;
 }
 
@@ -82,7 +75,7 @@ double largestStretch(const sim::Scene &scene, const sim::State &state)
     double largest = 0.0;
     for (const sim::Stick &stick : sticksOf(scene)) {
         if (stick.length > 0.0)
-            largest = std::max(largest, 100.0 * std::abs(errorOf(stick, state)) / stick.length);
+            largest = std::max(largest, 100.0 * std::abs(stickError(stick, state)) / stick.length);
     }
     return largest;
 }

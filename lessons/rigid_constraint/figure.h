@@ -25,8 +25,6 @@ void addSticks(sim::Scene &scene, const sim::Values &values, const std::vector<s
 
 /// The sticks that act in `scene`; none if there are none.
 std::vector<sim::Stick> sticksOf(const sim::Scene &scene);
-/// How far a stick's length is from what it should be, in px; too long when above 0.
-double errorOf(const sim::Stick &stick, const sim::State &state);
 /// The largest error, in px without its sign, and in % of the stick's length (where that is not 0).
 double largestError(const sim::Scene &scene, const sim::State &state);
 double largestStretch(const sim::Scene &scene, const sim::State &state);

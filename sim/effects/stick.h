@@ -5,6 +5,13 @@
 
 namespace sim {
 
+/// Returns by how many px a stick from `a` to `b` is longer than the `length` that it should have; negative where it is
+/// shorter.
+inline double stickError(Vec2 a, Vec2 b, double length)
+{
+    return sim::length(a - b) - length;
+}
+
 /// The two ends of a stick after it was enforced once, and what that was found from.
 struct StickEnds
 {

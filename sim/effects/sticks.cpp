@@ -121,4 +121,14 @@ void Sticks::rests(const State &state, std::vector<RestEnd> &into) const
     }
 }
 
+std::vector<const Sticks *> sticksAmong(const std::vector<EffectPtr> &effects)
+{
+    std::vector<const Sticks *> found;
+    for (const EffectPtr &effect : effects) {
+        if (const auto *sticks = dynamic_cast<const Sticks *>(effect.get()))
+            found.push_back(sticks);
+    }
+    return found;
+}
+
 }

@@ -40,4 +40,13 @@ private:
     int m_iterations;
 };
 
+/// Returns those of `effects` that are sticks, in their order.
+std::vector<const Sticks *> sticksAmong(const std::vector<EffectPtr> &effects);
+
+/// Returns by how many px `stick` is too long in `state`.
+inline double stickError(const Stick &stick, const State &state)
+{
+    return stickError(state.at(stick.a), state.at(stick.b), stick.length);
+}
+
 }

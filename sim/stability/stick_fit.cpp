@@ -18,10 +18,8 @@ double workOf(const Script &script, std::int64_t frame)
 {
     const Scene scene = sceneOf(script, script.values);
     double perStep = scene.start.points();
-    for (const EffectPtr &effect : scene.effects) {
-        if (const auto *sticks = dynamic_cast<const Sticks *>(effect.get()))
-            perStep += static_cast<double>(sticks->list().size()) * sticks->iterations();
-    }
+    for (const Sticks *sticks : sticksAmong(scene.effects))
+        perStep += static_cast<double>(sticks->list().size()) * sticks->iterations();
     return perStep * static_cast<double>(frame) / script.step.h;
 }
 
@@ -89,14 +87,11 @@ void addBest(const std::vector<Remedy> &candidates, const Script &script, std::i
 StickFit worstStick(const Scene &scene, const State &state)
 {
     StickFit worst;
-    for (const EffectPtr &effect : scene.effects) {
-        const auto *sticks = dynamic_cast<const Sticks *>(effect.get());
-        if (!sticks)
-            continue;
+    for (const Sticks *sticks : sticksAmong(scene.effects)) {
         for (const Stick &one : sticks->list()) {
             if (!state.feels(one.a) && !state.feels(one.b))
                 continue;
-            const double error = length(state.at(one.a) - state.at(one.b)) - one.length;
+            const double error = stickError(one, state);
             // What is no number is worse than any.
             if (worst.a < 0 || !(std::abs(error) <= std::abs(worst.error)))
                 worst = {error, one.length, one.a, one.b};

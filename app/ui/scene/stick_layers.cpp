@@ -4,6 +4,8 @@
 #include "app/ui/scene/material.h"
 #include "app/ui/scene/sticks.h"
 
+#include "sim/effects/stick.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -11,8 +13,8 @@ namespace app {
 
 namespace {
 
-constexpr double calm = 0.01;      ///< the error up to which a stick is as it should be
-constexpr double worst = 0.20;     ///< the error from which on it looks its worst
+constexpr double calm = 0.01;      ///< the strain up to which a stick is as it should be
+constexpr double worst = 0.20;     ///< the strain from which on it looks its worst
 constexpr double thinnest = 0.5;   ///< of a stick's width, at +worst
 constexpr double thickest = 1.7;   ///< of a stick's width, at −worst
 constexpr double finest = 1.2;     ///< px of the screen
@@ -22,9 +24,9 @@ constexpr double sheenWidth = 0.2; ///< of what it lies on
 constexpr double sheenUp = 0.24;   ///< of its width, from the middle
 
 /// 0 up to `calm`, 1 from `worst` on.
-double badness(double error)
+double badness(double strain)
 {
-    return std::clamp((std::abs(error) - calm) / (worst - calm), 0.0, 1.0);
+    return std::clamp((std::abs(strain) - calm) / (worst - calm), 0.0, 1.0);
 }
 
 /// The radius on the screen of the disc at an end of a stick.
@@ -65,9 +67,9 @@ void drawStick(const Canvas &canvas, const lessons::StickLook &stick)
     const QLineF visible = canvas.cut(line.p1(), line.p2());
     if (visible.isNull())
         return;
-    const double error = stickError(stick, state);
-    const double width = std::max(finest, stick.width * stickSwelling(error) * canvas.camera.zoom);
-    const QColor color = stickColor(canvas.tokens(), error);
+    const double strain = stickStrain(stick, state);
+    const double width = std::max(finest, stick.width * stickSwelling(strain) * canvas.camera.zoom);
+    const QColor color = stickColor(canvas.tokens(), strain);
     canvas.painter.setPen(solid(color, width));
     canvas.painter.drawLine(visible);
     drawSheen(canvas, visible, width, color);
@@ -78,24 +80,24 @@ void drawStick(const Canvas &canvas, const lessons::StickLook &stick)
 
 }
 
-double stickError(const lessons::StickLook &stick, const sim::State &state)
+double stickStrain(const lessons::StickLook &stick, const sim::State &state)
 {
     if (!(stick.length > 0.0))
         return 0.0;
-    return (sim::length(state.at(stick.b) - state.at(stick.a)) - stick.length) / stick.length;
+    return sim::stickError(state.at(stick.a), state.at(stick.b), stick.length) / stick.length;
 }
 
-QColor stickColor(const Tokens &tokens, double error)
+QColor stickColor(const Tokens &tokens, double strain)
 {
-    const double bad = badness(error);
+    const double bad = badness(strain);
     if (bad < 0.5)
         return mixed(tokens.stick, tokens.near, 2.0 * bad);
     return mixed(tokens.near, tokens.past, 2.0 * bad - 1.0);
 }
 
-double stickSwelling(double error)
+double stickSwelling(double strain)
 {
-    return 1.0 + badness(error) * ((error > 0.0 ? thinnest : thickest) - 1.0);
+    return 1.0 + badness(strain) * ((strain > 0.0 ? thinnest : thickest) - 1.0);
 }
 
 void LimbLayer::draw(const Canvas &canvas) const

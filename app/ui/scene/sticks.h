@@ -4,12 +4,13 @@
 
 namespace app {
 
-/// By which part of its wanted length a stick is too long (or, negative, too short).
-double stickError(const lessons::StickLook &stick, const sim::State &state);
-/// The colour of sticks up to an error of 1 %, then over `near` to `past` at 20 %.
-QColor stickColor(const Tokens &tokens, double error);
+/// Returns the strain of a stick: its error as a share of the length that it should have. 0.01 is 1 % too long. 0 where
+/// that length is not above 0.
+double stickStrain(const lessons::StickLook &stick, const sim::State &state);
+/// The colour of sticks up to a strain of 1 %, then over `near` to `past` at 20 %.
+QColor stickColor(const Tokens &tokens, double strain);
 /// What a stick's width is multiplied with: a second sign besides the colour. What is pulled long gets thinner,
 /// what is pushed together thicker, as a rubber band does.
-double stickSwelling(double error);
+double stickSwelling(double strain);
 
 }
