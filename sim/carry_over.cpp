@@ -28,10 +28,11 @@ std::vector<int> sameNames(const Scene &from, const Scene &to)
 }
 
 /// Rows of an array that may be empty on either side.
-void carryRow(const Eigen::ArrayXd &from, int old, Eigen::ArrayXd &to, int row)
+template <class Array>
+void carryRow(const Array &from, int old, Array &to, int row)
 {
     if (from.rows() > old && to.rows() > row)
-        to[row] = from[old];
+        to.row(row) = from.row(old);
 }
 
 /// A clock goes on at the speed that it has, unless `next` wants another than the start before, `from`, did.
@@ -43,14 +44,24 @@ void carrySpeeds(const State &state, const State &from, State &next)
     }
 }
 
-/// A point that the two scenes start at different angles keeps how far it is turned from there: a tree whose
-/// branches are to grow at another angle keeps its bends.
-void carryAngle(const State &state, const Scene &from, int old, State &next, int row)
+/// The motion of point `old` of `state`, for point `row` of `next`.
+void carryMotion(const State &state, int old, State &next, int row)
 {
-    if (state.angle.rows() <= old || next.angle.rows() <= row)
+    forEachColumn([&](Column kind, auto values) {
+        if (kind == Column::motion)
+            carryRow(state.*values, old, next.*values, row);
+    });
+}
+
+/// A point that the two scenes start at different angles keeps how far it is turned from there: a tree whose
+/// branches are to grow at another angle keeps its bends. `next` has the angle of `state` already.
+void turnByStart(const Scene &from, int old, const Scene &to, State &next, int row)
+{
+    if (from.start.angle.rows() <= old || to.start.angle.rows() <= row)
         return;
-    const double turned = next.angle[row] - from.start.angle[old];
-    next.angle[row] = turned == 0.0 ? state.angle[old] : state.angle[old] + turned;
+    const double turned = to.start.angle[row] - from.start.angle[old];
+    if (turned != 0.0)
+        next.angle[row] += turned;
 }
 
 }
@@ -71,10 +82,8 @@ State carryOver(const State &state, const Scene &from, const Scene &to)
     for (int i = 0; i < next.points(); ++i) {
         const int old = olds[static_cast<std::size_t>(i)];
         if (old >= 0) {
-            next.place(i, state.at(old));
-            next.push(i, state.speed(old));
-            carryAngle(state, from, old, next, i);
-            carryRow(state.spin, old, next.spin, i);
+            carryMotion(state, old, next, i);
+            turnByStart(from, old, to, next, i);
             if (state.hold.point == old)
                 next.hold = {i, state.hold.hand};
         } else if (common > 0) {

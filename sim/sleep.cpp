@@ -11,10 +11,14 @@ namespace {
 double apart(const State &a, const State &b)
 {
     const auto most = [](const auto &x, const auto &y) {
-        return x.size() == 0 ? 0.0 : (x - y).abs().maxCoeff();
+        return x.size() == 0 ? 0.0 : static_cast<double>((x - y).abs().maxCoeff());
     };
-    return std::max({most(a.position, b.position), most(a.velocity, b.velocity), most(a.angle, b.angle),
-                     most(a.spin, b.spin), most(a.gait, b.gait)});
+    double largest = most(a.gait, b.gait);
+    forEachColumn([&](Column kind, auto values) {
+        if (kind == Column::motion)
+            largest = std::max(largest, most(a.*values, b.*values));
+    });
+    return largest;
 }
 
 template <class Array>
@@ -85,9 +89,11 @@ void SleepWatch::forget(std::int64_t frame)
 bool runOnAlike(const State &a, const State &b)
 {
     // First what differs while anything moves: it costs next to nothing.
-    if (!sameNumbers(a.position, b.position) || !sameNumbers(a.velocity, b.velocity) ||
-        !sameNumbers(a.angle, b.angle) || !sameNumbers(a.spin, b.spin) || !sameNumbers(a.gait, b.gait) ||
-        a.ahead != b.ahead)
+    bool same = true;
+    forEachColumn([&](Column kind, auto values) {
+        same = same && (kind != Column::motion || sameNumbers(a.*values, b.*values));
+    });
+    if (!same || !sameNumbers(a.gait, b.gait) || a.ahead != b.ahead)
         return false;
     State later = b;
     later.frame = a.frame;

@@ -53,13 +53,8 @@ int firstNotFinite(const State &state)
     const bool clocks = state.gait.isFinite().all() && state.gaitSpeed.isFinite().all();
     if (clocks && areFinite(state, {0, state.points()}))
         return -1;
-    const auto finiteAt = [](const auto &numbers, int point) {
-        return numbers.rows() == 0 || numbers.row(point).isFinite().all();
-    };
     for (int i = 0; i < state.points(); ++i) {
-        if (!finiteAt(state.position, i) || !finiteAt(state.velocity, i) ||
-            !finiteAt(state.acceleration, i) || !finiteAt(state.angle, i) || !finiteAt(state.spin, i) ||
-            !finiteAt(state.turning, i))
+        if (!areFinite(state, {i, 1}))
             return i;
     }
     return state.points();

@@ -104,8 +104,39 @@ struct State
     double turns() const { return static_cast<double>(evaluations) / std::max(1, points()); }
 };
 
-/// Calls `visit(data, bytes)` for each run of memory that makes up `state`, sizes included. The one list of what
-/// belongs to a State: comparing and counting both use it.
+/// What the numbers of a column are, and so who looks at them. All columns are compared by sameBits().
+enum class Column {
+    motion, ///< what a learner sees: must be finite, decides whether a run rests, goes over to a changed scene
+    sum,    ///< gathered in each step: must be finite, and where it changes a block does not rest
+    memory,  ///< read by the next step: where it changes a block does not rest
+    scratch, ///< of a method while it steps: it leaves no block at rest while there is any
+};
+
+/// Calls `visit(kind, &State::values)` for each array of a State that has a row a point, or none at all. The one list of
+/// them: whoever goes through the columns of a state uses it, so a new column is one line here.
+template <class Visit>
+constexpr void forEachColumn(Visit &&visit)
+{
+    visit(Column::motion, &State::position);
+    visit(Column::motion, &State::velocity);
+    visit(Column::sum, &State::acceleration);
+    visit(Column::memory, &State::previous);
+    visit(Column::memory, &State::inverseMass);
+    visit(Column::motion, &State::angle);
+    visit(Column::motion, &State::spin);
+    visit(Column::sum, &State::turning);
+    visit(Column::scratch, &State::stages);
+    visit(Column::memory, &State::resting);
+}
+
+/// Whether numbers of this kind have to be finite for a run to go on.
+constexpr bool mustBeFinite(Column kind)
+{
+    return kind == Column::motion || kind == Column::sum;
+}
+
+/// Calls `visit(data, bytes)` for each run of memory that makes up `state`, sizes included: comparing and counting both
+/// use it.
 template <class Visit>
 void visitMemory(const State &state, Visit &&visit)
 {
@@ -118,16 +149,7 @@ void visitMemory(const State &state, Visit &&visit)
         one(static_cast<std::int64_t>(values.rows()));
         visit(values.data(), static_cast<std::size_t>(values.size()) * sizeof *values.data());
     };
-    array(state.position);
-    array(state.velocity);
-    array(state.acceleration);
-    array(state.previous);
-    array(state.inverseMass);
-    array(state.angle);
-    array(state.spin);
-    array(state.turning);
-    array(state.stages);
-    array(state.resting);
+    forEachColumn([&](Column, auto values) { array(state.*values); });
     one(state.ahead.size());
     for (const Ahead &ahead :
          state.ahead) { // each number by itself: there is room between them that means nothing
