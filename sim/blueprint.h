@@ -2,6 +2,7 @@
 
 #include "sim/vec2.h"
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,9 @@ struct BuiltPoint
     double mass = 1.0;
     double size = 10.0; ///< px, its width: walls stop its edge, and wind takes hold of it
     bool fixed = false; ///< stands where it is, and feels nothing
+    /// What effects read of it besides, by the id of the setting; what is not there has its preset. See
+    /// Description::ofPoints.
+    std::map<std::string, double> more = {};
     friend bool operator==(const BuiltPoint &, const BuiltPoint &) = default;
 };
 

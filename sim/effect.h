@@ -54,6 +54,7 @@ enum class Sees {
 /// Two points of which at least one feels the other.
 using Tie = std::pair<int, int>;
 
+struct Taken;
 class Driver;
 class Force;
 class Torque;
@@ -89,6 +90,9 @@ public:
     /// Whether its own numbers are such that it can change nothing, wherever points are: gravity 0, a wall infinitely
     /// far away. Such an effect is left out when a scene is composed.
     virtual bool idle() const { return false; }
+    /// Adds itself to a plan of its scene, as a learner could have built it. Returns false for an effect that cannot be
+    /// built.
+    virtual bool takeInto(Taken &) const { return false; }
 };
 
 /// How accelerations change with places: the entries of that matrix of derivatives, in 1/frame^2. Entries for the

@@ -206,8 +206,8 @@ private:
     void readEffects()
     {
         QStringList known;
-        for (const sim::EffectPtr &effect : m_step.catalogue)
-            known.push_back(QString::fromStdString(effect->id()));
+        for (const sim::Description *effect : m_step.catalogue)
+            known.push_back(QString::fromUtf8(effect->id));
         forEach("effects", std::size_t(known.size()), [&](const JsonValue &value) {
             const QString id = textOf(m_file, value, "effects");
             if (!known.contains(id))

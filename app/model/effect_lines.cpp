@@ -2,7 +2,7 @@
 
 #include "app/model/numbers.h"
 #include "app/model/sentences.h"
-#include "sim/purpose.h"
+#include "sim/effects/catalogue.h"
 
 #include <QCoreApplication>
 
@@ -144,22 +144,22 @@ EffectLine listedLine(const EffectFacts &facts, const sim::Effect &effect)
 }
 
 /// Whether the scene lists an effect with the id of `effect`.
-bool isListed(const EffectFacts &facts, const sim::Effect &effect)
+bool isListed(const EffectFacts &facts, const sim::Description &effect)
 {
     return std::any_of(facts.listed.begin(), facts.listed.end(),
-                       [&](const sim::EffectPtr &one) { return one->id() == effect.id(); });
+                       [&](const sim::EffectPtr &one) { return one->id() == effect.id; });
 }
 
-EffectLine offeredLine(const sim::Effect &effect)
+EffectLine offeredLine(const sim::Description &effect)
 {
     EffectLine line;
-    line.id = QString::fromStdString(effect.id());
-    line.title = capitalised(phrase(effect.title()));
-    line.kind = effect.kind();
+    line.id = QString::fromUtf8(effect.id);
+    line.title = capitalised(phrase(effect.title));
+    line.kind = effect.kind;
     line.role = EffectRole::offered;
     line.frame = QStringLiteral("0");
     line.note = Text::tr("not in this scene");
-    line.help = helpFor(line, sim::purposeOf(effect));
+    line.help = helpFor(line, effect.purpose);
     return line;
 }
 
@@ -184,11 +184,11 @@ EffectLine restLine(const sim::FrameCost *cost)
 std::optional<EffectLine> absentLine(const EffectFacts &facts, sim::Kind kind)
 {
     const auto isListed = [&](const KnownEffect &known) {
-        const auto isIt = [&](const sim::EffectPtr &one) {
-            return one->kind() == kind && one->title() == known.title;
-        };
-        return std::any_of(facts.listed.begin(), facts.listed.end(), isIt) ||
-               std::any_of(facts.offered.begin(), facts.offered.end(), isIt);
+        return std::any_of(
+                   facts.listed.begin(), facts.listed.end(),
+                   [&](const auto &one) { return one->kind() == kind && one->title() == known.title; }) ||
+               std::any_of(facts.offered.begin(), facts.offered.end(),
+                           [&](const auto *one) { return one->kind == kind && one->title == known.title; });
     };
     QStringList titles, help;
     for (const KnownEffect &known : facts.known) {
@@ -240,7 +240,7 @@ std::vector<EffectLine> effectLines(const EffectFacts &facts)
         ids.push_back(effect->id());
         lines.push_back(listedLine(facts, *effect));
     }
-    for (const sim::EffectPtr &effect : facts.offered) {
+    for (const sim::Description *effect : facts.offered) {
         if (!isListed(facts, *effect))
             lines.push_back(offeredLine(*effect));
     }

@@ -49,7 +49,7 @@ struct EffectFacts
     std::vector<sim::EffectPtr> leftOut;
     const sim::FrameCost *cost = nullptr; ///< null: not measured yet
     std::vector<KnownEffect> known;
-    std::vector<sim::EffectPtr> offered = {}; ///< what a scene that is built can have
+    std::vector<const sim::Description *> offered = {}; ///< what a scene that is built can have
 };
 
 /// A line for each id that is listed, then for each that is offered, then the rest of the frame, then one for each kind that has absent effects.

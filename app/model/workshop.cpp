@@ -20,7 +20,7 @@ struct Text
 };
 
 /// The values of a workshop's run: what was taken, inside the range that each parameter has.
-sim::Values valuesOf(const lessons::Step &workshop, const lessons::Taken &taken)
+sim::Values valuesOf(const lessons::Step &workshop, const sim::Taken &taken)
 {
     sim::Values values = workshop.presets();
     for (const auto &[id, number] : taken.numbers) {
@@ -45,7 +45,7 @@ QStringList orderOf(const sim::Scene &scene, const sim::Method &method)
     return order;
 }
 
-QString sentenceOf(const lessons::Taken &taken, const QStringList &order)
+QString sentenceOf(const sim::Taken &taken, const QStringList &order)
 {
     QStringList names;
     for (const std::string &one : taken.left)
@@ -93,7 +93,7 @@ TakenScene takenScene(const Session &session, const lessons::Step &workshop)
         throw Refusal(Text::tr("This scene has %1 points; one that you build can have %2.")
                           .arg(picture.state.points())
                           .arg(built::mostPoints));
-    const std::optional<lessons::Taken> taken =
+    const std::optional<sim::Taken> taken =
         lessons::blueprintOf(picture.segment->scene, picture.state, *picture.look);
     if (!taken)
         throw Refusal(
@@ -150,20 +150,18 @@ bool canBuild(const Session &session)
 
 bool setBuiltEffect(Session &session, const QString &id, bool present)
 {
-    const std::vector<sim::EffectPtr> &all = session.step().catalogue;
-    const auto found = std::find_if(all.begin(), all.end(),
-                                    [&](const sim::EffectPtr &one) { return one->id() == id.toStdString(); });
-    if (found == all.end() || !session.blueprint())
+    const sim::Description *effect = sim::findDescription(session.step().catalogue, id.toStdString());
+    if (!effect || !session.blueprint())
         return false;
     if (!canBuild(session)) {
         emit session.said(Text::tr("Building happens at the start of the run: press Home to go there."));
         return false;
     }
     sim::Blueprint plan = *session.blueprint();
-    std::erase(plan.effects, (*found)->id());
+    std::erase(plan.effects, effect->id);
     if (present)
-        plan.effects.push_back((*found)->id());
-    const QString title = phrase((*found)->title());
+        plan.effects.push_back(effect->id);
+    const QString title = phrase(effect->title);
     return session.build({present ? Text::tr("Add %1").arg(title) : Text::tr("Remove %1").arg(title), {}, {}},
                          std::move(plan));
 }
@@ -174,10 +172,8 @@ bool startEmpty(Session &session)
     sim::Blueprint plan;
     plan.points = {{"p0", {270, 200}, {}, 1.0, 20.0, false}};
     plan.effects = {"gravity", "damping", "walls"};
-    std::erase_if(plan.effects, [&](const std::string &id) {
-        const std::vector<sim::EffectPtr> &all = session.step().catalogue;
-        return std::none_of(all.begin(), all.end(), [&](const auto &one) { return one->id() == id; });
-    });
+    std::erase_if(plan.effects,
+                  [&](const std::string &id) { return !sim::findDescription(session.step().catalogue, id); });
     script.values.blueprint = std::make_shared<const sim::Blueprint>(std::move(plan));
     if (!session.takeUp({Text::tr("Start new scene"), {}, {}}, script))
         return false;

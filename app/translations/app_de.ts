@@ -8116,6 +8116,170 @@ auf dem Schirm (30 pro Sekunde)</translation>
         <source>Input that is refused</source>
         <translation>Eingaben, die abgelehnt werden</translation>
     </message>
+    <message>
+        <source>1/frame²</source>
+        <translation>1/Bild²</translation>
+    </message>
+    <message>
+        <source>Bounce</source>
+        <translation>Abprall</translation>
+    </message>
+    <message>
+        <source>Damping</source>
+        <translation>Dämpfung</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>Boden</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Reibung</translation>
+    </message>
+    <message>
+        <source>Gravity</source>
+        <translation>Schwerkraft</translation>
+    </message>
+    <message>
+        <source>Ground</source>
+        <translation>Boden</translation>
+    </message>
+    <message>
+        <source>Gusts</source>
+        <translation>Böen</translation>
+    </message>
+    <message>
+        <source>How far down that place is.</source>
+        <translation>Wie weit unten diese Stelle liegt.</translation>
+    </message>
+    <message>
+        <source>How far down the floor lies.</source>
+        <translation>Wie weit unten der Boden liegt.</translation>
+    </message>
+    <message>
+        <source>How far down the ground lies.</source>
+        <translation>Wie weit unten der Boden liegt.</translation>
+    </message>
+    <message>
+        <source>How far to the right a place of the ramp is.</source>
+        <translation>Wie weit rechts eine Stelle der Rampe liegt.</translation>
+    </message>
+    <message>
+        <source>How hard it blows to the right on a body 10 px wide. Below 0: to the left.</source>
+        <translation>Wie stark er auf einen 10 px breiten Körper nach rechts weht. Unter 0: nach links.</translation>
+    </message>
+    <message>
+        <source>How hard two bodies push: this share of the missing distance, each frame.</source>
+        <translation>Wie stark zwei Körper schieben: dieser Anteil des fehlenden Abstands, in jedem Bild.</translation>
+    </message>
+    <message>
+        <source>How much a wall’s push holds back what slides along it. 0: like ice.</source>
+        <translation>Wie stark eine Wand bremst, was an ihr entlanggleitet. 0: wie Eis.</translation>
+    </message>
+    <message>
+        <source>How much speed everything gains downwards each frame.</source>
+        <translation>Wie viel Tempo alles in jedem Bild nach unten gewinnt.</translation>
+    </message>
+    <message>
+        <source>How often each frame goes through the list of sticks.</source>
+        <translation>Wie oft jedes Bild die Liste der Stäbe durchgeht.</translation>
+    </message>
+    <message>
+        <source>How steeply it rises to the right. 0: level. 90: a wall on the right. 180: a ceiling.</source>
+        <translation>Wie steil sie nach rechts steigt. 0: waagrecht. 90: eine Wand rechts. 180: eine Decke.</translation>
+    </message>
+    <message>
+        <source>Iterations</source>
+        <translation>Iterationen</translation>
+    </message>
+    <message>
+        <source>Left wall</source>
+        <translation>Linke Wand</translation>
+    </message>
+    <message>
+        <source>Push</source>
+        <translation>Abstoßung</translation>
+    </message>
+    <message>
+        <source>Ramp</source>
+        <translation>Rampe</translation>
+    </message>
+    <message>
+        <source>Ramp x</source>
+        <translation>Rampe x</translation>
+    </message>
+    <message>
+        <source>Ramp y</source>
+        <translation>Rampe y</translation>
+    </message>
+    <message>
+        <source>Right wall</source>
+        <translation>Rechte Wand</translation>
+    </message>
+    <message>
+        <source>The share by which the wind swells and ebbs.</source>
+        <translation>Der Anteil, um den der Wind an- und abschwillt.</translation>
+    </message>
+    <message>
+        <source>The share of its speed that a body keeps at a wall.</source>
+        <translation>Der Anteil seines Tempos, den ein Körper an einer Wand behält.</translation>
+    </message>
+    <message>
+        <source>The share of its speed that everything keeps each frame. 1 keeps it all.</source>
+        <translation>Der Anteil seines Tempos, den alles in jedem Bild behält. 1 behält alles.</translation>
+    </message>
+    <message>
+        <source>Two bodies closer than this push each other.</source>
+        <translation>Zwei Körper, die sich näher sind, schieben einander weg.</translation>
+    </message>
+    <message>
+        <source>Where the left wall stands.</source>
+        <translation>Wo die linke Wand steht.</translation>
+    </message>
+    <message>
+        <source>Where the right wall stands.</source>
+        <translation>Wo die rechte Wand steht.</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation>Wind</translation>
+    </message>
+    <message>
+        <source>ice on the ground</source>
+        <translation>Eis auf dem Boden</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation>behalten</translation>
+    </message>
+    <message>
+        <source>passes</source>
+        <translation>Durchgänge</translation>
+    </message>
+    <message>
+        <source>per frame</source>
+        <translation>pro Bild</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source>px/frame²</source>
+        <translation>px/Bild²</translation>
+    </message>
+    <message>
+        <source>the bounce of the ground</source>
+        <translation>Abprall am Boden</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
 </context>
 <context>
     <name>sim::Keys</name>

@@ -1,19 +1,12 @@
 #include "lessons/api/blueprint_of.h"
 
 #include "sim/effects/body_spring.h"
-#include "sim/effects/breeze.h"
-#include "sim/effects/damping.h"
 #include "sim/effects/gait_clock.h"
-#include "sim/effects/gravity.h"
-#include "sim/effects/ground.h"
 #include "sim/effects/leg_spring.h"
 #include "sim/effects/point_spring.h"
 #include "sim/effects/push.h"
 #include "sim/effects/radial_spring.h"
-#include "sim/effects/room_limits.h"
 #include "sim/effects/springs.h"
-#include "sim/effects/sticks.h"
-#include "sim/effects/turn_round.h"
 
 #include <algorithm>
 #include <numbers>
@@ -29,10 +22,10 @@ constexpr double usualSize = 10.0; ///< px, of what is not drawn as a body
 class Taker
 {
 public:
-    Taker(const sim::Scene &scene, const sim::State &now, const Look &look)
-        : m_scene(scene), m_now(now), m_points(now.points())
+    Taker(const sim::Scene &scene, const sim::State &now, const Look &look) : m_scene(scene), m_now(now)
     {
-        for (int i = 0; i < m_points; ++i) {
+        m_taken.points = now.points();
+        for (int i = 0; i < now.points(); ++i) {
             const BodyLook &body = look.bodies[static_cast<std::size_t>(i)];
             const double size = body.shape == BodyLook::Shape::none ? usualSize : 2.0 * body.radius;
             const double inverse = scene.start.inverseMass[i];
@@ -41,31 +34,17 @@ public:
         }
     }
 
-    Taken take()
+    sim::Taken take()
     {
         for (const sim::EffectPtr &effect : m_scene.effects) {
-            if (!takeLinks(*effect) && !takeRoom(*effect) && !takeField(*effect))
-                leave(effect->title());
+            if (!effect->takeInto(m_taken) && !takeLinks(*effect))
+                m_taken.leave(effect->title());
         }
         return m_taken;
     }
 
 private:
     sim::Blueprint &plan() { return m_taken.blueprint; }
-
-    void leave(const std::string &what)
-    {
-        if (std::find(m_taken.left.begin(), m_taken.left.end(), what) == m_taken.left.end())
-            m_taken.left.push_back(what);
-    }
-
-    void choose(const char *effect)
-    {
-        if (std::find(plan().effects.begin(), plan().effects.end(), effect) == plan().effects.end())
-            plan().effects.emplace_back(effect);
-    }
-
-    void set(const char *id, double value) { m_taken.numbers[id] = value; }
 
     /// `name`, with a number behind it where a point is called so already.
     std::string freeName(const std::string &name)
@@ -90,12 +69,12 @@ private:
             plan().points.push_back({freeName("centre"), centred->centre(), {}, 1.0, usualSize, true});
             plan().springs.push_back(
                 {centred->mover(), static_cast<int>(plan().points.size()) - 1, centred->k(), 0.0});
-        } else if (const auto *sticks = dynamic_cast<const sim::Sticks *>(&effect)) {
-            for (const sim::Stick &one : sticks->list())
-                plan().sticks.push_back({one.a, one.b, one.length, one.share});
-            set("iterations", sticks->iterations());
         } else if (const auto *legs = dynamic_cast<const sim::LegSpring *>(&effect)) {
             takeLegs(*legs);
+        } else if (const auto *push = dynamic_cast<const sim::Push *>(&effect)) {
+            if (static_cast<int>(push->points().size()) != m_taken.points)
+                return false; // of some points only
+            m_taken.choose("push", {{"push", push->k()}, {"distance", push->distance()}});
         } else {
             return dynamic_cast<const sim::GaitClock *>(&effect); // it comes with the legs
         }
@@ -111,7 +90,7 @@ private:
         for (const sim::Link &link : links) {
             const bool answered = ways.contains({link.anchor, link.mover});
             if (!answered && m_scene.start.feels(link.anchor))
-                leave(SIM_TEXT("springs that pull one end only"));
+                m_taken.leave(SIM_TEXT("springs that pull one end only"));
             if (pairs.insert(std::minmax(link.mover, link.anchor)).second)
                 plan().springs.push_back({link.mover, link.anchor, k, length});
         }
@@ -122,7 +101,7 @@ private:
         std::map<int, int> groups; // by clock
         for (const sim::Leg &leg : legs.legs()) {
             if (!m_feet.insert(leg.foot).second) {
-                leave(SIM_TEXT("feet with more than one leg"));
+                m_taken.leave(SIM_TEXT("feet with more than one leg"));
                 continue;
             }
             const auto [group, isNew] = groups.emplace(leg.clock, static_cast<int>(plan().gaits.size()));
@@ -146,72 +125,15 @@ private:
         return gait;
     }
 
-    void setRoom(const sim::Room &room)
-    {
-        set("left", room.left);
-        set("right", room.right);
-        set("floor", room.floor);
-    }
-
-    bool takeRoom(const sim::Effect &effect)
-    {
-        if (const auto *walls = dynamic_cast<const sim::Walls *>(&effect)) {
-            setRoom(walls->room());
-            set("bounce", walls->room().bounce);
-        } else if (const auto *limits = dynamic_cast<const sim::RoomLimits *>(&effect)) {
-            setRoom(limits->room());
-            set("friction", limits->friction());
-        } else if (const auto *turn = dynamic_cast<const sim::TurnRound *>(&effect)) {
-            set("left", turn->room().left);
-            set("right", turn->room().right);
-        } else if (const auto *ground = dynamic_cast<const sim::Ground *>(&effect)) {
-            set("ground", ground->soil().ground);
-            if (ground->soil().bounce != 0.0)
-                leave(SIM_TEXT("the bounce of the ground"));
-            if (ground->soil().traction != sim::Traction::full)
-                leave(SIM_TEXT("ice on the ground"));
-        } else {
-            return false;
-        }
-        choose(effect.id().c_str());
-        return true;
-    }
-
-    bool takeField(const sim::Effect &effect)
-    {
-        if (const auto *gravity = dynamic_cast<const sim::Gravity *>(&effect)) {
-            set("gravity", gravity->gravity());
-        } else if (const auto *damping = dynamic_cast<const sim::Damping *>(&effect)) {
-            for (int i = 1; i < m_points; ++i) {
-                if (damping->rate(i) != damping->rate(0))
-                    return false; // of some points only
-            }
-            set("damp", damping->keep(1.0));
-        } else if (const auto *push = dynamic_cast<const sim::Push *>(&effect)) {
-            if (static_cast<int>(push->points().size()) != m_points)
-                return false; // of some points only
-            set("push", push->k());
-            set("distance", push->distance());
-        } else if (const auto *wind = dynamic_cast<const sim::Breeze *>(&effect)) {
-            set("wind", wind->air().wind);
-            set("gusts", wind->air().gusts);
-        } else {
-            return false;
-        }
-        choose(effect.id().c_str());
-        return true;
-    }
-
     const sim::Scene &m_scene;
     const sim::State &m_now;
-    int m_points;
-    Taken m_taken;
+    sim::Taken m_taken;
     std::set<int> m_feet;
 };
 
 }
 
-std::optional<Taken> blueprintOf(const sim::Scene &scene, const sim::State &now, const Look &look)
+std::optional<sim::Taken> blueprintOf(const sim::Scene &scene, const sim::State &now, const Look &look)
 {
     if (now.angle.rows() > 0)
         return {};

@@ -1,16 +1,14 @@
 #pragma once
 
+#include "sim/setting.h"
+
 #include <QString>
 #include <QStringList>
 
 namespace lessons {
 
 /// What a parameter is for the run as a whole.
-enum class Role {
-    none,
-    keptSpeed, ///< the share of its speed that everything keeps each frame: less of it is more damping
-    passes,    ///< how often a step goes through a list of sticks: more of it leaves less error
-};
+using Role = sim::Meaning;
 
 /// How the slider's way is divided.
 enum class Scale {

@@ -1,6 +1,12 @@
 #include "lessons/api/parameters.h"
 
+#include "sim/effects/damping.h"
+#include "sim/effects/gravity.h"
+#include "sim/effects/ground.h"
+
 #include <QCoreApplication>
+
+#include <algorithm>
 
 namespace lessons {
 
@@ -17,6 +23,53 @@ Parameter place(const char *id, const QString &name, const QString &help, double
     return {id, name, {}, Text::tr("px"), help, preset, -1e6, 1e6, 0.0, sliderMax, 0, {}};
 }
 
+}
+
+Parameter parameterOf(const sim::Setting &setting)
+{
+    const auto said = [](const char *text) {
+        return *text ? QCoreApplication::translate("sim", text) : QString();
+    };
+    Parameter parameter;
+    parameter.id = QString::fromUtf8(setting.id);
+    parameter.name = said(setting.name);
+    parameter.symbol = QString::fromUtf8(setting.symbol);
+    parameter.unit = said(setting.unit);
+    parameter.help = said(setting.help);
+    parameter.preset = setting.preset;
+    parameter.min = setting.min;
+    parameter.max = setting.max;
+    parameter.sliderMin = setting.sliderMin;
+    parameter.sliderMax = setting.sliderMax;
+    parameter.decimals = setting.decimals;
+    parameter.whole = setting.whole;
+    parameter.role = setting.meaning;
+    return parameter;
+}
+
+std::vector<Parameter> settingsOf(sim::Catalogue known)
+{
+    std::vector<Parameter> all;
+    for (const sim::Description *effect : known) {
+        for (const sim::Setting &setting : effect->settings) {
+            const QString id = QString::fromUtf8(setting.id);
+            auto found =
+                std::find_if(all.begin(), all.end(), [&](const Parameter &one) { return one.id == id; });
+            if (found == all.end())
+                found = all.insert(all.end(), parameterOf(setting));
+            found->effects << QString::fromUtf8(effect->id);
+        }
+    }
+    return all;
+}
+
+Parameter settingOf(const sim::Description &effect, const char *id, double preset)
+{
+    const auto found = std::find_if(effect.settings.begin(), effect.settings.end(),
+                                    [id](const auto &one) { return std::string_view(one.id) == id; });
+    Parameter parameter = parameterOf(*found);
+    parameter.preset = preset;
+    return parameter;
 }
 
 Parameter stiffness(double preset)
@@ -37,20 +90,7 @@ Parameter stiffness(double preset)
 
 Parameter damping(double preset)
 {
-    return {"damp",
-            Text::tr("Damping"),
-            {},
-            Text::tr("per frame"),
-            Text::tr("The share of its speed that everything keeps each frame. 1 keeps it all."),
-            preset,
-            0.0,
-            1.0,
-            0.0,
-            1.0,
-            2,
-            {},
-            false,
-            Role::keptSpeed};
+    return settingOf(sim::described::damping, "damp", preset);
 }
 
 Parameter radius(double preset)
@@ -104,39 +144,17 @@ Parameter feet(int preset)
 
 Parameter gravity(double preset)
 {
-    return {"gravity",
-            Text::tr("Gravity"),
-            "g",
-            Text::tr("px/frame²"),
-            Text::tr("How much speed everything gains downwards each frame."),
-            preset,
-            -1e6,
-            1e6,
-            0.0,
-            3.0,
-            2,
-            {}};
+    return settingOf(sim::described::gravity, "gravity", preset);
 }
 
 Parameter bounce(double preset)
 {
-    return {"bounce",
-            Text::tr("Bounce"),
-            {},
-            Text::tr("kept"),
-            Text::tr("The share of its speed that a body keeps at a wall."),
-            preset,
-            0.0,
-            1.0,
-            0.0,
-            1.0,
-            2,
-            {}};
+    return settingOf(sim::described::walls, "bounce", preset);
 }
 
 Parameter ground(double preset)
 {
-    return place("ground", Text::tr("Ground"), Text::tr("How far down the ground lies."), preset, 440.0);
+    return settingOf(sim::described::ground, "ground", preset);
 }
 
 Parameter choice(const char *id, const QString &name, const QString &help, const QStringList &choices)
@@ -154,9 +172,8 @@ std::vector<Parameter> centre()
 
 std::vector<Parameter> room()
 {
-    return {place("left", Text::tr("Left wall"), Text::tr("Where the left wall stands."), 20.0, 540.0),
-            place("right", Text::tr("Right wall"), Text::tr("Where the right wall stands."), 520.0, 540.0),
-            place("floor", Text::tr("Floor"), Text::tr("How far down the floor lies."), 380.0, 400.0)};
+    return {parameterOf(sim::settings::left), parameterOf(sim::settings::right),
+            parameterOf(sim::settings::floor)};
 }
 
 }

@@ -1,11 +1,19 @@
 #pragma once
 
 #include "lessons/api/parameter.h"
+#include "sim/effects/catalogue.h"
 
 #include <vector>
 
 /// The parameters that several lessons share.
 namespace lessons {
+
+/// Returns a setting of an effect as a parameter, in the learner's language.
+Parameter parameterOf(const sim::Setting &setting);
+/// Returns the settings of all effects of `known`, each once, with the effects that read it.
+std::vector<Parameter> settingsOf(sim::Catalogue known);
+/// Returns the setting `id` of the effect `effect`, with another preset.
+Parameter settingOf(const sim::Description &effect, const char *id, double preset);
 
 Parameter stiffness(double preset = 0.2);
 Parameter damping(double preset = 0.9);

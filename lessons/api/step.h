@@ -5,6 +5,7 @@
 #include "lessons/api/explanation.h"
 #include "lessons/api/look.h"
 #include "lessons/api/parameter.h"
+#include "sim/effects/catalogue.h"
 #include "sim/timeline.h"
 
 #include <cstdint>
@@ -138,7 +139,7 @@ struct Step
     /// Offered as a gallery where a learner builds the scene; may be empty.
     std::vector<Example> examples = {};
     /// Where a learner builds the scene: the effects that it can have besides those of its springs, sticks and feet.
-    std::vector<sim::EffectPtr> catalogue = {};
+    std::vector<const sim::Description *> catalogue = {};
     /// Whether one of look().feet stands on the ground; needed where there are any.
     std::function<bool(const sim::Scene &, const sim::State &, const sim::Values &, int point)> stands;
     std::vector<Does> does = {Does::hand};

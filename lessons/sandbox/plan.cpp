@@ -1,9 +1,7 @@
 #include "plan.h"
 
 #include <algorithm>
-#include <map>
 #include <numbers>
-#include <set>
 
 namespace sandbox {
 
@@ -12,11 +10,6 @@ namespace {
 constexpr double rad(double degrees)
 {
     return degrees / 180.0 * std::numbers::pi;
-}
-
-int gaitsOf(const sim::Blueprint &plan)
-{
-    return static_cast<int>(plan.gaits.size());
 }
 
 }
@@ -36,11 +29,6 @@ const sim::Blueprint &planOf(const sim::Values &values)
     return values.blueprint ? *values.blueprint : *first;
 }
 
-bool has(const sim::Blueprint &plan, const std::string &id)
-{
-    return std::find(plan.effects.begin(), plan.effects.end(), id) != plan.effects.end();
-}
-
 sim::Scene pointsOf(const sim::Blueprint &plan)
 {
     const int count = static_cast<int>(plan.points.size());
@@ -56,19 +44,6 @@ sim::Scene pointsOf(const sim::Blueprint &plan)
         scene.start.inverseMass[i] = one.fixed ? 0.0 : 1.0 / one.mass;
     }
     return scene;
-}
-
-Eigen::ArrayXd widths(const sim::Blueprint &plan)
-{
-    Eigen::ArrayXd all(static_cast<Eigen::Index>(plan.points.size()));
-    for (Eigen::Index i = 0; i < all.size(); ++i)
-        all[i] = plan.points[static_cast<std::size_t>(i)].size;
-    return all;
-}
-
-Eigen::ArrayXd halfWidths(const sim::Blueprint &plan)
-{
-    return 0.5 * widths(plan);
 }
 
 std::vector<sim::Spring> springsOf(const sim::Blueprint &plan)
@@ -105,77 +80,25 @@ sim::LegRule ruleOf(const sim::BuiltGait &gait)
             gait.pullsBody ? sim::Reaction::equal : sim::Reaction::none};
 }
 
-std::vector<int> feetOf(const sim::Blueprint &plan)
-{
-    std::vector<int> feet;
-    for (const sim::BuiltFoot &one : plan.feet)
-        feet.push_back(one.foot);
-    std::sort(feet.begin(), feet.end());
-    return feet;
-}
-
-int windClockOf(const sim::Blueprint &plan)
-{
-    return gaitsOf(plan);
-}
-
 void setClocks(sim::Scene &scene, const sim::Blueprint &plan)
 {
-    scene.start.gait.setZero(gaitsOf(plan) + 2);
-    scene.start.gaitSpeed.setZero(gaitsOf(plan) + 2);
-    for (int i = 0; i < gaitsOf(plan); ++i) {
-        scene.start.gait[i] = plan.gaits[static_cast<std::size_t>(i)].start;
-        scene.start.gaitSpeed[i] = plan.gaits[static_cast<std::size_t>(i)].speed;
+    scene.start.gait.setZero(sim::clocksOf(plan));
+    scene.start.gaitSpeed.setZero(sim::clocksOf(plan));
+    Eigen::Index clock = 0;
+    for (const sim::BuiltGait &gait : plan.gaits) {
+        scene.start.gait[clock] = gait.start;
+        scene.start.gaitSpeed[clock++] = gait.speed;
     }
-    if (has(plan, "breeze"))
-        scene.start.gaitSpeed[windClockOf(plan)] = windClock;
-}
-
-std::vector<int> clockOf(const sim::Blueprint &plan)
-{
-    std::vector<int> clocks(plan.points.size(), gaitsOf(plan) + 1);
-    for (const sim::BuiltFoot &one : plan.feet) {
-        clocks[static_cast<std::size_t>(one.foot)] = one.gait;
-        clocks[static_cast<std::size_t>(one.body)] = one.gait;
-    }
-    return clocks;
-}
-
-std::vector<std::vector<int>> matesOf(const sim::Blueprint &plan)
-{
-    std::map<int, std::set<int>> ofBody;
-    for (const sim::BuiltFoot &one : plan.feet)
-        ofBody[one.body].insert(one.gait);
-    std::vector<std::set<int>> mates(static_cast<std::size_t>(gaitsOf(plan) + 2));
-    for (const auto &[body, clocks] : ofBody) {
-        for (const int clock : clocks)
-            mates[static_cast<std::size_t>(clock)].insert(clocks.begin(), clocks.end());
-    }
-    std::vector<std::vector<int>> all;
-    for (std::size_t i = 0; i < mates.size(); ++i) {
-        mates[i].erase(static_cast<int>(i));
-        all.emplace_back(mates[i].begin(), mates[i].end());
-    }
-    return all;
+    if (sim::has(plan, "breeze"))
+        scene.start.gaitSpeed[sim::windClockOf(plan)] = windClock;
 }
 
 bool hasClocks(const sim::Blueprint &plan, const sim::Values &values)
 {
-    return (has(plan, "breeze") && values["gusts"] > 0.0) ||
+    return (sim::has(plan, "breeze") && values["gusts"] > 0.0) ||
            std::any_of(plan.feet.begin(), plan.feet.end(), [&](const sim::BuiltFoot &one) {
                return plan.gaits[static_cast<std::size_t>(one.gait)].speed != 0.0;
            });
-}
-
-sim::Room roomOf(const sim::Values &values)
-{
-    const double bounce = values["bounce"];
-    return {values["left"], values["right"], values["floor"], bounce};
-}
-
-sim::Incline rampOf(const sim::Values &values)
-{
-    return sim::inclineOf({values["ramp_x"], values["ramp_y"]}, values["ramp"], values["bounce"]);
 }
 
 }

@@ -84,70 +84,6 @@
         <translation>Ein schwerer Ball auf einem Netz aus Federn, und Körper, die einander wegschieben.</translation>
     </message>
     <message>
-        <source>Wind</source>
-        <translation>Wind</translation>
-    </message>
-    <message>
-        <source>px/frame²</source>
-        <translation>px/Bild²</translation>
-    </message>
-    <message>
-        <source>How hard it blows to the right on a body 10 px wide. Below 0: to the left.</source>
-        <translation>Wie stark er auf einen 10 px breiten Körper nach rechts weht. Unter 0: nach links.</translation>
-    </message>
-    <message>
-        <source>Push</source>
-        <translation>Abstoßung</translation>
-    </message>
-    <message>
-        <source>1/frame²</source>
-        <translation>1/Bild²</translation>
-    </message>
-    <message>
-        <source>How hard two bodies push: this share of the missing distance, each frame.</source>
-        <translation>Wie stark zwei Körper schieben: dieser Anteil des fehlenden Abstands, in jedem Bild.</translation>
-    </message>
-    <message>
-        <source>Distance</source>
-        <translation>Abstand</translation>
-    </message>
-    <message>
-        <source>px</source>
-        <translation>px</translation>
-    </message>
-    <message>
-        <source>Two bodies closer than this push each other.</source>
-        <translation>Zwei Körper, die sich näher sind, schieben einander weg.</translation>
-    </message>
-    <message>
-        <source>Iterations</source>
-        <translation>Iterationen</translation>
-    </message>
-    <message>
-        <source>passes</source>
-        <translation>Durchgänge</translation>
-    </message>
-    <message>
-        <source>How often each frame goes through the list of sticks.</source>
-        <translation>Wie oft jedes Bild die Liste der Stäbe durchgeht.</translation>
-    </message>
-    <message>
-        <source>Friction</source>
-        <translation>Reibung</translation>
-    </message>
-    <message>
-        <source>How much a wall’s push holds back what slides along it. 0: like ice.</source>
-        <translation>Wie stark eine Wand bremst, was an ihr entlanggleitet. 0: wie Eis.</translation>
-    </message>
-    <message>
-        <source>Gusts</source>
-        <translation>Böen</translation>
-    </message>
-    <message>
-        <source>The share by which the wind swells and ebbs.</source>
-        <translation>Der Anteil, um den der Wind an- und abschwillt.</translation>
-    </message>
-    <message>
         <source>Build your own</source>
         <translation>Selbst bauen</translation>
     </message>
@@ -158,34 +94,6 @@ What acts on the whole scene, as gravity or wind, you choose below. Building hap
         <translation>Hier baust du die Szene. Wähle ein Werkzeug, dann klick in die Szene: **Punkte** sind Körper mit einer Masse und einer Größe, ein **Nagel** hält einen, wo er ist. **Federn** und **Stäbe** gehen von einem Punkt zum anderen. Ein **Fuß** hängt in einem eigenen Winkel an einem Körper, und Füße einer Gruppe schwingen nach einer Uhr.
 
 Was auf die ganze Szene wirkt, wie Schwerkraft oder Wind, wählst du unten. Gebaut wird am Anfang des Laufs: Spiele ab, um zu sehen, was deine Szene tut, und komm zurück, um weiterzubauen.</translation>
-    </message>
-    <message>
-        <source>Ramp</source>
-        <translation>Rampe</translation>
-    </message>
-    <message>
-        <source>°</source>
-        <translation>°</translation>
-    </message>
-    <message>
-        <source>How steeply it rises to the right. 0: level. 90: a wall on the right. 180: a ceiling.</source>
-        <translation>Wie steil sie nach rechts steigt. 0: waagrecht. 90: eine Wand rechts. 180: eine Decke.</translation>
-    </message>
-    <message>
-        <source>Ramp x</source>
-        <translation>Rampe x</translation>
-    </message>
-    <message>
-        <source>How far to the right a place of the ramp is.</source>
-        <translation>Wie weit rechts eine Stelle der Rampe liegt.</translation>
-    </message>
-    <message>
-        <source>Ramp y</source>
-        <translation>Rampe y</translation>
-    </message>
-    <message>
-        <source>How far down that place is.</source>
-        <translation>Wie weit unten diese Stelle liegt.</translation>
     </message>
 </context>
 <context>

@@ -1,8 +1,8 @@
 #include "steps.h"
 
 #include "examples.h"
+#include "lessons/api/parameters.h"
 #include "looks.h"
-#include "parameters.h"
 #include "plan.h"
 #include "scenes.h"
 
@@ -19,25 +19,6 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(Sandbox)
 };
 
-/// A scene with everything that can be chosen, for its effects.
-std::vector<sim::EffectPtr> catalogueOf(const Step &step)
-{
-    sim::Blueprint all = *firstPlan();
-    all.springs.clear();
-    all.feet = {{1, 0, 0.0, 0}};
-    all.gaits = {{}};
-    const std::vector<std::string> ids = {"gravity", "damping", "walls", "ramp",      "room",
-                                          "ground",  "breeze",  "push",  "turn_round"};
-    all.effects = ids;
-    sim::Values values = step.presets();
-    values.blueprint = std::make_shared<const sim::Blueprint>(std::move(all));
-    std::vector<sim::EffectPtr> effects = step.scene(values).effects;
-    std::erase_if(effects, [&](const sim::EffectPtr &one) {
-        return std::find(ids.begin(), ids.end(), one->id()) == ids.end();
-    });
-    return effects;
-}
-
 }
 
 Step buildStep()
@@ -52,7 +33,7 @@ Step buildStep()
         "What acts on the whole scene, as gravity or wind, you choose below. Building happens at the start "
         "of the "
         "run: play to see what your scene does, and come back to go on building.");
-    step.parameters = sceneParameters();
+    step.parameters = settingsOf(sim::catalogue());
     step.scene = build::setUp;
     step.look = builtLook;
     step.method = "semi_implicit_euler";
@@ -61,7 +42,10 @@ Step buildStep()
         if (!script.values.blueprint)
             script.values.blueprint = firstPlan();
     };
-    step.catalogue = catalogueOf(step);
+    for (const sim::Description *one : sim::catalogue()) {
+        if (one->make)
+            step.catalogue.push_back(one);
+    }
     step.examples = ownExamples();
     return step;
 }

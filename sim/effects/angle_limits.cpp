@@ -69,4 +69,10 @@ std::vector<Live> AngleLimits::explain(const State &before, const State &, int p
     return live;
 }
 
+namespace described {
+constinit const Description angle_limits = {
+    "angle_limits", SIM_TEXT("joint limits"), Kind::stick,
+    SIM_TEXT("Keep joints from bending too far: a knee does not bend forwards.")};
+}
+
 }

@@ -1,8 +1,12 @@
 #pragma once
 
-#include "sim/effect.h"
+#include "sim/effects/description.h"
 
 namespace sim {
+
+namespace described {
+extern const Description angle_limits;
+}
 
 /// How far a joint may bend: the angle at `joint` from the limb that ends at `a` to the limb that ends at `b`,
 /// clockwise as seen on the screen, from 0 to 360 degrees.
@@ -104,14 +108,11 @@ JointEnds bendBack(
 // clang-format on
 
 /// Joints that bend only so far: conditions that act only when they are broken.
-class AngleLimits : public Constraint
+class AngleLimits : public Described<Constraint, described::angle_limits>
 {
 public:
     explicit AngleLimits(std::vector<AngleLimit> limits) : m_limits(std::move(limits)) {}
 
-    std::string id() const override { return "angle_limits"; }
-    std::string title() const override { return SIM_TEXT("joint limits"); }
-    Kind kind() const override { return Kind::stick; }
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
     Sees sees() const override { return Sees::tied; }

@@ -53,4 +53,10 @@ double areaOf(const State &state, const Quad &quad)
     return 0.5 * (spine.x * wide.y - spine.y * wide.x);
 }
 
+namespace described {
+constinit const Description area_stick = {
+    "area_stick", SIM_TEXT("area"), Kind::stick,
+    SIM_TEXT("Keeps the area of the body: what gets longer gets thinner.")};
+}
+
 }

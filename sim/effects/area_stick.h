@@ -1,11 +1,15 @@
 #pragma once
 
 #include "sim/direction.h"
-#include "sim/effect.h"
+#include "sim/effects/description.h"
 
 #include <algorithm>
 
 namespace sim {
+
+namespace described {
+extern const Description area_stick;
+}
 
 /// A four-sided figure: front, right, back, left are its corners in order, clockwise on the screen.
 struct Quad
@@ -56,15 +60,12 @@ Sides keepArea(
 // clang-format on
 
 /// Keeps the area of a figure with four corners by moving its two sides.
-class AreaStick : public Constraint
+class AreaStick : public Described<Constraint, described::area_stick>
 {
 public:
     /// `area` in px^2, `shortest` in px.
     AreaStick(Quad quad, double area, double shortest) : m_quad(quad), m_area(area), m_shortest(shortest) {}
 
-    std::string id() const override { return "area_stick"; }
-    std::string title() const override { return SIM_TEXT("area"); }
-    Kind kind() const override { return Kind::stick; }
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
     Sees sees() const override { return Sees::tied; }

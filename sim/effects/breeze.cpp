@@ -1,7 +1,9 @@
 #include "sim/effects/breeze.h"
 
+#include "sim/built.h"
 #include "sim/effects/slope.h"
 #include "sim/free_points.h"
+#include "sim/values.h"
 
 namespace sim {
 
@@ -41,6 +43,38 @@ std::vector<Live> Breeze::explain(const State &state, int mover, Directions) con
         return {};
     const BreezePull b = pullOn(state, mover);
     return {{"swell", b.swell}, {"pull", state.inverseMass[mover] * b.pull}};
+}
+
+bool Breeze::takeInto(Taken &into) const
+{
+    into.choose("breeze", {{"wind", m_air.wind}, {"gusts", m_air.gusts}});
+    return true;
+}
+
+namespace {
+
+constexpr Setting breezeSettings[] = {
+    {"wind", SIM_TEXT("Wind"), "", SIM_TEXT("px/frame²"),
+     SIM_TEXT("How hard it blows to the right on a body 10 px wide. Below 0: to the left."), 0.1, -1e6, 1e6,
+     -1.0, 1.0},
+    {"gusts", SIM_TEXT("Gusts"), "", "", SIM_TEXT("The share by which the wind swells and ebbs."), 0.5, 0.0,
+     1.0}};
+
+EffectPtr buildBreeze(const Blueprint &plan, const Values &values)
+{
+    return std::make_shared<Breeze>(Air{values["wind"], values["gusts"]}, widths(plan), windClockOf(plan));
+}
+
+}
+
+namespace described {
+constinit const Description breeze = {
+    .id = "breeze",
+    .title = SIM_TEXT("wind"),
+    .kind = Kind::wind,
+    .purpose = SIM_TEXT("Blows everything sideways, wide bodies more, and swells and ebbs."),
+    .settings = breezeSettings,
+    .make = buildBreeze};
 }
 
 }

@@ -1,10 +1,14 @@
 #pragma once
 
-#include "sim/effect.h"
+#include "sim/effects/description.h"
 
 #include <cmath>
 
 namespace sim {
+
+namespace described {
+extern const Description breeze;
+}
 
 /// A wind that blows sideways, and swells and ebbs.
 struct Air
@@ -45,7 +49,7 @@ BreezePull breeze(
 // clang-format on
 
 /// Wind over the whole scene: it pushes every body, the wide ones more. What it does is its work, and stored nowhere.
-class Breeze : public Force
+class Breeze : public Described<Force, described::breeze>
 {
 public:
     /// `width`: of each point in px, one row a point; `clock`: the gait clock that the gusts go by.
@@ -53,9 +57,6 @@ public:
     {
     }
 
-    std::string id() const override { return "breeze"; }
-    std::string title() const override { return SIM_TEXT("wind"); }
-    Kind kind() const override { return Kind::wind; }
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
     Sees sees() const override { return m_air.gusts == 0.0 ? Sees::tied : Sees::scene; }
@@ -65,6 +66,7 @@ public:
     bool addSlopes(const State &state, Points movers, double scale, Directions directions,
                    Slopes &into) const override;
     std::vector<Live> explain(const State &state, int mover, Directions directions) const override;
+    bool takeInto(Taken &into) const override;
 
     const Air &air() const { return m_air; }
 

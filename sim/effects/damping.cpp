@@ -1,6 +1,8 @@
 #include "sim/effects/damping.h"
 
+#include "sim/built.h"
 #include "sim/free_points.h"
+#include "sim/values.h"
 
 #include <cmath>
 
@@ -86,6 +88,40 @@ std::vector<Live> Damping::explain(const State &before, const State &after, int 
 double Damping::keep(double h) const
 {
     return h == 1.0 ? m_keepInOne : kept(m_damp, h);
+}
+
+bool Damping::takeInto(Taken &into) const
+{
+    for (int i = 1; i < into.points; ++i) {
+        if (rate(i) != rate(0))
+            return false; // of some points only
+    }
+    into.choose("damping", {{"damp", keep(1.0)}});
+    return true;
+}
+
+namespace {
+
+constexpr Setting dampingSettings[] = {
+    {"damp", SIM_TEXT("Damping"), "", SIM_TEXT("per frame"),
+     SIM_TEXT("The share of its speed that everything keeps each frame. 1 keeps it all."), 0.99, 0.0, 1.0,
+     0.0, 1.0, 2, Meaning::keptSpeed}};
+
+EffectPtr buildDamping(const Blueprint &, const Values &values)
+{
+    return std::make_shared<Damping>(values["damp"]);
+}
+
+}
+
+namespace described {
+constinit const Description damping = {
+    .id = "damping",
+    .title = SIM_TEXT("damping"),
+    .kind = Kind::damping,
+    .purpose = SIM_TEXT("Takes a share of every velocity each frame, so that things come to rest."),
+    .settings = dampingSettings,
+    .make = buildDamping};
 }
 
 }

@@ -1,10 +1,14 @@
 #pragma once
 
-#include "sim/effect.h"
+#include "sim/effects/description.h"
 
 #include <limits>
 
 namespace sim {
+
+namespace described {
+extern const Description damping;
+}
 
 /// What damping leaves of a velocity, and of a spin.
 // The marker leaves out what learners need not read.
@@ -29,7 +33,7 @@ double dampSpin(double spin, double keep)
 
 /// Drag that lets every velocity keep the share `damp` each frame: the continuous model v' = -c v with
 /// c = -ln(damp) per frame, taken exactly: over h frames a velocity keeps damp^h.
-class Damping : public Drag
+class Damping : public Described<Drag, described::damping>
 {
 public:
     /// `damp` from 0 (stops at once) to 1 (no drag), per frame.
@@ -37,9 +41,6 @@ public:
     /// The same for some points only.
     Damping(double damp, Points only);
 
-    std::string id() const override { return "damping"; }
-    std::string title() const override { return SIM_TEXT("damping"); }
-    Kind kind() const override { return Kind::damping; }
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
     Sees sees() const override { return Sees::tied; }
@@ -47,6 +48,7 @@ public:
     void slow(State &state, Points points, double h) const override;
     std::optional<double> keep(Points points, double h) const override;
     std::optional<double> rate(int point) const override;
+    bool takeInto(Taken &into) const override;
     std::vector<Live> explain(const State &before, const State &after, int point, double h) const override;
     /// The factor that a velocity keeps over `h` frames.
     double keep(double h) const;

@@ -24,4 +24,10 @@ std::vector<Live> GaitClock::explain(const State &before, const State &after, in
     return {{"speed", before.gaitSpeed[clock]}, {"gait", after.gait[clock], before.gait[clock]}};
 }
 
+namespace described {
+constinit const Description gait_clock = {
+    "gait_clock", SIM_TEXT("gait clock"), Kind::driver,
+    SIM_TEXT("Turns the angle that swings the legs on, a little each frame: the beat of the walk.")};
+}
+
 }

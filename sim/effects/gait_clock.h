@@ -1,10 +1,14 @@
 #pragma once
 
-#include "sim/effect.h"
+#include "sim/effects/description.h"
 
 #include <vector>
 
 namespace sim {
+
+namespace described {
+extern const Description gait_clock;
+}
 
 /// A gait clock after `h` frames: `gait` in rad, `speed` in rad/frame. Published: Creatures II, step 9.
 // Shown lines are short.
@@ -21,15 +25,12 @@ double tick(
 // clang-format on
 
 /// Turns every gait clock of the scene on, at the speed that State::gaitSpeed gives it.
-class GaitClock : public Driver
+class GaitClock : public Described<Driver, described::gait_clock>
 {
 public:
     /// `clockOf`: which clock each point goes by, one a point; empty: all by clock 0.
     explicit GaitClock(std::vector<int> clockOf = {}) : m_clockOf(std::move(clockOf)) {}
 
-    std::string id() const override { return "gait_clock"; }
-    std::string title() const override { return SIM_TEXT("gait clock"); }
-    Kind kind() const override { return Kind::driver; }
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
     Sees sees() const override { return Sees::scene; }

@@ -1,6 +1,8 @@
 #include "sim/effects/gravity.h"
 
+#include "sim/built.h"
 #include "sim/free_points.h"
+#include "sim/values.h"
 
 namespace sim {
 
@@ -57,6 +59,34 @@ std::vector<Live> Gravity::explain(const State &state, int mover, Directions) co
     if (!state.feels(mover))
         return {};
     return {{"pull", sim::fall(m_gravity)}};
+}
+
+bool Gravity::takeInto(Taken &into) const
+{
+    into.choose("gravity", {{"gravity", m_gravity}});
+    return true;
+}
+
+namespace {
+
+constexpr Setting gravitySettings[] = {{"gravity", SIM_TEXT("Gravity"), "g", SIM_TEXT("px/frame²"),
+                                        SIM_TEXT("How much speed everything gains downwards each frame."),
+                                        0.3, -1e6, 1e6, 0.0, 3.0}};
+
+EffectPtr buildGravity(const Blueprint &, const Values &values)
+{
+    return std::make_shared<Gravity>(values["gravity"]);
+}
+
+}
+
+namespace described {
+constinit const Description gravity = {.id = "gravity",
+                                       .title = SIM_TEXT("gravity"),
+                                       .kind = Kind::gravity,
+                                       .purpose = SIM_TEXT("Pulls everything down, and everything alike."),
+                                       .settings = gravitySettings,
+                                       .make = buildGravity};
 }
 
 }

@@ -1,19 +1,20 @@
 #pragma once
 
-#include "sim/effect.h"
+#include "sim/effects/description.h"
 
 namespace sim {
 
+namespace described {
+extern const Description gravity;
+}
+
 /// The same pull straight down on every point, whatever its mass.
-class Gravity : public Force
+class Gravity : public Described<Force, described::gravity>
 {
 public:
     /// `gravity` in px/frame^2.
     explicit Gravity(double gravity) : m_gravity(gravity) {}
 
-    std::string id() const override { return "gravity"; }
-    std::string title() const override { return SIM_TEXT("gravity"); }
-    Kind kind() const override { return Kind::gravity; }
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
     Sees sees() const override { return Sees::tied; }
@@ -25,6 +26,7 @@ public:
                    Slopes &into) const override;
     std::optional<double> energy(const State &state) const override;
     std::vector<Live> explain(const State &state, int mover, Directions directions) const override;
+    bool takeInto(Taken &into) const override;
 
     double gravity() const { return m_gravity; }
 

@@ -1,6 +1,8 @@
 #include "sim/effects/ground.h"
 
+#include "sim/built.h"
 #include "sim/free_points.h"
+#include "sim/values.h"
 
 #include <algorithm>
 
@@ -54,6 +56,41 @@ void Ground::resolve(State &state, Points points) const
     for (const Points &run : m_runs)
         replaceFreeMotion(state, common(run, points),
                           [=, soil = m_soil](int foot) { return sim::ground(x.at(foot), v.at(foot), soil); });
+}
+
+bool Ground::takeInto(Taken &into) const
+{
+    into.choose("ground", {{"ground", m_soil.ground}});
+    if (m_soil.bounce != 0.0)
+        into.leave(SIM_TEXT("the bounce of the ground"));
+    if (m_soil.traction != Traction::full)
+        into.leave(SIM_TEXT("ice on the ground"));
+    return true;
+}
+
+namespace {
+
+constexpr Setting groundSettings[] = {{"ground", SIM_TEXT("Ground"), "", SIM_TEXT("px"),
+                                       SIM_TEXT("How far down the ground lies."), 380.0, -1e6, 1e6, 0.0,
+                                       440.0, 0}};
+
+EffectPtr buildGround(const Blueprint &plan, const Values &values)
+{
+    Soil soil;
+    soil.ground = values["ground"];
+    return std::make_shared<Ground>(feetOf(plan), soil);
+}
+
+}
+
+namespace described {
+constinit const Description ground = {
+    .id = "ground",
+    .title = SIM_TEXT("ground"),
+    .kind = Kind::contact,
+    .purpose = SIM_TEXT("Keeps the feet from sinking in, and from slipping where it holds them."),
+    .settings = groundSettings,
+    .make = buildGround};
 }
 
 }

@@ -7,6 +7,10 @@
 
 namespace sim {
 
+namespace described {
+extern const Description ground;
+}
+
 /// What the ground does to the speed of a foot along it.
 enum class Traction {
     full, ///< takes all of it
@@ -43,20 +47,18 @@ Motion ground(
 // clang-format on
 
 /// Ground for some points: the feet. Nothing else meets it.
-class Ground : public Contact
+class Ground : public Described<Contact, described::ground>
 {
 public:
     Ground(std::vector<int> feet, Soil soil);
 
-    std::string id() const override { return "ground"; }
-    std::string title() const override { return SIM_TEXT("ground"); }
-    Kind kind() const override { return Kind::contact; }
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
     Sees sees() const override { return Sees::tied; }
     bool idle() const override { return std::isinf(m_soil.ground) && m_soil.ground > 0.0; }
     void resolve(State &state, Points points) const override;
     std::vector<Surface> surfaces(int point) const override;
+    bool takeInto(Taken &into) const override;
 
     const Soil &soil() const { return m_soil; }
 

@@ -22,4 +22,10 @@ std::vector<Live> GustFront::explain(const State &before, const State &after, in
     return {{"front", after.gale.front, before.gale.front}, {"end", after.gale.end, before.gale.end}};
 }
 
+namespace described {
+constinit const Description gust = {
+    "gust", SIM_TEXT("gust runs on"), Kind::wind,
+    SIM_TEXT("Lets a gust run outwards from the pointer, so that near branches feel it first.")};
+}
+
 }

@@ -1,12 +1,16 @@
 #pragma once
 
-#include "sim/effect.h"
+#include "sim/effects/description.h"
 #include "sim/input_reader.h"
 
 #include <cmath>
 #include <numbers>
 
 namespace sim {
+
+namespace described {
+extern const Description gust;
+}
 
 /// One step of a gust: while the button is down its front runs outwards; when it is let go its end follows. A new
 /// press begins a new one. `speed` in px/frame, h in frames.
@@ -62,15 +66,12 @@ inline double gustSlope(double distance, Gale gale, double gusts)
 }
 
 /// Lets a gust run outwards from the pointer.
-class GustFront : public Driver, public InputReader
+class GustFront : public Described<Driver, described::gust>, public InputReader
 {
 public:
     /// `speed` in px/frame.
     explicit GustFront(double speed) : m_speed(speed) {}
 
-    std::string id() const override { return "gust"; }
-    std::string title() const override { return SIM_TEXT("gust runs on"); }
-    Kind kind() const override { return Kind::wind; }
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
     Sees sees() const override { return Sees::scene; }

@@ -34,4 +34,9 @@ std::vector<Live> Joints::explain(const State &, const State &after, int point) 
             {"end", branchEnd(after.at(point), reach, scale), {}}};
 }
 
+namespace described {
+constinit const Description joints = {"joints", SIM_TEXT("joints"), Kind::stick,
+                                      SIM_TEXT("Set each branch on the end of the branch that carries it.")};
+}
+
 }

@@ -1,20 +1,21 @@
 #pragma once
 
-#include "sim/effect.h"
+#include "sim/effects/description.h"
 #include "sim/effects/tree.h"
 
 namespace sim {
 
+namespace described {
+extern const Description joints;
+}
+
 /// Moves each branch of a tree to the end of its parent. Published: swaying tree, positionChildren().
-class Joints : public Driver
+class Joints : public Described<Driver, described::joints>
 {
 public:
     /// `degrees`: how many of them are a radian.
     Joints(TreePtr tree, double degrees) : m_tree(std::move(tree)), m_degrees(degrees) {}
 
-    std::string id() const override { return "joints"; }
-    std::string title() const override { return SIM_TEXT("joints"); }
-    Kind kind() const override { return Kind::stick; }
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
     Sees sees() const override { return Sees::tied; }

@@ -69,4 +69,15 @@ std::vector<Live> Anticipation::explain(const State &before, const State &after,
             {"v", after.speed(point), before.speed(point)}};
 }
 
+namespace described {
+constinit const Description motor = {"motor", SIM_TEXT("motor"), Kind::spring,
+                                     SIM_TEXT("Pulls the swimmer to its target, as a spring does.")};
+}
+
+namespace described {
+constinit const Description anticipation = {
+    "anticipation", SIM_TEXT("anticipation"), Kind::driver,
+    SIM_TEXT("Shifts the swimmer back before it goes to a new target, as a cat draws back before it leaps.")};
+}
+
 }

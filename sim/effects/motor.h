@@ -1,10 +1,15 @@
 #pragma once
 
-#include "sim/effect.h"
+#include "sim/effects/description.h"
 #include "sim/effects/spring.h"
 #include "sim/input_reader.h"
 
 namespace sim {
+
+namespace described {
+extern const Description motor;
+extern const Description anticipation;
+}
 
 /// A spring from one point to the target. The tutorial counts time in units of its own: a frame is `dt` of them, so
 /// its k acts as k dt^2 each frame.
@@ -23,15 +28,12 @@ SpringPull motor(
 //! [motor]
 // clang-format on
 
-class Motor : public Force, public InputReader
+class Motor : public Described<Force, described::motor>, public InputReader
 {
 public:
     /// k in 1 over the tutorial's unit of time squared, dt in those units per frame.
     Motor(int mover, double k, double dt) : m_mover(mover), m_k(k), m_dt(dt) {}
 
-    std::string id() const override { return "motor"; }
-    std::string title() const override { return SIM_TEXT("motor"); }
-    Kind kind() const override { return Kind::spring; }
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
     Sees sees() const override { return Sees::scene; }
@@ -76,15 +78,12 @@ Shifted anticipate(
 // clang-format on
 
 /// Takes each new target in turn: before it goes there, `mover` is shifted the other way. List it first.
-class Anticipation : public Driver, public InputReader
+class Anticipation : public Described<Driver, described::anticipation>, public InputReader
 {
 public:
     /// `anticipation`: the part of the way to the target that it is shifted.
     Anticipation(int mover, double anticipation) : m_mover(mover), m_anticipation(anticipation) {}
 
-    std::string id() const override { return "anticipation"; }
-    std::string title() const override { return SIM_TEXT("anticipation"); }
-    Kind kind() const override { return Kind::driver; }
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
     Sees sees() const override { return Sees::scene; }

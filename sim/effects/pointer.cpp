@@ -43,4 +43,9 @@ std::vector<Live> CarriedByPointer::explain(const State &before, const State &af
     return {{"x", after.at(point), before.at(point)}};
 }
 
+namespace described {
+constinit const Description pointer = {"pointer", SIM_TEXT("pointer"), Kind::driver,
+                                       SIM_TEXT("Carries a point to where the pointer is.")};
+}
+
 }

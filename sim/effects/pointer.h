@@ -1,20 +1,21 @@
 #pragma once
 
-#include "sim/effect.h"
+#include "sim/effects/description.h"
 #include "sim/input_reader.h"
 
 namespace sim {
 
+namespace described {
+extern const Description pointer;
+}
+
 /// Puts a point where the pointer is, from the first time that the pointer is known. List it first: the point then
 /// stands there before anything else looks.
-class CarriedByPointer : public Driver, public InputReader
+class CarriedByPointer : public Described<Driver, described::pointer>, public InputReader
 {
 public:
     explicit CarriedByPointer(int point) : m_point(point) {}
 
-    std::string id() const override { return "pointer"; }
-    std::string title() const override { return SIM_TEXT("pointer"); }
-    Kind kind() const override { return Kind::driver; }
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
     Sees sees() const override { return Sees::scene; }

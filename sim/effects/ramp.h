@@ -5,6 +5,10 @@
 
 namespace sim {
 
+namespace described {
+extern const Description ramp;
+}
+
 /// A straight edge without an end, which leans as it likes.
 struct Incline
 {
@@ -40,20 +44,18 @@ Motion ramp(
 // clang-format on
 
 /// A slanted wall without friction, which bodies slide along.
-class Ramp : public Contact
+class Ramp : public Described<Contact, described::ramp>
 {
 public:
     /// `half`: half of each point's width in px, one row per point.
     Ramp(Incline edge, Eigen::ArrayXd half) : m_edge(edge), m_half(std::move(half)) {}
 
-    std::string id() const override { return "ramp"; }
-    std::string title() const override { return SIM_TEXT("ramp"); }
-    Kind kind() const override { return Kind::contact; }
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
     Sees sees() const override { return Sees::tied; }
     void resolve(State &state, Points points) const override;
     std::vector<Surface> surfaces(int point) const override;
+    bool takeInto(Taken &into) const override;
 
     const Incline &edge() const { return m_edge; }
 

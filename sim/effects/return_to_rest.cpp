@@ -32,4 +32,10 @@ std::vector<Live> ReturnToRest::explain(const State &before, const State &after,
             {"angle", after.angle[point], before.angle[point]}};
 }
 
+namespace described {
+constinit const Description return_to_rest = {
+    "return_to_rest", SIM_TEXT("return to rest"), Kind::spring,
+    SIM_TEXT("Turns each branch a part of the way back to where it grew.")};
+}
+
 }

@@ -1,11 +1,15 @@
 #pragma once
 
-#include "sim/effect.h"
+#include "sim/effects/description.h"
 #include "sim/effects/tree.h"
 
 #include <cmath>
 
 namespace sim {
+
+namespace described {
+extern const Description return_to_rest;
+}
 
 /// Turns a branch a share of the way back to the angle at which it grew, if more than one degree is missing:
 /// `angle' = (rest - angle) / ease`, h in frames, taken as one step of explicit Euler; angles in degrees.
@@ -28,15 +32,12 @@ double returnToRest(
 // clang-format on
 
 /// Lets every branch return to where it grew.
-class ReturnToRest : public Driver
+class ReturnToRest : public Described<Driver, described::return_to_rest>
 {
 public:
     /// `ease` in frames.
     ReturnToRest(TreePtr tree, double ease) : m_tree(std::move(tree)), m_ease(ease) {}
 
-    std::string id() const override { return "return_to_rest"; }
-    std::string title() const override { return SIM_TEXT("return to rest"); }
-    Kind kind() const override { return Kind::spring; }
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
     Sees sees() const override { return Sees::tied; }

@@ -1,5 +1,8 @@
 #include "sim/effects/room_limits.h"
 
+#include "sim/built.h"
+#include "sim/values.h"
+
 namespace sim {
 
 std::vector<Region> RoomLimits::regions(Directions) const
@@ -29,6 +32,42 @@ std::vector<Live> RoomLimits::explain(const State &before, const State &after, i
     if (before.at(point) == after.at(point))
         return {};
     return {{"x", after.at(point), before.at(point)}};
+}
+
+bool RoomLimits::takeInto(Taken &into) const
+{
+    into.choose(
+        "room",
+        {{"left", m_room.left}, {"right", m_room.right}, {"floor", m_room.floor}, {"friction", m_friction}});
+    return true;
+}
+
+namespace {
+
+constexpr Setting roomSettings[] = {
+    settings::left,
+    settings::right,
+    settings::floor,
+    {"friction", SIM_TEXT("Friction"), "", "",
+     SIM_TEXT("How much a wall’s push holds back what slides along it. 0: like ice."), 0.5, 0.0, 10.0, 0.0,
+     2.0}};
+
+EffectPtr buildRoom(const Blueprint &plan, const Values &values)
+{
+    return std::make_shared<RoomLimits>(roomOf(values), halfWidths(plan), values["friction"]);
+}
+
+}
+
+namespace described {
+constinit const Description room = {
+    .id = "room",
+    .title = SIM_TEXT("room"),
+    .kind = Kind::contact,
+    .purpose =
+        SIM_TEXT("Keeps everything between two walls and above a floor, with friction and without a bounce."),
+    .settings = roomSettings,
+    .make = buildRoom};
 }
 
 }

@@ -1,11 +1,15 @@
 #pragma once
 
-#include "sim/effect.h"
+#include "sim/effects/description.h"
 #include "sim/effects/walls.h"
 
 #include <algorithm>
 
 namespace sim {
+
+namespace described {
+extern const Description room;
+}
 
 /// A slide of `slide` px against a wall that a point was `deep` px inside: what friction leaves of it. The deeper,
 /// the harder it was pressed, and the more friction can hold back.
@@ -59,7 +63,7 @@ Vec2 keepInside(
 
 /// Two walls and a floor as conditions on places: x may not be past a wall. What meets one does not bounce, and rubs
 /// along it.
-class RoomLimits : public Constraint
+class RoomLimits : public Described<Constraint, described::room>
 {
 public:
     /// `half`: half of each point's width in px, one row per point. `friction`: how much of the push of a wall can
@@ -69,14 +73,12 @@ public:
     {
     }
 
-    std::string id() const override { return "room"; }
-    std::string title() const override { return SIM_TEXT("room"); }
-    Kind kind() const override { return Kind::contact; }
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
     Sees sees() const override { return Sees::tied; }
     void enforce(State &state, Points points, Directions directions, double h) const override;
     std::vector<Live> explain(const State &before, const State &after, int point) const override;
+    bool takeInto(Taken &into) const override;
 
     const Room &room() const { return m_room; }
     double friction() const { return m_friction; }

@@ -76,4 +76,10 @@ void SoftSticks::rests(const State &state, std::vector<RestEnd> &into) const
         into.push_back(restAt(state, one.mover, one.anchor, one.rest));
 }
 
+namespace described {
+constinit const Description soft_sticks = {
+    "soft_sticks", SIM_TEXT("soft sticks"), Kind::stick,
+    SIM_TEXT("Keep a point near its distance, but let it lag behind for a while.")};
+}
+
 }

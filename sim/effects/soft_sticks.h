@@ -1,12 +1,16 @@
 #pragma once
 
 #include "sim/direction.h"
-#include "sim/effect.h"
+#include "sim/effects/description.h"
 #include "sim/resting.h"
 
 #include <cmath>
 
 namespace sim {
+
+namespace described {
+extern const Description soft_sticks;
+}
 
 /// A stick that pulls one end only, and gives way: `mover` comes nearer to its place each frame, `anchor` feels
 /// nothing of it.
@@ -63,7 +67,7 @@ SoftEnd softStick(
 // clang-format on
 
 /// Soft sticks with one movable end, one after the other.
-class SoftSticks : public Constraint, public Resting
+class SoftSticks : public Described<Constraint, described::soft_sticks>, public Resting
 {
 public:
     /// `perFrame`: what part of an error goes in a frame, 0 to 1 each.
@@ -72,9 +76,6 @@ public:
     {
     }
 
-    std::string id() const override { return "soft_sticks"; }
-    std::string title() const override { return SIM_TEXT("soft sticks"); }
-    Kind kind() const override { return Kind::stick; }
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
     Sees sees() const override { return Sees::tied; }

@@ -36,4 +36,10 @@ std::vector<Live> SplitDamping::explain(const State &before, const State &after,
             {"v", after.speed(point), before.speed(point)}};
 }
 
+namespace described {
+constinit const Description split_damping = {
+    "split_damping", SIM_TEXT("drag along, across"), Kind::damping,
+    SIM_TEXT("Slows the tail, and more so across the body than along it, as water does.")};
+}
+
 }

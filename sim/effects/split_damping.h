@@ -1,9 +1,13 @@
 #pragma once
 
 #include "sim/direction.h"
-#include "sim/effect.h"
+#include "sim/effects/description.h"
 
 namespace sim {
+
+namespace described {
+extern const Description split_damping;
+}
 
 /// What is left of a velocity, and its two parts before they were damped.
 struct SplitVelocity
@@ -33,7 +37,7 @@ SplitVelocity dampSplit(
 // clang-format on
 
 /// Drag on one point that differs along and across the line to another point.
-class SplitDamping : public Drag
+class SplitDamping : public Described<Drag, described::split_damping>
 {
 public:
     /// `along` and `across`: the share that each part of the velocity keeps each frame, from 0 to 1.
@@ -42,9 +46,6 @@ public:
     {
     }
 
-    std::string id() const override { return "split_damping"; }
-    std::string title() const override { return SIM_TEXT("drag along, across"); }
-    Kind kind() const override { return Kind::damping; }
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
     Sees sees() const override { return Sees::tied; }

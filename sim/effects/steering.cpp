@@ -22,4 +22,10 @@ std::vector<Live> Steering::explain(const State &before, const State &after, int
     return {{"speed", after.gaitSpeed[m_clock], before.gaitSpeed[m_clock]}};
 }
 
+namespace described {
+constinit const Description steering = {
+    "steering", SIM_TEXT("steering"), Kind::driver,
+    SIM_TEXT("Lets the arrow keys and the pointer set how fast the legs swing.")};
+}
+
 }

@@ -1,11 +1,15 @@
 #pragma once
 
-#include "sim/effect.h"
+#include "sim/effects/description.h"
 #include "sim/input_reader.h"
 
 #include <algorithm>
 
 namespace sim {
+
+namespace described {
+extern const Description steering;
+}
 
 /// How keys and pointer set the speed of a gait clock.
 struct Reins
@@ -53,15 +57,12 @@ double steerByPointer(
 
 /// Sets the speed of a gait clock: by the pointer while its button is down, else by the keys that are down. With
 /// neither the clock keeps the speed that it has.
-class Steering : public Driver, public InputReader
+class Steering : public Described<Driver, described::steering>, public InputReader
 {
 public:
     /// The pointer's way is measured from point `body`.
     Steering(int clock, int body, Reins reins) : m_clock(clock), m_body(body), m_reins(reins) {}
 
-    std::string id() const override { return "steering"; }
-    std::string title() const override { return SIM_TEXT("steering"); }
-    Kind kind() const override { return Kind::driver; }
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &, Points points) const override { return points.contains(m_body) ? 1 : 0; }
     Sees sees() const override { return Sees::scene; }

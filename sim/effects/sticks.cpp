@@ -1,5 +1,6 @@
 #include "sim/effects/sticks.h"
 
+#include "sim/built.h"
 #include "sim/error.h"
 
 namespace sim {
@@ -129,6 +130,32 @@ std::vector<const Sticks *> sticksAmong(const std::vector<EffectPtr> &effects)
             found.push_back(sticks);
     }
     return found;
+}
+
+bool Sticks::takeInto(Taken &into) const
+{
+    for (const Stick &one : m_sticks)
+        into.blueprint.sticks.push_back({one.a, one.b, one.length, one.share});
+    into.numbers["iterations"] = m_iterations;
+    return true;
+}
+
+namespace {
+
+constexpr Setting sticksSettings[] = {{"iterations", SIM_TEXT("Iterations"), "", SIM_TEXT("passes"),
+                                       SIM_TEXT("How often each frame goes through the list of sticks."),
+                                       10.0, 1.0, 1000.0, 1.0, 50.0, 0, Meaning::passes, true}};
+
+}
+
+namespace described {
+constinit const Description sticks = {
+    .id = "sticks",
+    .title = SIM_TEXT("sticks"),
+    .kind = Kind::stick,
+    .purpose =
+        SIM_TEXT("Give each pair of points its length back, by moving them: a stick does not stretch."),
+    .settings = sticksSettings};
 }
 
 }

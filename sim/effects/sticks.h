@@ -1,23 +1,24 @@
 #pragma once
 
-#include "sim/effect.h"
+#include "sim/effects/description.h"
 #include "sim/effects/stick.h"
 #include "sim/resting.h"
 
 namespace sim {
 
+namespace described {
+extern const Description sticks;
+}
+
 /// Rigid sticks, enforced one after the other, each seeing what those before it have moved. One pass over the list
 /// makes each stick right for a moment; the next ones may make it wrong again, and more passes leave less error.
-class Sticks : public Constraint, public Resting
+class Sticks : public Described<Constraint, described::sticks>, public Resting
 {
 public:
     /// `points`: how many points the scene has. `iterations`: passes over the list in a step.
     /// @throws Error "stick-without-end" (stick, end, points) when a stick ends at a point that is not there
     Sticks(std::vector<Stick> sticks, int points, int iterations = 1);
 
-    std::string id() const override { return "sticks"; }
-    std::string title() const override { return SIM_TEXT("sticks"); }
-    Kind kind() const override { return Kind::stick; }
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
     Sees sees() const override { return Sees::tied; }
@@ -28,6 +29,7 @@ public:
     /// The last stick that moved `point`.
     std::vector<Live> explain(const State &before, const State &after, int point) const override;
     void rests(const State &state, std::vector<RestEnd> &into) const override;
+    bool takeInto(Taken &into) const override;
 
     const std::vector<Stick> &list() const { return m_sticks; }
     int iterations() const { return m_iterations; }

@@ -127,4 +127,10 @@ double Torsion::stiffestPull() const
     return most;
 }
 
+namespace described {
+constinit const Description torsion = {
+    "torsion", SIM_TEXT("springs"), Kind::spring,
+    SIM_TEXT("Bend each joint back: the harder, the farther a branch has turned from where it grew.")};
+}
+
 }

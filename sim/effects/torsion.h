@@ -1,9 +1,13 @@
 #pragma once
 
-#include "sim/effect.h"
+#include "sim/effects/description.h"
 #include "sim/effects/tree.h"
 
 namespace sim {
+
+namespace described {
+extern const Description torsion;
+}
 
 /// What each branch of a tree has to be turned by, and how stiff its joint is. One entry a branch.
 struct Limbs
@@ -91,14 +95,11 @@ double turnedBy(
 /// With the angle and spin of each branch as coordinates the energy is a sum of one part of the spins and one of
 /// the angles, so semi-implicit Euler keeps it bounded as long as h < 2 / sqrt(the largest eigenvalue of
 /// stiffness/inertia); stiffestPull() bounds that eigenvalue.
-class Torsion : public Torque
+class Torsion : public Described<Torque, described::torsion>
 {
 public:
     Torsion(TreePtr tree, Limbs limbs) : m_tree(std::move(tree)), m_limbs(std::move(limbs)) {}
 
-    std::string id() const override { return "torsion"; }
-    std::string title() const override { return SIM_TEXT("springs"); }
-    Kind kind() const override { return Kind::spring; }
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
     Sees sees() const override { return Sees::tied; }

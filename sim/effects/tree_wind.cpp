@@ -204,4 +204,10 @@ std::vector<Live> TreeWind::explain(const State &before, const State &after, int
     return live;
 }
 
+namespace described {
+constinit const Description wind = {
+    "wind", SIM_TEXT("wind"), Kind::wind,
+    SIM_TEXT("Turns the branches away from the pointer while its button is down.")};
+}
+
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "sim/direction.h"
-#include "sim/effect.h"
+#include "sim/effects/description.h"
 #include "sim/effects/tree.h"
 #include "sim/input_reader.h"
 
@@ -11,6 +11,10 @@
 #include <optional>
 
 namespace sim {
+
+namespace described {
+extern const Description wind;
+}
 
 /// How wind comes to a branch.
 struct BranchWind
@@ -190,7 +194,7 @@ struct Turbulence
 };
 
 /// Wind that blows from the pointer while its button is down, and turns each branch, from the trunk to the twigs.
-class TreeWind : public Driver, public InputReader
+class TreeWind : public Described<Driver, described::wind>, public InputReader
 {
 public:
     TreeWind(TreePtr tree, TreeFormula formula, Resistance resistance,
@@ -199,9 +203,6 @@ public:
     {
     }
 
-    std::string id() const override { return "wind"; }
-    std::string title() const override { return SIM_TEXT("wind"); }
-    Kind kind() const override { return Kind::wind; }
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
     Sees sees() const override { return m_turbulence ? Sees::time : Sees::scene; }

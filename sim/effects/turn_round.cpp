@@ -1,5 +1,8 @@
 #include "sim/effects/turn_round.h"
 
+#include "sim/built.h"
+#include "sim/values.h"
+
 namespace sim {
 
 std::vector<Region> TurnRound::regions(Directions) const
@@ -33,6 +36,33 @@ std::vector<Live> TurnRound::explain(const State &before, const State &after, in
 {
     const int clock = clockOf(point);
     return {{"speed", after.gaitSpeed[clock], before.gaitSpeed[clock]}};
+}
+
+bool TurnRound::takeInto(Taken &into) const
+{
+    into.choose("turn_round", {{"left", m_room.left}, {"right", m_room.right}});
+    return true;
+}
+
+namespace {
+
+constexpr Setting turnRoundSettings[] = {settings::left, settings::right, settings::floor};
+
+EffectPtr buildTurnRound(const Blueprint &plan, const Values &values)
+{
+    return std::make_shared<TurnRound>(roomOf(values), halfWidths(plan), clockOf(plan), matesOf(plan));
+}
+
+}
+
+namespace described {
+constinit const Description turn_round = {
+    .id = "turn_round",
+    .title = SIM_TEXT("turn round"),
+    .kind = Kind::driver,
+    .purpose = SIM_TEXT("Makes a creature that meets a wall walk the other way."),
+    .settings = turnRoundSettings,
+    .make = buildTurnRound};
 }
 
 }

@@ -7,6 +7,10 @@
 
 namespace sim {
 
+namespace described {
+extern const Description turn_round;
+}
+
 using std::abs;
 
 /// A gait clock's speed (rad/frame) after a point with `half` its width at `x` (px) bumped into a wall, if it did:
@@ -29,7 +33,7 @@ double turnRound(
 // clang-format on
 
 /// Turns round each creature that touches a side wall with any point: its gait clocks run the other way.
-class TurnRound : public Driver
+class TurnRound : public Described<Driver, described::turn_round>
 {
 public:
     /// `half`: half of each point's width in px; `clockOf`: which clock each point goes by; one row a point.
@@ -40,15 +44,13 @@ public:
     {
     }
 
-    std::string id() const override { return "turn_round"; }
-    std::string title() const override { return SIM_TEXT("turn round"); }
-    Kind kind() const override { return Kind::driver; }
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
     Sees sees() const override { return Sees::scene; }
     bool idle() const override { return m_room.sidesAreFar(); }
     void drive(State &state, double h) const override;
     std::vector<Live> explain(const State &before, const State &after, int point) const override;
+    bool takeInto(Taken &into) const override;
 
     const Room &room() const { return m_room; }
 

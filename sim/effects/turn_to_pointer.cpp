@@ -67,4 +67,10 @@ std::vector<Live> TurnToPointer::explain(const State &before, const State &after
     return live;
 }
 
+namespace described {
+constinit const Description turn_to_pointer = {
+    "turn_to_pointer", SIM_TEXT("turn to the pointer"), Kind::driver,
+    SIM_TEXT("Turns every branch to the pointer while its button is down.")};
+}
+
 }

@@ -1,10 +1,14 @@
 #pragma once
 
-#include "sim/effect.h"
+#include "sim/effects/description.h"
 #include "sim/effects/tree.h"
 #include "sim/input_reader.h"
 
 namespace sim {
+
+namespace described {
+extern const Description turn_to_pointer;
+}
 
 namespace tree_formulas {
 
@@ -45,14 +49,11 @@ using tree_formulas::turnToPointer;
 using tree_formulas::turnToPointerPublished;
 
 /// Turns every branch to the pointer at once while its button is down, from the trunk to the twigs.
-class TurnToPointer : public Driver, public InputReader
+class TurnToPointer : public Described<Driver, described::turn_to_pointer>, public InputReader
 {
 public:
     TurnToPointer(TreePtr tree, TreeFormula formula) : m_tree(std::move(tree)), m_formula(formula) {}
 
-    std::string id() const override { return "turn_to_pointer"; }
-    std::string title() const override { return SIM_TEXT("turn to the pointer"); }
-    Kind kind() const override { return Kind::driver; }
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
     Sees sees() const override { return Sees::scene; }

@@ -1,6 +1,8 @@
 #include "sim/effects/walls.h"
 
+#include "sim/built.h"
 #include "sim/free_points.h"
+#include "sim/values.h"
 
 namespace sim {
 
@@ -28,6 +30,40 @@ void Walls::resolve(State &state, Points points) const
     replaceFreeMotion(state, points, [=, half = m_half.data(), room = m_room](int i) {
         return walls(x.at(i), v.at(i), half[i], room);
     });
+}
+
+Room roomOf(const Values &values)
+{
+    return {values["left"], values["right"], values["floor"], values["bounce"]};
+}
+
+bool Walls::takeInto(Taken &into) const
+{
+    into.choose(
+        "walls",
+        {{"left", m_room.left}, {"right", m_room.right}, {"floor", m_room.floor}, {"bounce", m_room.bounce}});
+    return true;
+}
+
+namespace {
+
+constexpr Setting wallsSettings[] = {settings::left, settings::right, settings::floor, settings::bounce};
+
+EffectPtr buildWalls(const Blueprint &plan, const Values &values)
+{
+    return std::make_shared<Walls>(roomOf(values), halfWidths(plan));
+}
+
+}
+
+namespace described {
+constinit const Description walls = {
+    .id = "walls",
+    .title = SIM_TEXT("walls"),
+    .kind = Kind::contact,
+    .purpose = SIM_TEXT("Put back what has gone past a wall or the floor, and turn its velocity round."),
+    .settings = wallsSettings,
+    .make = buildWalls};
 }
 
 }

@@ -1,10 +1,14 @@
 #pragma once
 
-#include "sim/effect.h"
+#include "sim/effects/description.h"
 
 #include <cmath>
 
 namespace sim {
+
+namespace described {
+extern const Description walls;
+}
 
 /// Where a room ends, and how much of its speed a body keeps when it bounces there.
 struct Room
@@ -17,6 +21,54 @@ struct Room
     /// Whether neither side wall can ever be reached.
     bool sidesAreFar() const { return std::isinf(left) && left < 0.0 && std::isinf(right) && right > 0.0; }
 };
+
+// The settings of rooms, which several effects read.
+namespace settings {
+
+inline constexpr Setting left = {"left",
+                                 SIM_TEXT("Left wall"),
+                                 "",
+                                 SIM_TEXT("px"),
+                                 SIM_TEXT("Where the left wall stands."),
+                                 20.0,
+                                 -1e6,
+                                 1e6,
+                                 0.0,
+                                 540.0,
+                                 0};
+inline constexpr Setting right = {"right",
+                                  SIM_TEXT("Right wall"),
+                                  "",
+                                  SIM_TEXT("px"),
+                                  SIM_TEXT("Where the right wall stands."),
+                                  520.0,
+                                  -1e6,
+                                  1e6,
+                                  0.0,
+                                  540.0,
+                                  0};
+inline constexpr Setting floor = {"floor",
+                                  SIM_TEXT("Floor"),
+                                  "",
+                                  SIM_TEXT("px"),
+                                  SIM_TEXT("How far down the floor lies."),
+                                  380.0,
+                                  -1e6,
+                                  1e6,
+                                  0.0,
+                                  400.0,
+                                  0};
+inline constexpr Setting bounce = {"bounce",
+                                   SIM_TEXT("Bounce"),
+                                   "",
+                                   SIM_TEXT("kept"),
+                                   SIM_TEXT("The share of its speed that a body keeps at a wall."),
+                                   0.5};
+
+}
+
+/// Returns the room that these settings give.
+Room roomOf(const Values &values);
 
 /// A point's position and velocity.
 struct Motion
@@ -53,15 +105,12 @@ Motion walls(
 // clang-format on
 
 /// Two walls and a floor that bodies bounce off. There is no ceiling.
-class Walls : public Contact
+class Walls : public Described<Contact, described::walls>
 {
 public:
     /// `half`: half of each point's width in px, one row per point.
     Walls(Room room, Eigen::ArrayXd half) : m_room(room), m_half(std::move(half)) {}
 
-    std::string id() const override { return "walls"; }
-    std::string title() const override { return SIM_TEXT("walls"); }
-    Kind kind() const override { return Kind::contact; }
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
     Sees sees() const override { return Sees::tied; }
@@ -71,6 +120,7 @@ public:
     }
     void resolve(State &state, Points points) const override;
     std::vector<Surface> surfaces(int point) const override;
+    bool takeInto(Taken &into) const override;
 
     const Room &room() const { return m_room; }
     /// Half of each point's width in px.

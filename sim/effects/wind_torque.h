@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/effect.h"
+#include "sim/effects/description.h"
 #include "sim/effects/gust.h"
 #include "sim/effects/torsion.h"
 #include "sim/effects/tree.h"
@@ -9,6 +9,10 @@
 #include <algorithm>
 
 namespace sim {
+
+namespace described {
+extern const Description wind;
+}
 
 /// What the wind does to a branch, with what it was found from.
 struct WindPush
@@ -49,7 +53,7 @@ WindPush windPush(
 // clang-format on
 
 /// Wind that pushes each branch away from the pointer, as a gust that runs outwards (see GustFront).
-class WindTorque : public Torque, public InputReader
+class WindTorque : public Described<Torque, described::wind>, public InputReader
 {
 public:
     /// `wind`: its strength; `gusts`: the share by which it swells and ebbs.
@@ -58,9 +62,6 @@ public:
     {
     }
 
-    std::string id() const override { return "wind"; }
-    std::string title() const override { return SIM_TEXT("wind"); }
-    Kind kind() const override { return Kind::wind; }
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
     Sees sees() const override { return Sees::scene; }

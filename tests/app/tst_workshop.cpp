@@ -119,7 +119,7 @@ private slots:
                 break;
             case 3:
                 world.bench.setEffect(
-                    QString::fromStdString(world.session.step().catalogue[std::size_t(upTo(7))]->id()),
+                    QString::fromUtf8(world.session.step().catalogue[std::size_t(upTo(7))]->id),
                     upTo(1) == 1);
                 break;
             default:

@@ -1,7 +1,6 @@
 #include "app/ui/sandbox/effect_switches.h"
 
 #include "app/model/sentences.h"
-#include "sim/purpose.h"
 
 #include <QCheckBox>
 #include <QGridLayout>
@@ -34,10 +33,10 @@ void EffectSwitches::make()
     grid->setContentsMargins(sideMargin, 2, sideMargin, 4);
     grid->setSpacing(6);
     int place = 0;
-    for (const sim::EffectPtr &effect : m_session.step().catalogue) {
-        const QString id = QString::fromStdString(effect->id());
-        auto *box = new QCheckBox(capitalised(phrase(effect->title())), this);
-        box->setToolTip(phrase(sim::purposeOf(*effect)));
+    for (const sim::Description *effect : m_session.step().catalogue) {
+        const QString id = QString::fromUtf8(effect->id);
+        auto *box = new QCheckBox(capitalised(phrase(effect->title)), this);
+        box->setToolTip(phrase(effect->purpose));
         box->setAccessibleDescription(box->toolTip());
         connect(box, &QCheckBox::clicked, this, [this, id](bool on) {
             m_bench.setEffect(id, on);

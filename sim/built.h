@@ -1,0 +1,52 @@
+#pragma once
+
+#include "sim/blueprint.h"
+#include "sim/setting.h"
+
+#include <Eigen/Core>
+
+#include <initializer_list>
+#include <map>
+#include <utility>
+
+namespace sim {
+
+/// A scene as a learner could have built it.
+struct Taken
+{
+    Blueprint blueprint;
+    std::map<std::string, double> numbers; ///< settings of the scene, by id
+    std::vector<std::string> left;         ///< what of it nobody can build, in English; see SIM_TEXT
+    int points = 0; ///< of the scene: those that the blueprint has beyond them stand for something else
+
+    /// Adds an effect with its settings.
+    void choose(const std::string &effect, std::initializer_list<std::pair<const char *, double>> settings);
+    void leave(const std::string &what);
+};
+
+/// Whether the effect called `id` was chosen for the scene.
+bool has(const Blueprint &plan, const std::string &id);
+
+/// The number that a setting of points has at `point`: its preset where the point has none of its own.
+double valueOf(const BuiltPoint &point, const Setting &setting);
+void setValue(BuiltPoint &point, const Setting &setting, double value);
+/// One entry a point.
+Eigen::ArrayXd valuesOf(const Blueprint &plan, const Setting &setting);
+
+/// Each point's width, and half of it, in px.
+Eigen::ArrayXd widths(const Blueprint &plan);
+Eigen::ArrayXd halfWidths(const Blueprint &plan);
+
+/// The points that are feet, in order.
+std::vector<int> feetOf(const Blueprint &plan);
+
+// The clocks of a scene: one a gait group, then that of the wind, then one that no leg goes by.
+
+int clocksOf(const Blueprint &plan);
+int windClockOf(const Blueprint &plan);
+/// Which clock each point goes by, one a point.
+std::vector<int> clockOf(const Blueprint &plan);
+/// For each clock those of the other gait groups with feet on the same bodies: one creature.
+std::vector<std::vector<int>> matesOf(const Blueprint &plan);
+
+}

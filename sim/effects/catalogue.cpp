@@ -1,0 +1,85 @@
+#include "sim/effects/catalogue.h"
+
+#include "sim/built.h"
+
+#include <algorithm>
+
+/// Every effect, by the name of its description. Those that a learner can choose act in this order.
+// clang-format off
+#define EFFECTS(ONE) \
+    ONE(body_spring) \
+    ONE(leg_spring) \
+    ONE(motor) \
+    ONE(offset_spring) \
+    ONE(point_spring) \
+    ONE(radial_spring) \
+    ONE(springs) \
+    ONE(torsion) \
+    ONE(push) \
+    ONE(gravity) \
+    ONE(breeze) \
+    ONE(damping) \
+    ONE(split_damping) \
+    ONE(angle_limits) \
+    ONE(area_stick) \
+    ONE(soft_sticks) \
+    ONE(sticks) \
+    ONE(room) \
+    ONE(walls) \
+    ONE(ramp) \
+    ONE(ground) \
+    ONE(anticipation) \
+    ONE(gait_clock) \
+    ONE(gust) \
+    ONE(joints) \
+    ONE(pointer) \
+    ONE(return_to_rest) \
+    ONE(steering) \
+    ONE(turn_round) \
+    ONE(turn_to_pointer) \
+    ONE(wind)
+// clang-format on
+
+namespace sim {
+
+namespace described {
+#define DECLARE(name) extern const Description name;
+EFFECTS(DECLARE)
+#undef DECLARE
+}
+
+Catalogue catalogue()
+{
+#define ADDRESS(name) &described::name,
+    static constexpr const Description *all[] = {EFFECTS(ADDRESS)};
+#undef ADDRESS
+    return all;
+}
+
+const Description *findDescription(Catalogue known, const std::string &id)
+{
+    const auto found =
+        std::find_if(known.begin(), known.end(), [&](const Description *one) { return one->id == id; });
+    return found == known.end() ? nullptr : *found;
+}
+
+std::string purposeOf(const Effect &effect)
+{
+    const Description *found = findDescription(catalogue(), effect.id());
+    return found ? found->purpose : std::string();
+}
+
+ChosenEffects chosenEffects(Catalogue known, const Blueprint &plan, const Values &values)
+{
+    ChosenEffects chosen;
+    for (const Description *one : known) {
+        if (!one->make || !has(plan, one->id))
+            continue;
+        const EffectPtr effect = one->make(plan, values);
+        const bool pulls = as<Force>(*effect) || as<Torque>(*effect) || as<Drag>(*effect);
+        (pulls ? chosen.pulls : chosen.rest).push_back(effect);
+    }
+    return chosen;
+}
+
+}

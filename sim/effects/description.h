@@ -1,0 +1,36 @@
+#pragma once
+
+#include "sim/effect.h"
+#include "sim/setting.h"
+
+#include <span>
+
+namespace sim {
+
+struct Blueprint;
+class Values;
+
+/// An effect as data: what people read of it, and how the sandbox makes it. Texts are in English; see SIM_TEXT.
+struct Description
+{
+    const char *id; ///< in files: lower case with underscores
+    const char *title;
+    Kind kind;
+    const char *purpose;                    ///< one sentence for a learner: what it is there for
+    std::span<const Setting> settings = {}; ///< the numbers of the whole scene that it reads
+    std::span<const Setting> ofPoints = {}; ///< the numbers of each point that it reads; see BuiltPoint::more
+    /// Makes it for a scene that a learner built, where a learner can choose it there. `values` has each of `settings`.
+    EffectPtr (*make)(const Blueprint &, const Values &) = nullptr;
+};
+
+/// An effect with the id, title and kind of its description.
+template <class Base, const Description &description>
+class Described : public Base
+{
+public:
+    std::string id() const override { return description.id; }
+    std::string title() const override { return description.title; }
+    Kind kind() const override { return description.kind; }
+};
+
+}
