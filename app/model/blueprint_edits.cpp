@@ -208,8 +208,10 @@ std::optional<Chosen> duplicate(sim::Blueprint &plan, const Chosen &chosen, sim:
         const std::optional<int> copy = addPoint(next, old.x + by);
         if (!copy)
             return {};
-        sim::BuiltPoint &made = next.points[std::size_t(*copy)];
-        made = {made.name, made.x, old.v, old.mass, old.size, old.fixed};
+        sim::BuiltPoint made = old;
+        std::swap(made.name, next.points[std::size_t(*copy)].name);
+        made.x = next.points[std::size_t(*copy)].x;
+        next.points[std::size_t(*copy)] = std::move(made);
         copies[std::size_t(one)] = *copy;
         added.points.push_back(*copy);
     }

@@ -3,6 +3,7 @@
 #include "app/model/blueprint_limits.h"
 #include "app/model/json_fields.h"
 #include "app/model/words.h"
+#include "sim/built.h"
 
 #include <QCoreApplication>
 #include <QHash>
@@ -106,7 +107,12 @@ private:
     sim::BuiltPoint point(const QString &name, const JsonValue &value) const
     {
         const JsonFields body(m_file, value, tr("the body %1").arg(quoted(name)));
-        body.refuseOthers({"x", "y", "vx", "vy", "mass", "size", "fixed"});
+        QStringList known = {"x", "y", "vx", "vy", "mass", "size", "fixed"};
+        for (const sim::Description *effect : m_step.catalogue) {
+            for (const sim::Setting &setting : effect->ofPoints)
+                known.push_back(QString::fromUtf8(setting.id));
+        }
+        body.refuseOthers(known);
         sim::BuiltPoint point;
         point.name = name.toStdString();
         point.x = {number(body, "x", built::place), number(body, "y", built::place)};
@@ -114,6 +120,12 @@ private:
         point.mass = number(body, "mass", built::mass, point.mass);
         point.size = number(body, "size", built::size, point.size);
         point.fixed = truth(body, "fixed", false);
+        for (const sim::Description *effect : m_step.catalogue) {
+            for (const sim::Setting &setting : effect->ofPoints) {
+                const double own = number(body, setting.id, {setting.min, setting.max}, setting.preset);
+                sim::setValue(point, setting, own);
+            }
+        }
         return point;
     }
 

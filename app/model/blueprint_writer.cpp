@@ -52,6 +52,8 @@ QStringList pointEntries(const sim::Blueprint &plan)
         entry.number("vx", one.v.x, 0.0).number("vy", one.v.y, 0.0);
         entry.number("mass", one.mass, usual.mass).number("size", one.size, usual.size);
         entry.truth("fixed", one.fixed, false);
+        for (const auto &[setting, value] : one.more)
+            entry.number(setting.c_str(), value);
         entries.push_back('"' + QString::fromStdString(one.name) + "\": " + entry.line());
     }
     return entries;

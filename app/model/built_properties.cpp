@@ -2,6 +2,8 @@
 
 #include "app/model/built_names.h"
 #include "app/model/sentences.h"
+#include "lessons/api/parameters.h"
+#include "sim/built.h"
 
 #include <QCoreApplication>
 
@@ -19,20 +21,19 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(BuiltProperties)
 };
 
-/// A property of all chosen parts of one list: `parts(plan)` is the list, `numbers(chosen)` which of it are chosen, and
-/// `field(part)` the number.
-template <class Parts, class Numbers, class Field>
-BuiltProperty propertyOf(const Named &named, Parts parts, Numbers numbers, Field field)
+/// A property of all chosen parts of one list: `parts(plan)` is the list, `numbers(chosen)` which of it are chosen;
+/// `read(part)` and `write(part, value)` are the property of one part.
+template <class Parts, class Numbers, class Read, class Write>
+BuiltProperty propertyOf(lessons::Parameter about, Parts parts, Numbers numbers, Read read, Write write)
 {
     BuiltProperty property;
-    property.about = parameterOf(named, 0.0);
+    property.about = std::move(about);
     property.get = [=](const sim::Blueprint &plan, const Chosen &chosen) -> std::optional<double> {
         std::optional<double> common;
         for (const int one : numbers(chosen)) {
             if (std::size_t(one) >= parts(plan).size())
                 return {};
-            auto part = parts(plan)[std::size_t(one)];
-            const double value = static_cast<double>(field(part));
+            const double value = read(parts(plan)[std::size_t(one)]);
             if (common && *common != value)
                 return {};
             common = value;
@@ -43,11 +44,22 @@ BuiltProperty propertyOf(const Named &named, Parts parts, Numbers numbers, Field
         for (const int one : numbers(chosen)) {
             if (std::size_t(one) >= parts(plan).size())
                 return;
-            auto &number = field(parts(plan)[std::size_t(one)]);
-            number = static_cast<std::remove_reference_t<decltype(number)>>(value);
+            write(parts(plan)[std::size_t(one)], value);
         }
     };
     return property;
+}
+
+/// The same for what is a field of a part: `field(part)`.
+template <class Parts, class Numbers, class Field>
+BuiltProperty propertyOf(const Named &named, Parts parts, Numbers numbers, Field field)
+{
+    const auto read = [field](auto part) { return static_cast<double>(field(part)); };
+    const auto write = [field](auto &part, double value) {
+        auto &number = field(part);
+        number = static_cast<std::remove_reference_t<decltype(number)>>(value);
+    };
+    return propertyOf(parameterOf(named, 0.0), parts, numbers, read, write);
 }
 
 /// A coordinate: what ties the points that it moves goes along, as it does when they are dragged.
@@ -142,6 +154,22 @@ void addPoints(Collector &all, const sim::Blueprint &plan, const Chosen &chosen)
         vy(), [](auto &point) -> auto & { return point.v.y; }));
 }
 
+/// What effects read of points, while they are in the scene.
+void addSettings(Collector &all, const sim::Blueprint &plan, sim::Catalogue known)
+{
+    for (const sim::Description *effect : known) {
+        if (!sim::has(plan, effect->id))
+            continue;
+        for (const sim::Setting &setting : effect->ofPoints) {
+            const auto read = [&setting](const auto &point) { return sim::valueOf(point, setting); };
+            const auto write = [&setting](auto &point, double value) {
+                sim::setValue(point, setting, value);
+            };
+            all.add(propertyOf(lessons::parameterOf(setting), pointsOf, chosenPoints, read, write));
+        }
+    }
+}
+
 void addSprings(Collector &all, const Chosen &chosen)
 {
     const std::size_t count = chosen.springs.size();
@@ -202,11 +230,14 @@ void addFootOf(Collector &all, const sim::Blueprint &plan, int foot)
 
 }
 
-std::vector<BuiltProperty> propertiesOf(const sim::Blueprint &plan, const Chosen &chosen)
+std::vector<BuiltProperty> propertiesOf(const sim::Blueprint &plan, const Chosen &chosen,
+                                        sim::Catalogue known)
 {
     Collector all;
-    if (!chosen.points.empty())
+    if (!chosen.points.empty()) {
         addPoints(all, plan, chosen);
+        addSettings(all, plan, known);
+    }
     if (chosen.points.size() == 1) {
         if (const std::optional<int> foot = footOf(plan, chosen.points.front()))
             addFootOf(all, plan, *foot);

@@ -2,6 +2,7 @@
 
 #include "app/model/blueprint_edits.h"
 #include "lessons/api/parameter.h"
+#include "sim/effects/catalogue.h"
 
 #include <QString>
 
@@ -23,6 +24,8 @@ struct BuiltProperty
 };
 
 /// What can be set of the chosen parts: of points, springs and sticks; of a single foot its leg and its gait group, too.
-std::vector<BuiltProperty> propertiesOf(const sim::Blueprint &plan, const Chosen &chosen);
+/// Points have what those effects of `known` read of them that the plan lists.
+std::vector<BuiltProperty> propertiesOf(const sim::Blueprint &plan, const Chosen &chosen,
+                                        sim::Catalogue known = {});
 
 }

@@ -321,7 +321,8 @@ void BuildPanel::refreshProperties()
         m_shownKey.clear();
         return;
     }
-    std::vector<BuiltProperty> properties = propertiesOf(m_bench.plan(), m_bench.chosen());
+    std::vector<BuiltProperty> properties =
+        propertiesOf(m_bench.plan(), m_bench.chosen(), m_session.step().catalogue);
     QString key;
     for (const BuiltProperty &one : properties)
         key += one.section + '/' + one.about.id + QString::number(one.about.max) + ' ';
