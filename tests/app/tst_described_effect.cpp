@@ -1,0 +1,307 @@
+// An effect that only this suite knows, in the sandbox: it has a setting of the scene and one of points, and nothing but
+// its description names them.
+
+#include "app/model/built_properties.h"
+#include "app/model/effect_lines.h"
+#include "app/model/experiment.h"
+#include "app/model/offered_parameters.h"
+#include "app/model/workbench.h"
+#include "app/model/workshop.h"
+#include "lessons/api/blueprint_of.h"
+#include "lessons/api/parameters.h"
+#include "sim/built.h"
+
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace app;
+
+namespace described {
+
+extern const sim::Description sail;
+
+}
+
+namespace {
+
+/// A steady push to the right on points that carry a sail, by its area.
+class Sail : public sim::Described<sim::Force, described::sail>
+{
+public:
+    Sail(double strength, Eigen::ArrayXd area) : m_strength(strength), m_area(std::move(area)) {}
+
+    std::vector<sim::Region> regions(sim::Directions) const override { return {}; }
+    int count(const sim::State &, sim::Points points) const override { return points.count; }
+    void add(const sim::State &state, sim::Points movers, double scale, sim::Directions,
+             Eigen::ArrayX2d &into) const override
+    {
+        for (int i = movers.first; i < movers.end(); ++i)
+            into(i, 0) += scale * state.inverseMass[i] * m_strength * m_area[i];
+    }
+    std::vector<sim::Live> explain(const sim::State &, int, sim::Directions) const override { return {}; }
+    bool takeInto(sim::Taken &into) const override;
+
+private:
+    double m_strength;
+    Eigen::ArrayXd m_area;
+};
+
+constexpr sim::Setting sailSettings[] = {
+    {"strength", "Strength", "s", "px/frame²", "How hard it blows.", 0.1, 0.0, 10.0, 0.0, 1.0}};
+constexpr sim::Setting sailOfPoints[] = {
+    {"area", "Area", "", "px²", "How large its sail is.", 0.0, -4.0, 4.0, -4.0, 4.0, 1}};
+
+sim::EffectPtr buildSail(const sim::Blueprint &plan, const sim::Values &values)
+{
+    return std::make_shared<Sail>(values["strength"], sim::valuesOf(plan, sailOfPoints[0]));
+}
+
+bool Sail::takeInto(sim::Taken &into) const
+{
+    into.choose("sail", {{"strength", m_strength}});
+    for (int i = 0; i < into.points; ++i)
+        sim::setValue(into.blueprint.points[std::size_t(i)], sailOfPoints[0], m_area[i]);
+    return true;
+}
+
+}
+
+namespace described {
+
+constinit const sim::Description sail = {.id = "sail",
+                                         .title = "sail",
+                                         .kind = sim::Kind::wind,
+                                         .purpose = "Pushes what carries a sail.",
+                                         .settings = sailSettings,
+                                         .ofPoints = sailOfPoints,
+                                         .make = buildSail};
+
+}
+
+namespace {
+
+/// The sandbox, with one effect more.
+LessonLibrary libraryWithSail()
+{
+    static constexpr const sim::Description *more[] = {&described::sail};
+    LessonLibrary library = LessonLibrary::load({LESSON_DIR});
+    lessons::Step &step = library.workshops.front().steps.front();
+    step.addParameters(lessons::settingsOf(more));
+    step.catalogue.push_back(more[0]);
+    step.scene = [old = step.scene](const sim::Values &values) {
+        sim::Scene scene = old(values);
+        if (values.blueprint) {
+            for (const sim::EffectPtr &one : sim::chosenEffects(more, *values.blueprint, values).pulls)
+                scene.effects.push_back(one);
+        }
+        return scene;
+    };
+    return library;
+}
+
+const LessonLibrary &library()
+{
+    static const LessonLibrary known = libraryWithSail();
+    return known;
+}
+
+struct World
+{
+    World()
+    {
+        session.openStep("sandbox", "build");
+        bench.change("Set up", [](sim::Blueprint &plan) {
+            plan = {};
+            plan.points = {{"a", {0, 0}, {}, 2.0}, {"b", {0, 50}, {}}, {"c", {0, 100}, {}}};
+        });
+    }
+    const sim::Blueprint &plan() const { return bench.plan(); }
+    const sim::Setting &area() const { return sailOfPoints[0]; }
+    /// The area of the chosen points, as a property; none where they have no such property.
+    std::optional<BuiltProperty> property() const
+    {
+        for (const BuiltProperty &one : propertiesOf(plan(), bench.chosen(), session.step().catalogue)) {
+            if (one.about.id == "area")
+                return one;
+        }
+        return {};
+    }
+    void setArea(const Chosen &chosen, double value)
+    {
+        bench.choose(chosen);
+        const BuiltProperty one = *property();
+        bench.change("Change area", [&](sim::Blueprint &plan) { one.set(plan, chosen, value); });
+    }
+    bool offersStrength() const
+    {
+        const std::vector<const lessons::Parameter *> all = offeredParameters(session);
+        return std::any_of(all.begin(), all.end(), [](const auto *one) { return one->id == "strength"; });
+    }
+    QByteArray text() const { return experimentText(session.experiment(), library()); }
+
+    Session session{library()};
+    Workbench bench{session};
+};
+
+/// A file of a scene with a point that has this, from line 5 on.
+QByteArray fileWith(const QByteArray &property)
+{
+    return "{\n\"format\": \"springstep-experiment/1\",\n\"lesson\": \"sandbox\",\n\"step\": \"build\",\n"
+           "\"scene\": { \"bodies\": { \"a\": { \"x\": 1, \"y\": 2, " +
+           property + " } } }\n}\n";
+}
+
+QString refusalOf(const QByteArray &text, const LessonLibrary &known)
+{
+    try {
+        parseExperiment(text, "x.json", known);
+        return {};
+    } catch (const Refusal &refusal) {
+        return refusal.sentence();
+    }
+}
+
+}
+
+class DescribedEffect : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        QSettings::setDefaultFormat(QSettings::IniFormat);
+        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_folder.path());
+    }
+
+    void itsSettingsAreOfferedWhileItIsInTheScene()
+    {
+        World world;
+        world.bench.choose({{0}, {}, {}});
+        QVERIFY(!world.property() && !world.offersStrength());
+        world.bench.setEffect("sail", true);
+        QVERIFY(world.property() && world.offersStrength());
+        QCOMPARE(world.property()->about.name, QString("Area"));
+        QCOMPARE(world.property()->about.unit, QString("px²"));
+        QCOMPARE(world.property()->about.min, -4.0);
+        QCOMPARE(world.property()->get(world.plan(), world.bench.chosen()), std::optional(0.0));
+        world.bench.setEffect("sail", false);
+        QVERIFY(!world.property() && !world.offersStrength());
+    }
+
+    void aPropertyOfPointsIsSetOfAllThatIsChosenAndUndone()
+    {
+        World world;
+        world.bench.setEffect("sail", true);
+        const sim::Blueprint before = world.plan();
+        world.setArea({{0, 2}, {}, {}}, 3.0);
+        QCOMPARE(sim::valuesOf(world.plan(), world.area()).sum(), 6.0);
+        QCOMPARE(sim::valueOf(world.plan().points[1], world.area()), 0.0);
+        world.bench.choose({{0, 1}, {}, {}});
+        QVERIFY(!world.property()->get(world.plan(), world.bench.chosen())); // they differ
+        world.session.undo();
+        QVERIFY(world.plan() == before);
+        world.session.redo();
+        QCOMPARE(sim::valueOf(world.plan().points[2], world.area()), 3.0);
+        world.setArea({{0, 2}, {}, {}}, 0.0);
+        QVERIFY(world.plan() == before); // what is as preset is not kept
+    }
+
+    void copiesHaveIt()
+    {
+        World world;
+        world.bench.setEffect("sail", true);
+        world.setArea({{0}, {}, {}}, 1.5);
+        world.bench.duplicateChosen();
+        QCOMPARE(world.plan().points.size(), std::size_t(4));
+        QCOMPARE(sim::valueOf(world.plan().points[3], world.area()), 1.5);
+        QVERIFY(world.plan().points[3].name != "a");
+    }
+
+    void filesKeepIt()
+    {
+        World world;
+        world.bench.setEffect("sail", true);
+        world.session.setParameter("strength", 0.7);
+        world.setArea({{1}, {}, {}}, 0.1 + 0.2);
+        const QByteArray text = world.text();
+        QVERIFY(text.contains("\"area\": 0.30000000000000004") && text.count("\"area\"") == 1);
+        const Experiment back = parseExperiment(text, "x.json", library());
+        QVERIFY(*back.script.values.blueprint == world.plan());
+        QCOMPARE(back.script.values["strength"], 0.7);
+        QCOMPARE(experimentText(back, library()), text);
+    }
+
+    void filesRefuseWhatItCannotBe()
+    {
+        QVERIFY(refusalOf(fileWith("\"area\": -4"), library()).isEmpty());
+        QCOMPARE(refusalOf(fileWith("\"area\": 5"), library()),
+                 QString("x.json: line 5: \"area\" is 5; it can be -4 to 4."));
+        const QString unknown = refusalOf(fileWith("\"area\": 1"), LessonLibrary::load({LESSON_DIR}));
+        QVERIFY2(unknown.contains("has no field \"area\""), qPrintable(unknown));
+    }
+
+    /// By x = a t^2 / 2 with a = strength * area / mass.
+    void pointsThatHaveItMove()
+    {
+        World world;
+        world.session.setMethod("velocity_verlet");
+        world.bench.setEffect("sail", true);
+        world.setArea({{0}, {}, {}}, 3.0);
+        world.session.goTo({20, 0});
+        const sim::State &now = world.session.timeline().now();
+        QVERIFY(std::abs(now.at(0).x - 0.5 * (0.1 * 3.0 / 2.0) * 400.0) < 1e-9);
+        QCOMPARE(now.at(1).x, 0.0);
+    }
+
+    void aSceneThatHasItCanBeTakenOver()
+    {
+        World world;
+        world.bench.setEffect("sail", true);
+        world.setArea({{2}, {}, {}}, -2.5);
+        const Picture picture = world.session.picture();
+        const auto taken = lessons::blueprintOf(picture.segment->scene, picture.state, *picture.look);
+        QVERIFY(taken && taken->left.empty());
+        QCOMPARE(taken->numbers.at("strength"), 0.1);
+        QVERIFY(taken->blueprint.points[2].more == world.plan().points[2].more);
+        QVERIFY(sim::has(taken->blueprint, "sail"));
+    }
+
+    void theListOfEffectsOffersIt()
+    {
+        World world;
+        EffectFacts facts;
+        facts.offered = world.session.step().catalogue;
+        const std::vector<EffectLine> lines = effectLines(facts);
+        const auto line =
+            std::find_if(lines.begin(), lines.end(), [](const EffectLine &one) { return one.id == "sail"; });
+        QVERIFY(line != lines.end() && line->role == EffectRole::offered);
+        QCOMPARE(line->title, QString("Sail"));
+        QVERIFY(line->help.contains("Pushes what carries a sail."));
+    }
+
+    void noTwoEffectsShareAnIdAndSharedSettingsAgree()
+    {
+        QStringList ids;
+        std::map<std::string, const sim::Setting *> settings;
+        for (const sim::Description *one : sim::catalogue()) {
+            ids << one->id;
+            for (const sim::Setting &setting : one->settings) {
+                const auto [known, isNew] = settings.emplace(setting.id, &setting);
+                QVERIFY2(isNew ||
+                             (std::string(known->second->help) == setting.help &&
+                              known->second->preset == setting.preset && known->second->max == setting.max),
+                         setting.id);
+                QVERIFY2(setting.preset >= setting.min && setting.preset <= setting.max, setting.id);
+            }
+        }
+        QCOMPARE(ids.removeDuplicates(), 0);
+    }
+
+private:
+    QTemporaryDir m_folder;
+};
+
+QTEST_GUILESS_MAIN(DescribedEffect)
+#include "tst_described_effect.moc"
