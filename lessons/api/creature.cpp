@@ -45,8 +45,9 @@ void addLegs(std::vector<SpringLook> &looks, const sim::LegSpring &springs, cons
 {
     if (springs.rule().aim == sim::Aim::swing)
         return;
-    for (std::size_t i = 0; i < springs.legs().size(); ++i) {
-        const sim::Leg &leg = springs.legs()[i];
+    const std::vector<sim::Leg> legs = springs.legs();
+    for (std::size_t i = 0; i < legs.size(); ++i) {
+        const sim::Leg &leg = legs[i];
         looks.push_back(
             {leg.foot, leg.body, 0.0, springs.target(state, static_cast<int>(i)) - state.at(leg.body)});
     }

@@ -49,8 +49,9 @@ void forEachLeg(const Scene &scene, const State &state, Visit &&visit)
         const auto *springs = dynamic_cast<const sim::LegSpring *>(effect.get());
         if (!springs)
             continue;
-        for (std::size_t i = 0; i < springs->legs().size(); ++i)
-            visit(springs->legs()[i], springs->target(state, static_cast<int>(i)));
+        const std::vector<sim::Leg> legs = springs->legs();
+        for (std::size_t i = 0; i < legs.size(); ++i)
+            visit(legs[i], springs->target(state, static_cast<int>(i)));
     }
 }
 
