@@ -652,6 +652,10 @@
         <translation>Wie weit der Körper von dem Ort entfernt ist, an dem er hängt.</translation>
     </message>
     <message>
+        <source>How much farther out the spring wants the body, as a share of its distance.</source>
+        <translation>Wie viel weiter außen die Feder den Körper haben will, als Anteil seiner Entfernung.</translation>
+    </message>
+    <message>
         <source>Where the spring pulls the body to.</source>
         <translation>Wohin die Feder den Körper zieht.</translation>
     </message>

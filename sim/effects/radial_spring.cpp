@@ -30,7 +30,7 @@ std::vector<Live> RadialLaw::live(Vec2 mover, Vec2 anchor, Vec2 parting, const N
         return {{"from", mover - anchor}, {"length", found.length}, {"pull", pullInOnePlace(parting, one)}};
     return {{"from", mover - anchor},
             {"length", found.length},
-            {"lacks", one.radius / found.length - 1.0},
+            {"share", one.radius / found.length - 1.0},
             {"pull", found.pull}};
 }
 

@@ -52,8 +52,8 @@ Pull springPull(
         from.x * from.x + from.y * from.y;
     double length = std::sqrt(square);
     // above 0: too short, it pushes
-    double lacks = radius / length - 1;
-    Vec2 pull = k * lacks * from;
+    double share = radius / length - 1;
+    Vec2 pull = k * share * from;
     return {pull, length};
 }
 //! [spring_pull]

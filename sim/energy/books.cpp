@@ -31,8 +31,7 @@ std::optional<Account> accountOf(const Phase &phase)
 
 bool isForce(const Phase &phase)
 {
-    return as<Force>(phase.effect) ||
-           as<Torque>(phase.effect);
+    return as<Force>(phase.effect) || as<Torque>(phase.effect);
 }
 
 /// A driver that moves nothing.
