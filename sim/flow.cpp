@@ -1,8 +1,9 @@
 #include "sim/flow.h"
 
+#include "sim/free_points.h"
+
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace sim {
 
@@ -70,9 +71,23 @@ bool hasRates(const Drag &drag, const std::vector<Points> &runs)
     return true;
 }
 
-std::size_t bytes(int numbers)
+/// As loops, which are quicker for a few numbers than a call of memcpy: see sim/CMakeLists.txt.
+void copy(const double *from, int count, double *into)
 {
-    return static_cast<std::size_t>(numbers) * sizeof(double);
+    for (int i = 0; i < count; ++i)
+        into[i] = from[i];
+}
+
+/// The numbers of `run` in both columns, to and from rows of q that lie `apart`.
+void copy(const Eigen::ArrayX2d &columns, Points run, double *row, int apart)
+{
+    copy(&columns(run.first, 0), run.count, row);
+    copy(&columns(run.first, 1), run.count, row + apart);
+}
+void copy(const double *row, int apart, Eigen::ArrayX2d &columns, Points run)
+{
+    copy(row, run.count, &columns(run.first, 0));
+    copy(row + apart, run.count, &columns(run.first, 1));
 }
 
 }
@@ -150,13 +165,11 @@ int Flow::pointAt(int row) const
 void Flow::read(const State &state, double *q, double *v) const
 {
     forEachRun([&](Points run, int row) {
-        for (int axis = 0; axis < 2; ++axis) {
-            std::memcpy(q + axis * m_points + row, &state.position(run.first, axis), bytes(run.count));
-            std::memcpy(v + axis * m_points + row, &state.velocity(run.first, axis), bytes(run.count));
-        }
+        copy(state.position, run, q + row, m_points);
+        copy(state.velocity, run, v + row, m_points);
         if (m_spins > 0) {
-            std::memcpy(q + 2 * m_points + row, &state.angle[run.first], bytes(run.count));
-            std::memcpy(v + 2 * m_points + row, &state.spin[run.first], bytes(run.count));
+            copy(&state.angle[run.first], run.count, q + 2 * m_points + row);
+            copy(&state.spin[run.first], run.count, v + 2 * m_points + row);
         }
     });
     forEach([&](int point, int row) {
@@ -172,11 +185,10 @@ void Flow::place(const double *q, State &state) const
 {
     forEachRun([&](Points run, int row) {
         if (m_spins > 0) {
-            std::memcpy(&state.angle[run.first], q + 2 * m_points + row, bytes(run.count));
+            copy(q + 2 * m_points + row, run.count, &state.angle[run.first]);
             return;
         }
-        for (int axis = 0; axis < 2; ++axis)
-            std::memcpy(&state.position(run.first, axis), q + axis * m_points + row, bytes(run.count));
+        copy(q + row, m_points, state.position, run);
     });
     follow(state);
 }
@@ -196,7 +208,7 @@ void Flow::push(const double *v, State &state) const
 void Flow::clear(State &state) const
 {
     for (const Points &run : m_runs) {
-        state.acceleration.middleRows(run.first, run.count).setZero();
+        sim::clear(state.acceleration, run);
         if (m_spins > 0)
             state.turning.segment(run.first, run.count).setZero();
     }
@@ -225,10 +237,9 @@ void Flow::pull(const Force &force, State &state, double *a) const
 void Flow::take(const State &state, double *a) const
 {
     forEachRun([&](Points run, int row) {
-        for (int axis = 0; axis < 2; ++axis)
-            std::memcpy(a + axis * m_points + row, &state.acceleration(run.first, axis), bytes(run.count));
+        copy(state.acceleration, run, a + row, m_points);
         if (m_spins > 0)
-            std::memcpy(a + 2 * m_points + row, &state.turning[run.first], bytes(run.count));
+            copy(&state.turning[run.first], run.count, a + 2 * m_points + row);
     });
 }
 

@@ -56,6 +56,8 @@ public:
     void gathered(State &state, double *a) const;
     /// The derivatives of a by q. False if a force of the scene has none.
     bool slopes(const State &state, Slopes &into) const;
+    /// Whether anything goes by a clock: drivers that flow.
+    bool ticks() const { return !m_flowing.empty(); }
     /// Takes time on by `h` frames, without moving anything: the drivers that flow.
     void tick(State &state, double h) const;
     /// Gives `state` the scratch that accelerations() uses.

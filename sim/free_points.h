@@ -30,8 +30,13 @@ inline Points common(Points points, Points others)
 /// The same points in ascending order, neighbouring runs made one.
 std::vector<Points> inOrder(std::vector<Points> runs);
 
-/// From so many points on it pays to look first whether all of them feel forces, as they mostly do.
-constexpr int worthLooking = 32;
+/// Sets the numbers of `points` to 0.
+inline void clear(Eigen::ArrayX2d &columns, Points points)
+{
+    double *x = &columns(points.first, 0), *y = &columns(points.first, 1);
+    for (int i = 0; i < points.count; ++i)
+        x[i] = y[i] = 0.0;
+}
 
 /// Whether none of `points` has an inverse mass of 0.
 inline bool allFeel(const double *inverseMass, Points points)
@@ -50,7 +55,7 @@ void forEachFree(const double *inverseMass, Points points, const One &one)
         const One work = one; // numbers that no store can change
         const double *share = inverseMass;
         const int first = points.first, end = points.end();
-        if (points.count >= worthLooking && allFeel(share, points)) {
+        if (allFeel(share, points)) { // as they mostly do: a store that depends takes longer than this look
             SIM_TURNS_ARE_APART
             for (int i = first; i < end; ++i)
                 work(i, true);

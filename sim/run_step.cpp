@@ -18,10 +18,20 @@ void makeRoom(const Pipeline &pipeline, State &state)
         state.previous = state.position;
 }
 
+void runKernels(const Pipeline &pipeline, State &state)
+{
+    for (const StepKernel &step : pipeline.kernels)
+        step.kernel.run(state);
+}
+
 }
 
 void runStep(const Pipeline &pipeline, State &state)
 {
+    if (pipeline.blocks.empty()) {
+        runKernels(pipeline, state);
+        return;
+    }
     Crew alone(1);
     runStep(pipeline, state, alone);
 }
@@ -34,8 +44,7 @@ void runStep(const Pipeline &pipeline, State &state, Crew &crew)
 void runStep(const Pipeline &pipeline, State &state, Crew &crew, const std::vector<char> &asleep)
 {
     if (pipeline.blocks.empty()) {
-        for (const StepKernel &step : pipeline.kernels)
-            step.kernel.run(state);
+        runKernels(pipeline, state);
         return;
     }
     makeRoom(pipeline, state);

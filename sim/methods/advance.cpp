@@ -203,27 +203,25 @@ void Advance::accept(const Attempt &step)
 
 Advance::Moving Advance::dense(int row, double h, double theta) const
 {
-    const auto number = [&](int i) {
+    Moving at;
+    const auto find = [&](int i, double &place, double &speed) {
         for (const Flow::Stretch &rows : m_course.flow.stretches()) {
-            if (i < rows.end())
-                return m_course.rule.dense(denseColumns(), m_size, i,
-                                           m_course.rule.instant(rows.rate, h, theta));
+            if (i < rows.first || i >= rows.end())
+                continue;
+            m_course.rule.dense(denseColumns(), m_size, i, i + 1, m_course.rule.instant(rows.rate, h, theta),
+                                &place, &speed);
         }
-        return StepRule::At{};
     };
-    const StepRule::At x = number(row), y = number(m_points + row);
-    return {{x.place, y.place}, {x.speed, y.speed}};
+    find(row, at.x.x, at.v.x);
+    find(m_points + row, at.x.y, at.v.y);
+    return at;
 }
 
 void Advance::denseAll(double h, double theta, double *x, double *v) const
 {
     for (const Flow::Stretch &rows : m_course.flow.stretches()) {
-        const Instant when = m_course.rule.instant(rows.rate, h, theta);
-        for (int i = rows.first; i < rows.end(); ++i) {
-            const StepRule::At at = m_course.rule.dense(denseColumns(), m_size, i, when);
-            x[i] = at.place;
-            v[i] = at.speed;
-        }
+        m_course.rule.dense(denseColumns(), m_size, rows.first, rows.end(),
+                            m_course.rule.instant(rows.rate, h, theta), x + rows.first, v + rows.first);
     }
 }
 

@@ -199,11 +199,13 @@ public:
         fill(step, step.speed, endSpeed, undamped[12], step.slopes, undamped, columns + 8 * step.size);
     }
 
-    At dense(const double *columns, int size, int row, double kept, double, double theta) const override
+    void dense(const double *columns, int size, int first, int end, const Instant &when, double *place,
+               double *speed) const override
     {
-        const double place = value(columns + row, size, theta);
-        const double undamped = value(columns + 8 * size + row, size, theta);
-        return {place, kept * undamped};
+        for (int i = first; i < end; ++i) {
+            place[i - first] = value(columns + i, size, when.theta);
+            speed[i - first] = when.kept * value(columns + 8 * size + i, size, when.theta);
+        }
     }
 
 private:

@@ -59,10 +59,14 @@ public:
         }
     }
 
-    At dense(const double *columns, int size, int row, double, double h, double theta) const override
+    void dense(const double *columns, int size, int first, int end, const Instant &when, double *place,
+               double *speed) const override
     {
-        const Newton at = Newton::at<6>(columns + row, size, theta);
-        return {at.value, at.slope / h};
+        for (int i = first; i < end; ++i) {
+            const Newton at = Newton::at<6>(columns + i, size, when.theta);
+            place[i - first] = at.value;
+            speed[i - first] = at.slope / when.h;
+        }
     }
 
 private:

@@ -109,10 +109,4 @@ Instant Embedded::instant(double rate, double h, double theta) const
     return {h, theta, keptOf(rate, h * theta), 0.0, 0.0};
 }
 
-StepRule::At Embedded::dense(const double *columns, int size, int row, const Instant &when) const
-{
-    const Pair::At at = m_pair.dense(columns, size, row, when.kept, when.h, when.theta);
-    return {at.place, at.speed};
-}
-
 }

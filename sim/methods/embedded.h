@@ -19,7 +19,11 @@ public:
     double attempt(const Attempt &step) const override;
     void makeDense(const Attempt &step) const override;
     Instant instant(double rate, double h, double theta) const override;
-    At dense(const double *columns, int size, int row, const Instant &when) const override;
+    void dense(const double *columns, int size, int first, int end, const Instant &when, double *place,
+               double *speed) const override
+    {
+        m_pair.dense(columns, size, first, end, when, place, speed);
+    }
 
 private:
     int stages() const { return m_pair.tableau().stages + m_pair.extraStages(); }

@@ -34,6 +34,7 @@ struct Newton
         const double back = s - 1;
         const double nodes[] = {s, s, s, back, back, back};
         Newton sum = {coefficients[(terms - 1) * apart], 0.0};
+#pragma GCC unroll 8 // so that several polynomials run side by side
         for (int j = terms - 2; j >= 0; --j) {
             sum.slope = sum.slope * nodes[j] + sum.value;
             sum.value = sum.value * nodes[j] + coefficients[j * apart];

@@ -1,6 +1,7 @@
 #include "sim/methods/nystrom.h"
 
 #include "sim/methods/hermite.h"
+#include "sim/wide.h"
 
 #include <algorithm>
 #include <cmath>
@@ -58,6 +59,12 @@ double growth(double s, double c)
     return 1.0 / (left * left);
 }
 
+/// Frames since the last whole one when s has passed in `step`; where nothing asks for it, not computed.
+double momentOf(const Attempt &step, double s)
+{
+    return step.flow.ticks() ? step.start + timeOf(s, step.nystrom->rate) : step.start;
+}
+
 double *stagesOf(const Attempt &step)
 {
     return step.scratch + 2 * step.flow.size();
@@ -72,12 +79,10 @@ void NystromWeights::set(const NystromTableau &of, double c, double step)
     rate = c;
     h = step;
     whole = c == 0.0 ? h : -std::expm1(-c * h) / c;
-    middle = timeOf(0.5 * whole, c);
     const double kept = 1.0 - c * whole;
     speed[0] = kept;
     for (std::size_t j = 0; j < stages; ++j) {
         const double s = of.c[j] * whole, grown = growth(s, c);
-        time[j] = timeOf(s, c);
         place[j][0] = s;
         for (std::size_t i = j + 1; i < stages; ++i)
             place[i][j + 1] = whole * whole * of.a[i][j] * grown;
@@ -111,9 +116,9 @@ double RungeKuttaNystrom::attempt(
         blendRows(x, step.place, 1,
             v, w.place[row].data(),
             i + 1, 0, n, n);
+        double s = w.place[row][0];
         step.pulls.at(x,
-            step.start + w.time[row],
-            a + i * n);
+            momentOf(step, s), a + i * n);
     }
     blendRows(step.endSpeed,
         step.speed, w.speed[0],
@@ -149,7 +154,7 @@ void RungeKuttaNystrom::makeDense(const Attempt &step) const
     }
     // With the acceleration in the middle the polynomial has one degree more.
     double *bend = step.scratch + (2 + w.stages) * n;
-    step.pulls.at(middle, step.start + w.middle, bend);
+    step.pulls.at(middle, momentOf(step, 0.5 * w.whole), bend);
     const double there = square * growth(0.5 * w.whole, w.rate);
     for (int i = 0; i < n; ++i)
         step.columns[6 * n + i] = Newton::seventh(step.columns + i, n, there * bend[i]);
@@ -163,10 +168,17 @@ Instant RungeKuttaNystrom::instant(double rate, double h, double theta) const
     return {h, theta, 1.0 + until, -all / rate, until / all};
 }
 
-StepRule::At RungeKuttaNystrom::dense(const double *columns, int size, int row, const Instant &when) const
+void RungeKuttaNystrom::dense(const double *columns, int size, int first, int end, const Instant &when,
+                              double *place, double *speed) const
 {
-    const Newton at = Newton::at<7>(columns + row, size, when.share);
-    return {at.value, when.kept * at.slope / when.whole};
+    runFast([=] {
+        SIM_TURNS_ARE_APART
+        for (int i = 0; i < end - first; ++i) {
+            const Newton at = Newton::at<7>(columns + first + i, size, when.share);
+            place[i] = at.value;
+            speed[i] = when.kept * at.slope / when.whole;
+        }
+    });
 }
 
 namespace {

@@ -31,8 +31,6 @@ struct NystromWeights
     std::array<Row, stages> place{};
     Row speed{};
     NystromTableau::Row placeOff{}, speedOff{}; ///< the difference to order 6
-    NystromTableau::Row time{};                 ///< frames since the start
-    double middle = 0.0;                        ///< frames until half of s has passed
     double whole = 0.0;                         ///< s at the end, frames
     double rate = -1.0;                         ///< what the weights are for
     double h = 0.0;
@@ -57,7 +55,8 @@ public:
     double attempt(const Attempt &step) const override;
     void makeDense(const Attempt &step) const override;
     Instant instant(double rate, double h, double theta) const override;
-    At dense(const double *columns, int size, int row, const Instant &when) const override;
+    void dense(const double *columns, int size, int first, int end, const Instant &when, double *place,
+               double *speed) const override;
 
 private:
     NystromTableau m_tableau;

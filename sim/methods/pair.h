@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/methods/step_rule.h"
 #include "sim/methods/tableau.h"
 
 namespace sim {
@@ -43,14 +44,9 @@ public:
     /// @param endPlace, endSpeed x and v at the end
     virtual void makeDense(const StepData &step, const double *endPlace, const double *endSpeed,
                            double *columns) const = 0;
-    /// Place and velocity in row `row`, at the share `theta` of a step of h frames; `kept` is what damping leaves of a
-    /// velocity until then.
-    struct At
-    {
-        double place = 0.0;
-        double speed = 0.0;
-    };
-    virtual At dense(const double *columns, int size, int row, double kept, double h, double theta) const = 0;
+    /// As StepRule has it.
+    virtual void dense(const double *columns, int size, int first, int end, const Instant &when,
+                       double *place, double *speed) const = 0;
 };
 
 /// Dormand and Prince's pair of orders 5 and 4; between the ends of a step the polynomial of degree 5 that has their

@@ -203,7 +203,7 @@ void PhaseList::gather(const Share &share)
     Phase &first = m_phases[m_gathers ? before : 0];
     m_gathers = true;
     setWorkBefore(first, [](State &state, Points points) {
-        state.acceleration.middleRows(points.first, points.count).setZero();
+        clear(state.acceleration, points);
         if (state.turning.rows() > 0)
             state.turning.segment(points.first, points.count).setZero();
     });

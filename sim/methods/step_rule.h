@@ -65,13 +65,9 @@ public:
     /// Computes the polynomial's columns of a step that attempt() has made, to its ends as they are in `step` now.
     virtual void makeDense(const Attempt &step) const = 0;
     virtual Instant instant(double rate, double h, double theta) const = 0;
-    /// Place and velocity in row `row`.
-    struct At
-    {
-        double place = 0.0;
-        double speed = 0.0;
-    };
-    virtual At dense(const double *columns, int size, int row, const Instant &when) const = 0;
+    /// Place and velocity of the rows from `first` to before `end`, into one number each.
+    virtual void dense(const double *columns, int size, int first, int end, const Instant &when,
+                       double *place, double *speed) const = 0;
 };
 
 /// What damping leaves of a velocity after `time` frames. Rows that it stops at once stand still, so nothing is taken.
