@@ -84,7 +84,7 @@ bool Timeline::hand(const Input &what)
     if (!input.empty() && replaces(event, input.back()))
         input.pop_back();
     input.push_back(event);
-    m_track.replaceInput(std::move(input), frame);
+    m_track.replaceInput(m_track.prepared(std::move(input), frame));
     m_fork = std::min(m_fork, frame);
     seek({at().frame, phase});
     return forked;
@@ -97,18 +97,18 @@ bool Timeline::set(const std::string &parameter, double value)
         changed.values.set(parameter, value);
         return replace(std::move(changed));
     }
-    Script changed = script();
     const std::int64_t frame = at().frame + m_track.rowFrames();
-    std::erase_if(changed.input, [&](const Event &event) {
+    std::vector<Event> input = script().input;
+    std::erase_if(input, [&](const Event &event) {
         const Set *set = std::get_if<Set>(&event.what);
         return event.frame == frame && set && set->parameter == parameter;
     });
-    changed.input.push_back({frame, Set{parameter, value}});
-    sortByFrame(changed.input);
-    Track::check(changed, frame);
+    input.push_back({frame, Set{parameter, value}});
+    sortByFrame(input);
+    Track::NewInput changed = m_track.prepared(std::move(input), frame);
     const int phase = at().phase;
     const bool forked = openRow(frame);
-    m_track.replaceInput(std::move(changed.input), frame);
+    m_track.replaceInput(std::move(changed));
     m_fork = std::min(m_fork, frame);
     seek({at().frame, phase});
     return forked;
@@ -133,15 +133,13 @@ bool Timeline::replaceInput(std::vector<Event> input)
     if (input == script().input)
         return false;
     const std::int64_t frame = firstDifference(script().input, input);
-    Script changed = script();
-    changed.input = input;
-    Track::check(changed, frame);
+    Track::NewInput changed = m_track.prepared(std::move(input), frame);
     const Cursor was = at();
     m_track.seek({std::min(was.frame, std::max<std::int64_t>(0, frame - 1)), 0});
     const bool forked = computed() > at().frame;
     if (forked)
         becomeGhost(frame);
-    m_track.replaceInput(std::move(input), frame);
+    m_track.replaceInput(std::move(changed));
     m_fork = std::min(m_fork, frame);
     seek(was);
     return forked;

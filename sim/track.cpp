@@ -63,10 +63,21 @@ Track::Track(Script script, std::size_t budget, Sleeping sleeping)
     m_history.keep(m_now);
 }
 
-void Track::check(const Script &script, std::int64_t frame)
+void Track::check(const Script &script)
 {
     checkInput(script);
-    Segments(script).check(script, frame);
+    Segments(script).check(script, 0);
+}
+
+Track::NewInput Track::prepared(std::vector<Event> events, std::int64_t frame) const
+{
+    Script changed = m_script;
+    changed.input = std::move(events);
+    checkInput(changed);
+    Segments segments = m_segments;
+    segments.replace(changed);
+    segments.check(changed, frame);
+    return {std::move(changed.input), frame, std::move(segments)};
 }
 
 void Track::seek(Cursor target)
@@ -300,11 +311,12 @@ std::vector<Moment> Track::moments(const std::string &body) const
     return all;
 }
 
-void Track::replaceInput(std::vector<Event> input, std::int64_t frame)
+void Track::replaceInput(NewInput input)
 {
-    m_script.input = std::move(input);
-    m_segments.replace(m_script);
-    frame = std::max<std::int64_t>(1, frame); // events of frame 0 come with the first row: the start stays
+    m_script.input = std::move(input.events);
+    m_segments = std::move(input.segments);
+    // events of frame 0 come with the first row: the start stays
+    const std::int64_t frame = std::max<std::int64_t>(1, input.frame);
     m_history.forget(frame);
     m_watch.forget(frame);
     m_computed = std::min(m_computed, m_at.frame);

@@ -86,12 +86,23 @@ public:
     /// What the phases of the step under way (or, between rows, of the last step done) did to the point named.
     std::vector<Moment> moments(const std::string &body) const;
 
-    /// Composes each scene that `script` comes to from `frame` on, so that no step meets one that does not fit.
+    /// Composes each scene that `script` comes to.
+    /// @throws Error when one does not fit its method, or when a number of the input is not finite
+    static void check(const Script &script);
+    /// Input for replaceInput(), with the scenes that it comes to.
+    struct NewInput
+    {
+        std::vector<Event> events;
+        std::int64_t frame = 0; ///< the first in which it may differ
+        Segments segments;
+    };
+    /// Composes each scene that the script comes to with `events` from `frame` on, before anything changes: no step
+    /// will meet one that does not fit.
     /// @throws Error when one does not, or when a number of the input is not finite
-    static void check(const Script &script, std::int64_t frame);
-    /// Replaces the input, which may differ from `frame` on only, and forgets what was computed from there. The
-    /// cursor must stand between two rows, before `frame`.
-    void replaceInput(std::vector<Event> input, std::int64_t frame);
+    NewInput prepared(std::vector<Event> events, std::int64_t frame) const;
+    /// Replaces the input, which prepared() has returned, and forgets what was computed from its frame on. The cursor
+    /// must stand between two rows, before that frame.
+    void replaceInput(NewInput input);
     /// The sleep that the cursor is in; null while the run is awake.
     const Sleep *sleep() const { return sleepAt(m_at.frame); }
     /// Whether the cursor stands between two rows where nothing is to be seen any more, however long the run goes on: it

@@ -33,9 +33,9 @@ void CompanionRun::take(const sim::Script &script)
         own.values.set(id.toStdString(), value);
     try {
         if (from > 1) { // a hand changes the input many times a second: what was before it stays
-            sim::Track::check(own, from);
+            sim::Track::NewInput input = m_track->prepared(std::move(own.input), from);
             m_track->seek({std::min(from - 1, m_track->computed()), 0});
-            m_track->replaceInput(std::move(own.input), from);
+            m_track->replaceInput(std::move(input));
         } else {
             m_track = std::make_unique<sim::Track>(std::move(own), memory);
         }

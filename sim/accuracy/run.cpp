@@ -20,7 +20,7 @@ Script scriptFor(const Script &script, const Way &way)
 std::optional<Error> whyNot(const Script &script)
 {
     try {
-        Track::check(script, 0);
+        Track::check(script);
     } catch (const Error &error) {
         return error;
     }

@@ -49,7 +49,7 @@ void markFront(std::vector<AccuracyRow> &rows)
 
 Accuracy studyAccuracy(const Script &script, const StudyPlan &plan, const StudyProgress &progress)
 {
-    Track::check(script, 0);
+    Track::check(script);
     if (const int points = sceneOf(script, script.values).start.points(); points > mostStudied)
         throw Error("too-many-points",
                     {{"points", std::to_string(points)}, {"most", std::to_string(mostStudied)}});

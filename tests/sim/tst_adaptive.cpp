@@ -368,7 +368,7 @@ private slots:
         Track plain(calm, 0);
         plain.seek({20, 0});
         QVERIFY(sameBits(track.now(), plain.now()));
-        track.replaceInput({}, 21); // and goes on when that is mended
+        track.replaceInput(track.prepared({}, 21)); // and goes on when that is mended
         track.seek({40, 0});
         QVERIFY(!track.stop());
     }

@@ -158,7 +158,7 @@ private slots:
         Track track(script, budget);
         track.seek({from + 20, 0});
         track.seek({from, 0});
-        track.replaceInput({}, from + 3);
+        track.replaceInput(track.prepared({}, from + 3));
         Track straight(still, 0, Sleeping::never);
         for (std::int64_t frame = from; frame < from + 20; ++frame) {
             track.seek({frame, 0});

@@ -54,6 +54,31 @@ class TestTimeline : public QObject
     Q_OBJECT
 
 private slots:
+    void aChangeComposesItsSceneOnce()
+    {
+        int built = 0;
+        Script script = support::script(support::sample("creature in a room"), "published");
+        script.build = [&built, build = script.build](const Values &values) {
+            ++built;
+            return build(values);
+        };
+        Timeline timeline(script);
+        QCOMPARE(built, 1);
+        timeline.seek({20, 0});
+        timeline.hand(Grab{"body"});
+        timeline.hand(Move{{120, 90}});
+        timeline.seek({25, 0});
+        QCOMPARE(built, 1); // a hand changes no scene
+        timeline.set("k", 0.25);
+        timeline.seek({40, 0});
+        QCOMPARE(built, 2);
+        std::vector<Event> input = timeline.script().input;
+        input.push_back({60, Set{"damp", 0.7}});
+        timeline.replaceInput(input);
+        timeline.seek({80, 0});
+        QCOMPARE(built, 3);
+    }
+
     void thePhaseBeforeIsTheOneBefore()
     {
         for (const char *method : {"published", "semi_implicit_euler"}) {
