@@ -9,6 +9,7 @@ using namespace bench::crowd;
 
 const benchmark::internal::Benchmark *const entered[] = {
     enter({"creatures", inTheRoom, ours}),
+    enter({"creatures_built", builtInTheRoom, ours}),
     enter({"creatures_in_air", inTheAir, ours}),
 };
 

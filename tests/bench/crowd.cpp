@@ -1,10 +1,14 @@
 #include "crowd.h"
 
+#include "sim/built.h"
+#include "sim/effects/catalogue.h"
 #include "sim/effects/damping.h"
 #include "sim/effects/gravity.h"
 #include "sim/effects/radial_spring.h"
+#include "sim/effects/springs.h"
 #include "sim/effects/walls.h"
 #include "sim/random.h"
+#include "sim/values.h"
 
 namespace bench::crowd {
 
@@ -68,6 +72,37 @@ sim::Scene inTheRoom(int creatures)
     scene.effects.push_back(std::make_shared<sim::Gravity>(gravity));
     scene.effects.push_back(std::make_shared<sim::Damping>(damp));
     scene.effects.push_back(std::make_shared<sim::Walls>(sim::Room{left, right, floor, bounce}, half));
+    return scene;
+}
+
+sim::Scene builtInTheRoom(int creatures)
+{
+    sim::Scene scene = inTheRoom(creatures);
+    sim::Blueprint plan;
+    for (int i = 0; i < scene.start.points(); ++i) {
+        sim::BuiltPoint point{scene.names[static_cast<std::size_t>(i)], scene.start.at(i), {}};
+        point.size = 2.0 * (i < creatures ? halfBody : halfFoot);
+        plan.points.push_back(std::move(point));
+    }
+    plan.effects = {"gravity", "damping", "walls"};
+    sim::Values values;
+    for (const auto &[id, value] :
+         std::initializer_list<std::pair<const char *, double>>{{"gravity", gravity},
+                                                                {"damp", damp},
+                                                                {"left", left},
+                                                                {"right", right},
+                                                                {"floor", floor},
+                                                                {"bounce", bounce}})
+        values.set(id, value);
+    std::vector<sim::Spring> own;
+    for (int foot = 0; foot < feet; ++foot) {
+        for (int creature = 0; creature < creatures; ++creature)
+            own.push_back({pointOf(creatures, creature, foot), creature, k, radius});
+    }
+    sim::ChosenEffects chosen = sim::chosenEffects(sim::catalogue(), plan, values);
+    scene.effects = std::move(chosen.pulls);
+    scene.effects.insert(scene.effects.begin(), std::make_shared<sim::Springs>(own, scene.start.points()));
+    scene.effects.insert(scene.effects.end(), chosen.rest.begin(), chosen.rest.end());
     return scene;
 }
 

@@ -23,6 +23,9 @@ std::vector<sim::Link> springs(int creatures);
 
 /// Scattered over the room, at rest.
 sim::Scene inTheRoom(int creatures);
+/// The same as somebody would build it in the sandbox: each spring has numbers of its own, and effects are made from their
+/// descriptions.
+sim::Scene builtInTheRoom(int creatures);
 /// The same creatures with springs and damping alone: neither gravity nor walls are listed.
 sim::Scene inTheAir(int creatures);
 

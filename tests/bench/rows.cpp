@@ -40,6 +40,11 @@ void addCreatures(std::vector<Row> &rows)
                         "creatures_in_air" + size, "creatures_in_air_loop" + size,
                         "a loop that never had them", Ratio::oursByTheirs, 1.1, 1.03});
     }
+    for (const int count : {100, 1'000, 10'000}) {
+        const std::string size = argument(count);
+        rows.push_back({withCommas(count) + " creatures as built in the sandbox", "creatures_built" + size,
+                        "creatures" + size, "the same in a lesson", Ratio::oursByTheirs, 1.1, 1.0});
+    }
     rows.push_back({"one creature, a whole frame", "frameSemiImplicit", "", "", Ratio::time, 150.0, 60.0});
     rows.push_back({"the same", "frameSemiImplicit", "plainSemiImplicit", "a plain loop"});
     rows.push_back(
