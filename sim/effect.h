@@ -31,6 +31,7 @@ struct Points
     int count = 0;
     int end() const { return first + count; }
     bool contains(int point) const { return point >= first && point < end(); }
+    friend bool operator==(const Points &, const Points &) = default;
 };
 
 /// What kind of thing acts. It decides the colour.

@@ -36,16 +36,18 @@ void moveAll(const Motion &motion, State &state, Points run)
                 });
 }
 
-/// How many of the kernels from `first` on are such a motion, and its numbers. 0: none.
-std::size_t motionAt(const std::vector<StepKernel> &all, std::size_t first, Motion &motion)
+/// How many of the kernels from `first` on are such a motion, its numbers and its points. 0: none.
+std::size_t motionAt(const std::vector<StepKernel> &all, std::size_t first, Motion &motion, Points &points)
 {
     using Does = PointStep::Does;
     std::size_t next = first;
     const auto take = [&](Does does) -> std::optional<double> {
-        const bool fits = next < all.size() && all[next].points.first == all[first].points.first &&
-                          all[next].points.count == all[first].points.count && all[next].kernel.step &&
-                          all[next].kernel.step->does == does;
-        return fits ? std::optional(all[next++].kernel.step->by) : std::nullopt;
+        const std::optional<PointStep> step = next < all.size() ? all[next].kernel.step : std::nullopt;
+        if (!step || step->does != does || (next > first && step->points != points))
+            return {};
+        points = step->points;
+        ++next;
+        return step->by;
     };
     motion = {};
     motion.fall = take(Does::falls).value_or(motion.fall);
@@ -70,14 +72,14 @@ std::vector<StepKernel> fusedKernels(const std::vector<Phase> &phases)
     }
     for (std::size_t i = 0; i < all.size();) {
         Motion motion;
-        const std::size_t count = motionAt(all, i, motion);
+        Points points;
+        const std::size_t count = motionAt(all, i, motion, points);
         if (count == 0) {
             fewer.push_back(std::move(all[i++]));
             continue;
         }
-        fewer.push_back({all[i].points, kernelOf(all[i].points, [motion](State &state, Points run) {
-                             moveAll(motion, state, run);
-                         })});
+        fewer.push_back(
+            {points, kernelOf(points, [motion](State &state, Points run) { moveAll(motion, state, run); })});
         i += count;
     }
     return fewer;

@@ -29,6 +29,7 @@ struct PointStep
     };
     Does does = Does::moves;
     double by = 0.0;
+    Points points; ///< all that can feel forces, and that it works on, are among these
 };
 
 /// What runs in a phase: a piece of work that is the same for all of its points.

@@ -75,6 +75,16 @@ std::vector<Points> PhaseList::inert(Points points) const
     return inOrder(std::move(runs));
 }
 
+Points PhaseList::feeling(Points points) const
+{
+    const auto feels = [&](int point) { return m_scene.start.feels(point); };
+    while (points.count > 0 && !feels(points.end() - 1))
+        --points.count;
+    while (points.count > 0 && !feels(points.first))
+        points = {points.first + 1, points.count - 1};
+    return points;
+}
+
 bool PhaseList::hasConstraint(const Share &share) const
 {
     bool any = false;
@@ -148,7 +158,7 @@ void PhaseList::force(const std::shared_ptr<const Force> &force, const Share &sh
             return [add = force->part(runs), force](State &state) { add(state, state.acceleration); };
         };
     if (const std::optional<double> fall = force->fall(); fall && adding.onto == Onto::acceleration)
-        phase.kernels.back().step = {PointStep::Does::falls, *fall};
+        phase.kernels.back().step = {PointStep::Does::falls, *fall, feeling(share.points)};
     phase.explain = [force, way = m_directions](const State &before, const State &after, int point) {
         std::vector<Live> live = force->explain(before, point, way);
         if (!live.empty() && before.speed(point) != after.speed(point))
@@ -180,7 +190,7 @@ void PhaseList::drag(const std::shared_ptr<const Drag> &drag, const Share &share
     const double h = part * m_h;
     setWork(phase, [drag, h](State &state, Points points) { drag->slow(state, points, h); });
     if (const std::optional<double> keep = drag->keep(share.points, h); keep && !spins())
-        phase.kernels.back().step = {PointStep::Does::keeps, *keep};
+        phase.kernels.back().step = {PointStep::Does::keeps, *keep, feeling(share.points)};
     phase.explain = [drag, h](const State &before, const State &after, int point) {
         return drag->explain(before, after, point, h);
     };

@@ -158,6 +158,8 @@ private:
     void drivers(std::size_t first, std::size_t end, double h, Accept &&accept);
     /// How many effects the scene lists before the first that is not a driver.
     std::size_t leading() const;
+    /// `points` without those at either end that never feel forces.
+    Points feeling(Points points) const;
     /// The stretches of points that can move and go on by themselves.
     std::vector<Points> inert(Points points) const;
     bool spins() const { return m_scene.start.spin.rows() > 0; }

@@ -56,13 +56,6 @@ void forEachRun(const std::vector<Points> &runs, Points points, Visit &&visit)
             visit(part);
     }
 }
-
-/// Whether `runs` are all of `points`.
-bool areAll(const std::vector<Points> &runs, Points points)
-{
-    return runs.size() == 1 && runs.front().first == points.first && runs.front().count == points.count;
-}
-
 }
 
 void PhaseList::kick(const Share &share, double part)
@@ -80,8 +73,8 @@ void PhaseList::kick(const Share &share, double part)
     setWork(phase, [runs, h = part * m_h](State &state, Points points) {
         forEachRun(runs, points, [&](Points run) { kickAll(state, run, h); });
     });
-    if (areAll(runs, share.points))
-        phase.kernels.back().step = {PointStep::Does::kicks, part * m_h};
+    if (runs.size() == 1)
+        phase.kernels.back().step = {PointStep::Does::kicks, part * m_h, feeling(runs.front())};
     phase.explain = [](const State &before, const State &after, int point) {
         return std::vector<Live>{{"v", after.speed(point), before.speed(point)}};
     };
@@ -115,8 +108,8 @@ void PhaseList::move(const Share &share, double part)
     setWork(phase, [runs, h = part * m_h](State &state, Points points) {
         forEachRun(runs, points, [&](Points run) { moveAll(state, run, h); });
     });
-    if (areAll(runs, share.points))
-        phase.kernels.back().step = {PointStep::Does::moves, part * m_h};
+    if (runs.size() == 1)
+        phase.kernels.back().step = {PointStep::Does::moves, part * m_h, feeling(runs.front())};
     if (const auto keep = remembering(share))
         setWorkBefore(phase, keep);
     phase.explain = [](const State &before, const State &after, int point) {
