@@ -1,5 +1,7 @@
 #include "sim/built.h"
 
+#include "sim/effect.h"
+
 #include <algorithm>
 #include <set>
 
@@ -11,6 +13,25 @@ void Taken::choose(const std::string &effect, std::initializer_list<std::pair<co
         blueprint.effects.push_back(effect);
     for (const auto &[id, value] : settings)
         numbers[id] = value;
+}
+
+void Taken::addSpring(const BuiltSpring &spring, bool pullsBoth)
+{
+    if (!pullsBoth && !blueprint.points[static_cast<std::size_t>(spring.b)].fixed)
+        leave(SIM_TEXT("springs that pull one end only"));
+    blueprint.springs.push_back(spring);
+}
+
+int Taken::addNail(const std::string &name, Vec2 x)
+{
+    std::string free = name;
+    const auto isTaken = [&](const BuiltPoint &one) { return one.name == free; };
+    for (int i = 2; std::any_of(blueprint.points.begin(), blueprint.points.end(), isTaken); ++i)
+        free = name + std::to_string(i);
+    BuiltPoint nail{free, x, {}};
+    nail.fixed = true;
+    blueprint.points.push_back(nail);
+    return static_cast<int>(blueprint.points.size()) - 1;
 }
 
 void Taken::leave(const std::string &what)

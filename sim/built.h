@@ -2,6 +2,7 @@
 
 #include "sim/blueprint.h"
 #include "sim/setting.h"
+#include "sim/state.h"
 
 #include <Eigen/Core>
 
@@ -17,10 +18,15 @@ struct Taken
     Blueprint blueprint;
     std::map<std::string, double> numbers; ///< settings of the scene, by id
     std::vector<std::string> left;         ///< what of it nobody can build, in English; see SIM_TEXT
-    int points = 0; ///< of the scene: those that the blueprint has beyond them stand for something else
+    State now; ///< of the scene: points that the blueprint has beyond these stand for something else
 
     /// Adds an effect with its settings.
     void choose(const std::string &effect, std::initializer_list<std::pair<const char *, double>> settings);
+    /// Adds a spring. One that is built pulls both ends; `pullsBoth`: whether this one does, too.
+    void addSpring(const BuiltSpring &spring, bool pullsBoth);
+    /// Adds a point that stands fast, and returns its number. It is called `name`, with a number behind it where a point
+    /// is called so already.
+    int addNail(const std::string &name, Vec2 x);
     void leave(const std::string &what);
 };
 

@@ -55,6 +55,7 @@ enum class Sees {
 /// Two points of which at least one feels the other.
 using Tie = std::pair<int, int>;
 
+struct RestEnd;
 struct Taken;
 class Driver;
 class Force;
@@ -91,6 +92,8 @@ public:
     /// Whether its own numbers are such that it can change nothing, wherever points are: gravity 0, a wall infinitely
     /// far away. Such an effect is left out when a scene is composed.
     virtual bool idle() const { return false; }
+    /// Adds where each end that it can move would be at rest; both ends of what pulls both.
+    virtual void rests(const State &, std::vector<RestEnd> &) const {}
     /// Adds itself to a plan of its scene, as a learner could have built it. Returns false for an effect that cannot be
     /// built.
     virtual bool takeInto(Taken &) const { return false; }

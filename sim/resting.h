@@ -2,9 +2,6 @@
 
 #include "sim/direction.h"
 #include "sim/state.h"
-
-#include <vector>
-
 namespace sim {
 
 /// Where a point would be for what holds it to be at rest, as long as everything else stays where it is.
@@ -15,15 +12,6 @@ struct RestEnd
     Vec2 place;     ///< px
     /// Whether only the distance to the anchor counts, wherever the mover is; else it is this place that does.
     bool isLength = true;
-};
-
-/// An effect that holds points at a length, or in a place, at which it neither pulls nor pushes.
-class Resting
-{
-public:
-    virtual ~Resting() = default;
-    /// Adds one for each end that it can move; both ends of what pulls both.
-    virtual void rests(const State &state, std::vector<RestEnd> &into) const = 0;
 };
 
 /// `length` px from `anchor`, on the side on which `mover` is.

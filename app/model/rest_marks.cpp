@@ -28,16 +28,18 @@ bool goesRather(const sim::RestEnd &one, const sim::RestEnd &other, const sim::S
     return one.mover > other.mover;
 }
 
+std::vector<sim::RestEnd> restsOf(const sim::Effect &effect, const sim::State &state)
+{
+    std::vector<sim::RestEnd> rests;
+    effect.rests(state, rests);
+    return rests;
+}
+
 void addMarks(std::vector<RestMark> &marks, const sim::Effect &effect, const sim::State &state,
               const lessons::Look &look)
 {
-    const auto *resting = dynamic_cast<const sim::Resting *>(&effect);
-    if (!resting)
-        return;
-    std::vector<sim::RestEnd> rests;
-    resting->rests(state, rests);
     std::map<Pair, sim::RestEnd> chosen;
-    for (const sim::RestEnd &rest : rests) {
+    for (const sim::RestEnd &rest : restsOf(effect, state)) {
         if (sim::length(rest.place - state.at(rest.anchor)) <= shortest)
             continue;
         const auto [place, isFirst] = chosen.try_emplace(pairOf(rest), rest);
@@ -62,9 +64,8 @@ std::vector<RestMark> restMarks(const sim::Scene &scene, const sim::State &state
 
 bool hasRests(const sim::Scene &scene)
 {
-    return std::any_of(scene.effects.begin(), scene.effects.end(), [](const sim::EffectPtr &effect) {
-        return dynamic_cast<const sim::Resting *>(effect.get()) != nullptr;
-    });
+    return std::any_of(scene.effects.begin(), scene.effects.end(),
+                       [&](const sim::EffectPtr &effect) { return !restsOf(*effect, scene.start).empty(); });
 }
 
 }

@@ -8277,6 +8277,14 @@ auf dem Schirm (30 pro Sekunde)</translation>
         <translation>px/Bild²</translation>
     </message>
     <message>
+        <source>springs that pull one end only</source>
+        <translation>Federn, die nur an einem Ende ziehen</translation>
+    </message>
+    <message>
+        <source>feet with more than one leg</source>
+        <translation>Füße mit mehr als einem Bein</translation>
+    </message>
+    <message>
         <source>the bounce of the ground</source>
         <translation>Abprall am Boden</translation>
     </message>

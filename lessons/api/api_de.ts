@@ -133,13 +133,5 @@
         <source>creature</source>
         <translation>Figur</translation>
     </message>
-    <message>
-        <source>springs that pull one end only</source>
-        <translation>Federn, die nur an einem Ende ziehen</translation>
-    </message>
-    <message>
-        <source>feet with more than one leg</source>
-        <translation>Füße mit mehr als einem Bein</translation>
-    </message>
 </context>
 </TS>

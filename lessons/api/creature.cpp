@@ -26,11 +26,11 @@ sim::Scene pointsInTheMiddle(int points)
 }
 
 /// Adds one zigzag a link, but none for a link that leads back along one that is there already.
-void addLinks(std::vector<SpringLook> &looks, const std::vector<sim::Link> &links, double length,
+void addLinks(std::vector<SpringLook> &looks, const std::vector<sim::Pair> &links, double length,
               sim::Vec2 at = {})
 {
     const std::size_t first = looks.size();
-    for (const sim::Link &link : links) {
+    for (const sim::Pair &link : links) {
         const auto leadsBack = [&](const SpringLook &one) {
             return one.a == link.anchor && one.b == link.mover;
         };
@@ -193,9 +193,9 @@ std::vector<SpringLook> actingSprings(const sim::Scene &scene)
         else if (const auto *toPoints = dynamic_cast<const sim::BodySpring *>(effect.get()))
             addLinks(looks, toPoints->links(), 0.0);
         else if (const auto *beside = dynamic_cast<const sim::OffsetSpring *>(effect.get()))
-            addLinks(looks, beside->links(), 0.0, {beside->offset(), 0.0});
+            addLinks(looks, beside->links(), 0.0, {beside->numbers().front().offset, 0.0});
         else if (const auto *radial = dynamic_cast<const sim::RadialSpring *>(effect.get()))
-            addLinks(looks, radial->links(), radial->radius());
+            addLinks(looks, radial->links(), radial->numbers().front().radius);
         else if (const auto *legs = dynamic_cast<const sim::LegSpring *>(effect.get()))
             addLegs(looks, *legs, scene.start);
     }

@@ -6,4 +6,9 @@ namespace sim {
 
 template class PairForce<BodyLaw>;
 
+namespace described {
+constinit const Description body_spring = {"body_spring", SIM_TEXT("spring"), Kind::spring,
+                                           SIM_TEXT("Pulls a foot to the body, wherever that is.")};
+}
+
 }

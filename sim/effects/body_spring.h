@@ -5,6 +5,10 @@
 
 namespace sim {
 
+namespace described {
+extern const Description body_spring;
+}
+
 /// Springs from points to other points, wherever those are.
 struct BodyLaw
 {
@@ -21,6 +25,9 @@ struct BodyLaw
     {
         return spring(mover, anchor, one.k).pull;
     }
+    static std::vector<Region> regions(Directions) { return {{"sim/effects/spring.h", "spring"}}; }
+    static bool isIdle(const Numbers &one) { return one.k == 0.0; }
+    static double restLength(const Numbers &) { return 0.0; }
     static Slope slope(Vec2, Vec2, const Numbers &one) { return slopeToPlace(one.k); }
     static double energy(Vec2 mover, Vec2 anchor, const Numbers &one)
     {
@@ -35,20 +42,11 @@ struct BodyLaw
 
 extern template class PairForce<BodyLaw>;
 
-class BodySpring : public PairForce<BodyLaw>
+class BodySpring : public Described<PairForce<BodyLaw>, described::body_spring>
 {
 public:
     /// k in 1/frame^2.
-    BodySpring(const std::vector<Link> &links, double k) : PairForce({}, pairsOf(links), {{k}}) {}
-
-    std::string id() const override { return "body_spring"; }
-    std::string title() const override { return SIM_TEXT("spring"); }
-    Kind kind() const override { return Kind::spring; }
-    std::vector<Region> regions(Directions) const override { return {{"sim/effects/spring.h", "spring"}}; }
-    bool idle() const override { return k() == 0.0; }
-
-    std::vector<Link> links() const { return linksOf(pairs()); }
-    double k() const { return numbers().front().k; }
+    BodySpring(const std::vector<Link> &links, double k) : Described({}, pairsOf(links), {{k}}) {}
 };
 
 }

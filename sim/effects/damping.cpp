@@ -92,7 +92,7 @@ double Damping::keep(double h) const
 
 bool Damping::takeInto(Taken &into) const
 {
-    for (int i = 1; i < into.points; ++i) {
+    for (int i = 1; i < into.now.points(); ++i) {
         if (rate(i) != rate(0))
             return false; // of some points only
     }

@@ -28,6 +28,7 @@ template <class Base, const Description &description>
 class Described : public Base
 {
 public:
+    using Base::Base;
     std::string id() const override { return description.id; }
     std::string title() const override { return description.title; }
     Kind kind() const override { return description.kind; }

@@ -36,6 +36,7 @@ public:
     Sees sees() const override { return Sees::scene; }
     void drive(State &state, double h) const override;
     Pace pace() const override { return Pace::flows; }
+    bool takeInto(Taken &) const override { return true; } // it comes with the legs
     std::vector<Live> explain(const State &before, const State &after, int point) const override;
 
 private:

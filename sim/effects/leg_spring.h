@@ -9,6 +9,10 @@
 
 namespace sim {
 
+namespace described {
+extern const Description leg_spring;
+}
+
 /// A leg that knows where its foot belongs: at an angle of its own, seen from the body.
 struct Leg
 {
@@ -110,6 +114,8 @@ struct LegLaw : LegRule
     {
         return springEnergy(length(target(body, one) - foot), k);
     }
+    std::vector<Region> regions(Directions directions) const;
+    bool isIdle(const Numbers &) const { return k == 0.0; }
     std::vector<Live> live(Vec2 foot, Vec2 body, Vec2 parting, const Numbers &one,
                            Directions directions) const;
     RestEnd rest(const State &state, const Pair &legPair, const Numbers &one) const
@@ -120,17 +126,13 @@ struct LegLaw : LegRule
 
 extern template class PairForce<LegLaw>;
 
-class LegSpring : public RestingPairForce<LegLaw>
+class LegSpring : public Described<PairForce<LegLaw>, described::leg_spring>
 {
 public:
     LegSpring(const std::vector<Leg> &legs, LegRule rule);
 
-    std::string id() const override { return "leg_spring"; }
-    std::string title() const override { return SIM_TEXT("legs"); }
-    Kind kind() const override { return Kind::spring; }
-    std::vector<Region> regions(Directions directions) const override;
     Sees sees() const override { return rule().aim == Aim::swing ? Sees::scene : Sees::tied; }
-    bool idle() const override { return rule().k == 0.0; }
+    bool takeInto(Taken &into) const override;
 
     /// Where the foot of the leg numbered `number` belongs, px.
     Vec2 target(const State &state, int number) const;

@@ -142,15 +142,6 @@ std::vector<Pair> pairsOf(const std::vector<Link> &links)
     return pairs;
 }
 
-std::vector<Link> linksOf(const std::vector<Pair> &pairs)
-{
-    std::vector<Link> links;
-    links.reserve(pairs.size());
-    for (const Pair &pair : pairs)
-        links.push_back({pair.mover, pair.anchor});
-    return links;
-}
-
 void Links::index()
 {
     for (const Pair &link : m_links)

@@ -26,9 +26,8 @@ struct Pair
     bool bothWays = false; ///< whether the anchor feels the exact opposite in the same moment
 };
 
-/// Links that all have the same numbers, as pairs; and back.
+/// Links that all have the same numbers, as pairs.
 std::vector<Pair> pairsOf(const std::vector<Link> &links);
-std::vector<Link> linksOf(const std::vector<Pair> &pairs);
 
 /// Neighbouring pairs of a PairList whose points follow each other in memory, so that a loop over them runs in vector
 /// registers.

@@ -5,6 +5,10 @@
 
 namespace sim {
 
+namespace described {
+extern const Description offset_spring;
+}
+
 /// A place beside a point. Published: Creatures I, step 6.
 // Shown lines are short.
 // clang-format off
@@ -38,6 +42,11 @@ struct OffsetLaw
     {
         return spring(mover, target(anchor, one), one.k).pull;
     }
+    static std::vector<Region> regions(Directions)
+    {
+        return {{"sim/effects/offset_spring.h", "offset_target"}, {"sim/effects/spring.h", "spring"}};
+    }
+    static bool isIdle(const Numbers &one) { return one.k == 0.0; }
     static Slope slope(Vec2, Vec2, const Numbers &one) { return slopeToPlace(one.k); }
     static double energy(Vec2 mover, Vec2 anchor, const Numbers &one)
     {
@@ -56,26 +65,14 @@ struct OffsetLaw
 
 extern template class PairForce<OffsetLaw>;
 
-class OffsetSpring : public RestingPairForce<OffsetLaw>
+class OffsetSpring : public Described<PairForce<OffsetLaw>, described::offset_spring>
 {
 public:
     /// k in 1/frame^2, offset in px.
     OffsetSpring(const std::vector<Link> &links, double k, double offset)
-        : RestingPairForce({}, pairsOf(links), {{k, offset}})
+        : Described({}, pairsOf(links), {{k, offset}})
     {
     }
-
-    std::string id() const override { return "offset_spring"; }
-    std::string title() const override { return SIM_TEXT("spring"); }
-    Kind kind() const override { return Kind::spring; }
-    std::vector<Region> regions(Directions) const override
-    {
-        return {{"sim/effects/offset_spring.h", "offset_target"}, {"sim/effects/spring.h", "spring"}};
-    }
-    bool idle() const override { return numbers().front().k == 0.0; }
-
-    std::vector<Link> links() const { return linksOf(pairs()); }
-    double offset() const { return numbers().front().offset; }
 };
 
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/direction.h"
+#include "sim/effects/description.h"
 #include "sim/effects/links.h"
 #include "sim/effects/slope.h"
 #include "sim/resting.h"
@@ -29,8 +30,12 @@ struct Pull
 ///   Slope slope(mover, anchor, numbers) const      how that changes with the mover's place; the anchor's is opposite
 ///   double energy(mover, anchor, numbers) const    what a pair has stored; see Force::energy()
 ///   std::vector<Live> live(mover, anchor, out, numbers, directions) const   the numbers of the shown code; "pull" last
+///   std::vector<Region> regions(directions) const  the shown code
+///   bool isIdle(numbers) const                     whether it neither pulls nor pushes, wherever the points are
 ///
-/// and, where its numbers change with the state, `Numbers now(state, numbers) const`. Its source file instantiates
+/// and, where its numbers change with the state, `Numbers now(state, numbers) const`; where it holds points,
+/// `RestEnd rest(state, pair, numbers) const`: where the mover of a pair would be at rest; and where a learner can build
+/// it as springs of stiffness Numbers::k, `double restLength(numbers) const`. Its source file instantiates
 /// PairForce<Law> from pair_kernels.h, so that its loops are compiled with the options of this library.
 template <class Law>
 class PairForce : public Force
@@ -41,6 +46,8 @@ public:
     /// `links`: in the order in which each point's pulls are added up; Pair::number is an index into `numbers`.
     PairForce(Law law, std::vector<Pair> links, std::vector<Numbers> numbers);
 
+    std::vector<Region> regions(Directions directions) const override;
+    bool idle() const override;
     int count(const State &state, Points points) const override;
     Sees sees() const override { return Sees::tied; }
     void ties(std::vector<Tie> &into) const override;
@@ -54,12 +61,14 @@ public:
     std::optional<double> energy(const State &state) const override;
     bool balances(const State &state) const override;
     std::vector<Live> explain(const State &state, int mover, Directions directions) const override;
+    void rests(const State &state, std::vector<RestEnd> &into) const override;
+    bool takeInto(Taken &into) const override;
 
-protected:
     const Law &law() const { return m_law; }
+    /// One for all links, or one a link.
     const std::vector<Numbers> &numbers() const { return m_numbers; }
     /// Ordered by mover.
-    const std::vector<Pair> &pairs() const { return m_links.links(); }
+    const std::vector<Pair> &links() const { return m_links.links(); }
     /// What a pair has of its own in `state`.
     Numbers now(const State &state, int number) const
     {
@@ -84,22 +93,9 @@ private:
     void addList(const NumberedList &list, const State &state, Eigen::ArrayX2d &into) const;
 
     Law m_law;
-    std::vector<Numbers> m_numbers; ///< one for all links, or one a link
+    std::vector<Numbers> m_numbers;
     Links m_links;
     std::shared_ptr<const NumberedList> m_all; ///< all pairs
-};
-
-/// The same for a law with `RestEnd rest(state, pair, numbers) const`: where the mover of a pair would be at rest.
-template <class Law>
-class RestingPairForce : public PairForce<Law>, public Resting
-{
-public:
-    using PairForce<Law>::PairForce;
-    void rests(const State &state, std::vector<RestEnd> &into) const override
-    {
-        for (const Pair &link : this->pairs())
-            into.push_back(this->law().rest(state, link, this->now(state, link.number)));
-    }
 };
 
 }

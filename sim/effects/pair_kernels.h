@@ -2,7 +2,9 @@
 
 // The definitions of PairForce's members: for the source files of laws only.
 
+#include "sim/built.h"
 #include "sim/effects/pair_force.h"
+#include "sim/effects/reaction.h"
 #include "sim/wide.h"
 
 #include <algorithm>
@@ -230,6 +232,20 @@ PairForce<Law>::PairForce(Law law, std::vector<Pair> links, std::vector<Numbers>
 }
 
 template <class Law>
+std::vector<Region> PairForce<Law>::regions(Directions directions) const
+{
+    std::vector<Region> all = m_law.regions(directions);
+    if (std::any_of(links().begin(), links().end(), [](const Pair &link) { return link.bothWays; }))
+        all.push_back(reactionShown());
+    return all;
+}
+template <class Law>
+bool PairForce<Law>::idle() const
+{
+    return std::all_of(m_numbers.begin(), m_numbers.end(),
+                       [this](const Numbers &one) { return m_law.isIdle(one); });
+}
+template <class Law>
 int PairForce<Law>::count(const State &state, Points points) const
 {
     int total = 0;
@@ -355,6 +371,26 @@ std::vector<Live> PairForce<Law>::explain(const State &state, int mover, Directi
     if (felt > 1)
         return {{"pull", sum}};
     return last;
+}
+template <class Law>
+void PairForce<Law>::rests(const State &state, std::vector<RestEnd> &into) const
+{
+    if constexpr (requires(const Pair &link) { m_law.rest(state, link, of(0)); }) {
+        for (const Pair &link : links())
+            into.push_back(m_law.rest(state, link, now(state, link.number)));
+    }
+}
+template <class Law>
+bool PairForce<Law>::takeInto(Taken &into) const
+{
+    if constexpr (requires { m_law.restLength(of(0)); }) {
+        for (const Pair &pair : m_links.pairs()) {
+            const Numbers &own = of(pair.number);
+            into.addSpring({pair.mover, pair.anchor, own.k, m_law.restLength(own)}, pair.bothWays);
+        }
+        return true;
+    }
+    return false;
 }
 /// Calls `visit(link)` for each link whose mover is among `movers` and whose pull something feels.
 template <class Law>

@@ -1,5 +1,6 @@
 #include "sim/effects/point_spring.h"
 
+#include "sim/built.h"
 #include "sim/effects/slope.h"
 #include "sim/effects/spring.h"
 
@@ -37,12 +38,23 @@ std::optional<double> PointSpring::energy(const State &state) const
     return state.feels(m_mover) ? springEnergy(length(m_centre - state.at(m_mover)), m_k) : 0.0;
 }
 
+bool PointSpring::takeInto(Taken &into) const
+{
+    into.addSpring({m_mover, into.addNail("centre", m_centre), m_k, 0.0}, true);
+    return true;
+}
+
 std::vector<Live> PointSpring::explain(const State &state, int mover, Directions) const
 {
     if (count(state, {mover, 1}) == 0)
         return {};
     const SpringPull s = spring(state.at(mover), m_centre, m_k);
     return {{"d", s.d}, {"pull", state.inverseMass[mover] * s.pull}};
+}
+
+namespace described {
+constinit const Description point_spring = {"point_spring", SIM_TEXT("spring"), Kind::spring,
+                                            SIM_TEXT("Pulls a foot to a fixed place.")};
 }
 
 }

@@ -1,19 +1,20 @@
 #pragma once
 
-#include "sim/effect.h"
+#include "sim/effects/description.h"
 
 namespace sim {
 
+namespace described {
+extern const Description point_spring;
+}
+
 /// A spring from one point to a fixed place.
-class PointSpring : public Force
+class PointSpring : public Described<Force, described::point_spring>
 {
 public:
     /// k in 1/frame^2, centre in px.
     PointSpring(int mover, Vec2 centre, double k) : m_mover(mover), m_centre(centre), m_k(k) {}
 
-    std::string id() const override { return "point_spring"; }
-    std::string title() const override { return SIM_TEXT("spring"); }
-    Kind kind() const override { return Kind::spring; }
     std::vector<Region> regions(Directions directions) const override;
     int count(const State &state, Points points) const override;
     Sees sees() const override { return Sees::tied; }
@@ -23,11 +24,11 @@ public:
     bool addSlopes(const State &state, Points movers, double scale, Directions directions,
                    Slopes &into) const override;
     std::optional<double> energy(const State &state) const override;
+    bool takeInto(Taken &into) const override;
     std::vector<Live> explain(const State &state, int mover, Directions directions) const override;
 
     int mover() const { return m_mover; }
     Vec2 centre() const { return m_centre; }
-    double k() const { return m_k; }
 
 private:
     int m_mover;

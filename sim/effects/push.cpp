@@ -1,8 +1,10 @@
 #include "sim/effects/push.h"
 
 #include "sim/effects/pair_kernels.h"
+#include "sim/values.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace sim {
 
@@ -24,20 +26,24 @@ std::vector<Pair> everyTwo(std::vector<int> points, Reaction reaction)
 
 }
 
-Push::Push(std::vector<int> points, double k, double distance, Reaction reaction)
-    : PairForce({k, distance}, everyTwo(points, reaction), {{}}), m_points(std::move(points)),
-      m_reaction(reaction)
+Push::Push(const std::vector<int> &points, double k, double distance, Reaction reaction)
+    : Described({k, distance}, everyTwo(points, reaction), {{}})
 {
-    std::sort(m_points.begin(), m_points.end());
 }
 
-std::vector<Region> Push::regions(Directions directions) const
+bool Push::takeInto(Taken &into) const
 {
-    const std::string way = directions == Directions::published ? "published_direction" : "direction";
-    std::vector<Region> all = {{"sim/effects/push.h", "push"}, {"sim/direction.h", way}};
-    if (m_reaction == Reaction::equal)
-        all.push_back(reactionShown());
-    return all;
+    const auto points = static_cast<std::size_t>(into.now.points());
+    if (2 * links().size() != points * (points - 1))
+        return false; // of some points only
+    into.choose("push", {{"push", law().k}, {"distance", law().distance}});
+    return true;
+}
+
+std::vector<Region> PushLaw::regions(Directions directions)
+{
+    return {{"sim/effects/push.h", "push"},
+            {"sim/direction.h", directions == Directions::published ? "published_direction" : "direction"}};
 }
 
 std::vector<Live> PushLaw::live(Vec2 one, Vec2 other, Vec2 parting, const Numbers &,
@@ -50,6 +56,34 @@ std::vector<Live> PushLaw::live(Vec2 one, Vec2 other, Vec2 parting, const Number
         return heading.length < inOnePlace ? Heading{heading.length, parting} : heading;
     });
     return {{"from", found.from}, {"missing", found.missing}, {"pull", found.pull}};
+}
+
+namespace {
+
+constexpr Setting pushSettings[] = {
+    {"push", SIM_TEXT("Push"), "k", SIM_TEXT("1/frame²"),
+     SIM_TEXT("How hard two bodies push: this share of the missing distance, each frame."), 0.2, 0.0, 1e9},
+    {"distance", SIM_TEXT("Distance"), "", SIM_TEXT("px"),
+     SIM_TEXT("Two bodies closer than this push each other."), 20.0, 0.0, 1e6, 0.0, 100.0, 0}};
+
+EffectPtr buildPush(const Blueprint &plan, const Values &values)
+{
+    std::vector<int> all(plan.points.size());
+    std::iota(all.begin(), all.end(), 0);
+    return std::make_shared<Push>(all, values["push"], values["distance"], Reaction::equal);
+}
+
+}
+
+namespace described {
+constinit const Description push = {
+    .id = "push",
+    .title = SIM_TEXT("push"),
+    .kind = Kind::spring,
+    .purpose =
+        SIM_TEXT("Pushes apart what comes too close, so that creatures do not walk through each other."),
+    .settings = pushSettings,
+    .make = buildPush};
 }
 
 }

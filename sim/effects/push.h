@@ -8,6 +8,10 @@
 
 namespace sim {
 
+namespace described {
+extern const Description push;
+}
+
 /// A push between two points, with what it was found from.
 struct PushPull
 {
@@ -70,6 +74,8 @@ struct PushLaw
     {
         return springEnergy(std::max(0.0, distance - length(one - other)), k);
     }
+    static std::vector<Region> regions(Directions directions);
+    bool isIdle(const Numbers &) const { return k == 0.0 || distance <= 0.0; }
     static Heading publishedHeading(Vec2 d) { return {length(d), publishedDirection(d).out}; }
     std::vector<Live> live(Vec2 one, Vec2 other, Vec2 parting, const Numbers &, Directions directions) const;
 };
@@ -77,26 +83,13 @@ struct PushLaw
 extern template class PairForce<PushLaw>;
 
 /// Pushes apart every two of some points that come too close to each other.
-class Push : public PairForce<PushLaw>
+class Push : public Described<PairForce<PushLaw>, described::push>
 {
 public:
     /// k in 1/frame^2, distance in px. With Reaction::none only the one with the lower number is pushed.
-    Push(std::vector<int> points, double k, double distance, Reaction reaction);
+    Push(const std::vector<int> &points, double k, double distance, Reaction reaction);
 
-    std::string id() const override { return "push"; }
-    std::string title() const override { return SIM_TEXT("push"); }
-    Kind kind() const override { return Kind::spring; }
-    std::vector<Region> regions(Directions directions) const override;
-    bool idle() const override { return k() == 0.0 || distance() <= 0.0; }
-
-    /// In order.
-    const std::vector<int> &points() const { return m_points; }
-    double k() const { return law().k; }
-    double distance() const { return law().distance; }
-
-private:
-    std::vector<int> m_points;
-    Reaction m_reaction;
+    bool takeInto(Taken &into) const override;
 };
 
 }

@@ -34,4 +34,10 @@ std::vector<Live> RadialLaw::live(Vec2 mover, Vec2 anchor, Vec2 parting, const N
             {"pull", found.pull}};
 }
 
+namespace described {
+constinit const Description radial_spring = {
+    "radial_spring", SIM_TEXT("springs"), Kind::spring,
+    SIM_TEXT("Keep two points a length apart: they pull when it is more, and push when it is less.")};
+}
+
 }

@@ -7,6 +7,10 @@
 
 namespace sim {
 
+namespace described {
+extern const Description radial_spring;
+}
+
 /// A radial spring's pull as published, with what it was found from.
 struct RadialPull
 {
@@ -95,34 +99,22 @@ struct RadialLaw
     {
         return restAt(state, link.mover, link.anchor, one.radius);
     }
-    /// Where its source stands.
     static std::vector<Region> regions(Directions directions);
+    static bool isIdle(const Numbers &one) { return one.k == 0.0; }
+    static double restLength(const Numbers &one) { return one.radius; }
 };
 
 extern template class PairForce<RadialLaw>;
 
 /// Radial springs that are all alike.
-class RadialSpring : public RestingPairForce<RadialLaw>
+class RadialSpring : public Described<PairForce<RadialLaw>, described::radial_spring>
 {
 public:
     /// k in 1/frame^2, radius (the rest length) in px.
     RadialSpring(const std::vector<Link> &links, double k, double radius)
-        : RestingPairForce({}, pairsOf(links), {{k, radius}})
+        : Described({}, pairsOf(links), {{k, radius}})
     {
     }
-
-    std::string id() const override { return "radial_spring"; }
-    std::string title() const override { return SIM_TEXT("springs"); }
-    Kind kind() const override { return Kind::spring; }
-    std::vector<Region> regions(Directions directions) const override
-    {
-        return RadialLaw::regions(directions);
-    }
-    bool idle() const override { return k() == 0.0; }
-
-    std::vector<Link> links() const { return linksOf(pairs()); }
-    double k() const { return numbers().front().k; }
-    double radius() const { return numbers().front().radius; }
 };
 
 }

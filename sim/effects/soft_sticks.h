@@ -67,7 +67,7 @@ SoftEnd softStick(
 // clang-format on
 
 /// Soft sticks with one movable end, one after the other.
-class SoftSticks : public Described<Constraint, described::soft_sticks>, public Resting
+class SoftSticks : public Described<Constraint, described::soft_sticks>
 {
 public:
     /// `perFrame`: what part of an error goes in a frame, 0 to 1 each.

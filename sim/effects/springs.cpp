@@ -34,14 +34,15 @@ std::vector<RadialLaw::Numbers> numbersOf(const std::vector<Spring> &springs)
 
 }
 
-Springs::Springs(std::vector<Spring> springs, int points)
-    : RestingPairForce({}, endsOf(springs, points), numbersOf(springs)), m_springs(std::move(springs))
+Springs::Springs(const std::vector<Spring> &springs, int points)
+    : Described({}, endsOf(springs, points), numbersOf(springs))
 {
 }
 
-bool Springs::idle() const
-{
-    return std::all_of(m_springs.begin(), m_springs.end(), [](const Spring &one) { return one.k == 0.0; });
+namespace described {
+constinit const Description springs = {
+    "springs", SIM_TEXT("springs"), Kind::spring,
+    SIM_TEXT("Keep two points a length apart: they pull when it is more, and push when it is less.")};
 }
 
 }

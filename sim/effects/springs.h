@@ -4,6 +4,10 @@
 
 namespace sim {
 
+namespace described {
+extern const Description springs;
+}
+
 /// A spring of its own between two points, both of which feel it.
 struct Spring
 {
@@ -15,25 +19,11 @@ struct Spring
 };
 
 /// Springs of which each has its own stiffness and its own length: radial springs that pull both ends.
-class Springs : public RestingPairForce<RadialLaw>
+class Springs : public Described<PairForce<RadialLaw>, described::springs>
 {
 public:
     /// @throws Error "spring-without-end" (spring, end, points) when a spring ends at a point that is not there
-    Springs(std::vector<Spring> springs, int points);
-
-    std::string id() const override { return "springs"; }
-    std::string title() const override { return SIM_TEXT("springs"); }
-    Kind kind() const override { return Kind::spring; }
-    std::vector<Region> regions(Directions directions) const override
-    {
-        return RadialLaw::regions(directions);
-    }
-    bool idle() const override;
-
-    const std::vector<Spring> &list() const { return m_springs; }
-
-private:
-    std::vector<Spring> m_springs;
+    Springs(const std::vector<Spring> &springs, int points);
 };
 
 }

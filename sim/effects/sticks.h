@@ -12,7 +12,7 @@ extern const Description sticks;
 
 /// Rigid sticks, enforced one after the other, each seeing what those before it have moved. One pass over the list
 /// makes each stick right for a moment; the next ones may make it wrong again, and more passes leave less error.
-class Sticks : public Described<Constraint, described::sticks>, public Resting
+class Sticks : public Described<Constraint, described::sticks>
 {
 public:
     /// `points`: how many points the scene has. `iterations`: passes over the list in a step.

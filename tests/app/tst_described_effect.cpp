@@ -60,7 +60,7 @@ sim::EffectPtr buildSail(const sim::Blueprint &plan, const sim::Values &values)
 bool Sail::takeInto(sim::Taken &into) const
 {
     into.choose("sail", {{"strength", m_strength}});
-    for (int i = 0; i < into.points; ++i)
+    for (int i = 0; i < into.now.points(); ++i)
         sim::setValue(into.blueprint.points[std::size_t(i)], sailOfPoints[0], m_area[i]);
     return true;
 }

@@ -82,7 +82,7 @@ private slots:
             const EffectPtr effect = make(dice);
             const State state = scattered(dice);
             std::vector<RestEnd> rests;
-            dynamic_cast<const Resting &>(*effect).rests(state, rests);
+            effect->rests(state, rests);
             QVERIFY(!rests.empty());
             for (const RestEnd &rest : rests) {
                 State there = state;
