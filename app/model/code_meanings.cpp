@@ -1,6 +1,11 @@
 #include "app/model/code_meanings.h"
 
+#include "app/model/sentences.h"
+#include "sim/effects/catalogue.h"
+
 #include <QCoreApplication>
+
+#include <optional>
 
 namespace app {
 
@@ -8,7 +13,15 @@ namespace {
 
 using enum sim::Kind;
 
-constexpr Meaning meanings[] = {
+struct OfKind
+{
+    const char *name;
+    std::optional<sim::Kind> kind; ///< of the phase; empty: any
+    const char *unit;
+    const char *what; ///< in the context CodeSymbols; may be empty
+};
+
+constexpr OfKind meanings[] = {
     {"from", spring, "px",
      QT_TRANSLATE_NOOP("CodeSymbols", "Where the body is, seen from the place it hangs on.")},
     {"out", spring, "",
@@ -49,14 +62,23 @@ constexpr Meaning meanings[] = {
 
 }
 
-const Meaning *meaningOf(const QString &name, const sim::Phase &phase)
+Meaning meaningOf(const QString &name, const sim::Phase &phase)
 {
     const QString whole = name.section('.', 0, 0);
-    for (const Meaning &one : meanings) {
-        if (whole == QLatin1String(one.name) && (!one.kind || one.kind == phase.kind))
-            return &one;
+    const auto *described =
+        phase.effect ? sim::findDescription(sim::catalogue(), phase.effect->id()) : nullptr;
+    if (described) {
+        for (const sim::Variable &one : described->variables) {
+            if (whole == QLatin1String(one.name))
+                return {QString::fromUtf8(one.unit), phrase(one.meaning)};
+        }
     }
-    return nullptr;
+    for (const OfKind &one : meanings) {
+        if (whole == QLatin1String(one.name) && (!one.kind || one.kind == phase.kind))
+            return {QString::fromUtf8(one.unit),
+                    *one.what ? QCoreApplication::translate("CodeSymbols", one.what) : QString()};
+    }
+    return {};
 }
 
 }

@@ -3,7 +3,6 @@
 #include "app/model/code_meanings.h"
 #include "app/model/sentences.h"
 
-#include <QCoreApplication>
 #include <QHash>
 #include <QRegularExpression>
 
@@ -12,11 +11,6 @@
 namespace app {
 
 namespace {
-
-struct Text
-{
-    Q_DECLARE_TR_FUNCTIONS(CodeSymbols)
-};
 
 /// "radial_spring" for "RadialSpring".
 QString idOf(QString className)
@@ -211,8 +205,7 @@ QString unitOf(const sim::Live &live, const sim::Phase &phase)
         return live.name == "x" ? QStringLiteral("°") : QStringLiteral("°/frame");
     if (live.name == "pull" && dynamic_cast<const sim::Torque *>(phase.effect.get()))
         return QStringLiteral("°/frame²");
-    const Meaning *meaning = meaningOf(QString::fromStdString(live.name), phase);
-    return meaning ? QString::fromUtf8(meaning->unit) : QString();
+    return meaningOf(QString::fromStdString(live.name), phase).unit;
 }
 
 std::optional<CodeSymbol> symbolAt(const CodeListing &listing, std::size_t section, std::size_t line,
@@ -246,9 +239,7 @@ std::optional<CodeSymbol> symbolAt(const CodeListing &listing, std::size_t secti
                             (word->name == name + ".x" || word->name == name + ".y");
         if (word->name != name && !isPart)
             continue;
-        const Meaning *meaning = meaningOf(whole, runs);
-        const QString what = meaning && *meaning->what ? Text::tr(meaning->what) : QString();
-        return CodeSymbol{word->name, word->name, unitOf(live, runs), what, {}, phase};
+        return CodeSymbol{word->name, word->name, unitOf(live, runs), meaningOf(whole, runs).what, {}, phase};
     }
     return std::nullopt;
 }
