@@ -4,7 +4,7 @@
 
 namespace sandbox {
 
-/// The ten that come with the program.
+/// Those that come with the program.
 std::vector<lessons::Example> ownExamples();
 
 }
