@@ -99,6 +99,8 @@ private slots:
         std::mt19937 random(11);
         const auto upTo = [&](int most) { return std::uniform_int_distribution<int>(0, most)(random); };
         const sim::Blueprint start = world.plan();
+        const QStringList effects = {"push", "gravity", "breeze", "damping",
+                                     "room", "walls",   "ramp",   "ground"};
         for (int i = 0; i < 90; ++i) {
             const int points = static_cast<int>(world.plan().points.size());
             world.bench.setTool(BuildTool(upTo(5)));
@@ -118,9 +120,7 @@ private slots:
                 world.session.endGesture();
                 break;
             case 3:
-                world.bench.setEffect(
-                    QString::fromUtf8(world.session.step().catalogue[std::size_t(upTo(7))]->id),
-                    upTo(1) == 1);
+                world.bench.setEffect(effects[upTo(int(effects.size()) - 1)], upTo(1) == 1);
                 break;
             default:
                 world.bench.use(at, upTo(2) == 0 ? -1 : upTo(points - 1));
