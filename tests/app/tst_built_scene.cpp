@@ -38,6 +38,15 @@ QByteArray manyPoints(std::size_t count)
     return with("\"scene\": { \"bodies\": { " + points.join(", ") + " } }");
 }
 
+/// The effects that a scene can have, as a sentence lists them.
+QByteArray offered()
+{
+    QByteArrayList ids;
+    for (const sim::Description *one : library().workshops.front().steps.front().catalogue)
+        ids << '"' + QByteArray(one->id) + '"';
+    return ids.join(", ");
+}
+
 sim::Blueprint readPlan(const QByteArray &text)
 {
     return *parseExperiment(text, "x.json", library()).script.values.blueprint;
@@ -168,9 +177,8 @@ private slots:
         row("fast clock", withPair("\"gaits\": [{ \"speed\": 11 }]"),
             "line 6: \"speed\" is 11; it can be -10 to 10.");
         row("unknown effect", withPair("\"effects\": [\"magic\"]"),
-            "line 6: a scene cannot have the effect \"magic\"; it can have \"push\", \"gravity\", "
-            "\"breeze\", \"damping\", \"room\", \"walls\", \"ramp\", \"ground\", \"turn_round\", and its "
-            "springs, sticks and feet act of themselves.");
+            "line 6: a scene cannot have the effect \"magic\"; it can have " + offered() +
+                ", and its springs, sticks and feet act of themselves.");
         row("effect twice", withPair("\"effects\": [\"gravity\", \"gravity\"]"),
             "line 6: the effect \"gravity\" is given twice; keep one.");
         row("nothing moves",
