@@ -8292,6 +8292,66 @@ auf dem Schirm (30 pro Sekunde)</translation>
         <source>°</source>
         <translation>°</translation>
     </message>
+    <message>
+        <source>Charge strength</source>
+        <translation>Stärke der Ladungen</translation>
+    </message>
+    <message>
+        <source>px³/frame²</source>
+        <translation>px³/Bild²</translation>
+    </message>
+    <message>
+        <source>How hard charges push and pull each other.</source>
+        <translation>Wie stark Ladungen einander abstoßen und anziehen.</translation>
+    </message>
+    <message>
+        <source>Softening</source>
+        <translation>Weichheit</translation>
+    </message>
+    <message>
+        <source>Weakens the force where charges come closer than about this, so that it stays finite.</source>
+        <translation>Schwächt die Kraft, wo Ladungen sich näher kommen als etwa so weit, damit sie endlich bleibt.</translation>
+    </message>
+    <message>
+        <source>Charge</source>
+        <translation>Ladung</translation>
+    </message>
+    <message>
+        <source>Charges of the same sign repel each other, and others attract. 0: it carries none.</source>
+        <translation>Ladungen mit gleichem Vorzeichen stoßen einander ab, andere ziehen sich an. 0: Er trägt keine.</translation>
+    </message>
+    <message>
+        <source>Where this charge is, seen from the other one.</source>
+        <translation>Wo diese Ladung ist, von der anderen aus gesehen.</translation>
+    </message>
+    <message>
+        <source>How far apart the two charges are.</source>
+        <translation>Wie weit die beiden Ladungen voneinander entfernt sind.</translation>
+    </message>
+    <message>
+        <source>How hard they push each other apart, for a mass of 1. Below 0: they attract each other.</source>
+        <translation>Wie stark sie einander abstoßen, bei Masse 1. Unter 0: Sie ziehen sich an.</translation>
+    </message>
+    <message>
+        <source>What all charges together add to the velocity each frame.</source>
+        <translation>Was alle Ladungen zusammen in jedem Bild zur Geschwindigkeit hinzufügen.</translation>
+    </message>
+    <message>
+        <source>charges</source>
+        <translation>Ladungen</translation>
+    </message>
+    <message>
+        <source>Push points with like charges apart, and pull unlike ones together: the harder, the closer they are.</source>
+        <translation>Stoßen Punkte mit gleicher Ladung voneinander ab und ziehen ungleiche zueinander: je näher, desto stärker.</translation>
+    </message>
+    <message>
+        <source>two charges in one place</source>
+        <translation>zwei Ladungen an einem Ort</translation>
+    </message>
+    <message>
+        <source>Two like charges begin in one place, where the force between them is greatest and has no direction.</source>
+        <translation>Zwei gleiche Ladungen beginnen an einem Ort, wo die Kraft zwischen ihnen am größten ist und keine Richtung hat.</translation>
+    </message>
 </context>
 <context>
     <name>sim::Keys</name>

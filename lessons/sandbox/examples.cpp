@@ -37,6 +37,9 @@ std::vector<lessons::Example> ownExamples()
         example("ragdoll", Text::tr("Ragdoll"), Text::tr("Fourteen sticks that fall. Lift it by a hand.")),
         example("trampoline", Text::tr("Trampoline"),
                 Text::tr("A heavy ball on a net of springs, and bodies that push each other away.")),
+        example("charges", Text::tr("Crystal"),
+                Text::tr("Positive and negative charges find each other and form a crystal. Give one the "
+                         "other sign.")),
     };
 }
 

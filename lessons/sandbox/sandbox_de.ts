@@ -95,6 +95,14 @@ What acts on the whole scene, as gravity or wind, you choose below. Building hap
 
 Was auf die ganze Szene wirkt, wie Schwerkraft oder Wind, wählst du unten. Gebaut wird am Anfang des Laufs: Spiele ab, um zu sehen, was deine Szene tut, und komm zurück, um weiterzubauen.</translation>
     </message>
+    <message>
+        <source>Crystal</source>
+        <translation>Kristall</translation>
+    </message>
+    <message>
+        <source>Positive and negative charges find each other and form a crystal. Give one the other sign.</source>
+        <translation>Positive und negative Ladungen finden sich und bilden einen Kristall. Gib einer das andere Vorzeichen.</translation>
+    </message>
 </context>
 <context>
     <name>lesson.json</name>

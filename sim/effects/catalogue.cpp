@@ -16,6 +16,7 @@
     ONE(springs) \
     ONE(torsion) \
     ONE(push) \
+    ONE(charges) \
     ONE(gravity) \
     ONE(breeze) \
     ONE(damping) \

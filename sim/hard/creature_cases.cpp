@@ -1,3 +1,5 @@
+#include "sim/effects/charges.h"
+#include "sim/effects/damping.h"
 #include "sim/hard/families.h"
 #include "sim/hard/scenes.h"
 
@@ -74,6 +76,34 @@ HardCase squeezed()
     return one;
 }
 
+/// Two charges at rest in the middle. Values: charge_strength, softening, damp.
+Scene chargesTogether(const Values &values)
+{
+    Scene scene;
+    scene.start = State::ofPoints(2);
+    for (int i = 0; i < 2; ++i)
+        scene.start.place(i, middle);
+    scene.names = {"p0", "p1"};
+    scene.groups = {{SIM_TEXT("points"), {0, 2}}};
+    scene.effects = {
+        std::make_shared<Charges>(Eigen::ArrayXd::Ones(2), values["charge_strength"], values["softening"]),
+        std::make_shared<Damping>(values["damp"])};
+    return scene;
+}
+
+HardCase chargesInOnePlace()
+{
+    HardCase one = caseOf(
+        "charges_in_one_place", SIM_TEXT("two charges in one place"),
+        SIM_TEXT("Two like charges begin in one place, where the force between them is greatest "
+                 "and has no direction."),
+        chargesTogether, valuesOf({{"charge_strength", 1000}, {"softening", 10}, {"damp", damp}}), 400);
+    one.asks = {Ask::noDirection, Ask::middleStays};
+    one.bound.reach = 200.0;
+    one.bound.drift = 1e-6;
+    return one;
+}
+
 HardCase runaway()
 {
     const double spring = 0.3, keep = 0.9;
@@ -123,6 +153,7 @@ std::vector<HardCase> crampedPlaces()
             SIM_TEXT("Springs of length 0 pull all points into one place, where their directions are lost."),
             creatureOnLine, 0.0),
         squeezed(),
+        chargesInOnePlace(),
     };
 }
 
