@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <random>
 
 using namespace sim;
@@ -91,6 +92,33 @@ private slots:
             QVERIFY2(off(alike::atan2(y, x), exact) < 0.56,
                      qPrintable(QString("%1, %2").arg(y, 0, 'g', 17).arg(x, 0, 'g', 17)));
         }
+    }
+
+    void theFastOnesAreOffByNoMoreThanAnAngleInDegrees()
+    {
+        for (const double most : {0.8, 3.2, 100.0, 1e4, 9e5}) {
+            for (int i = 0; i < 20'000; ++i) {
+                const double rad = between(-most, most);
+                QVERIFY(std::abs(alike::fast::sin(rad) - std::sin(static_cast<long double>(rad))) < 1.5e-16L);
+                QVERIFY(std::abs(alike::fast::cos(rad) - std::cos(static_cast<long double>(rad))) < 1.5e-16L);
+            }
+        }
+        for (const double range : {0.0, 1.0, 20.0, 200.0}) {
+            for (int i = 0; i < 40'000; ++i) {
+                const double x = between(-1, 1) * std::exp(between(-range, range));
+                const double y = between(-1, 1) * std::exp(between(-range, range));
+                const long double exact =
+                    std::atan2(static_cast<long double>(y), static_cast<long double>(x));
+                QVERIFY(std::abs(alike::fast::atan2(y, x) - exact) < 5e-16L);
+                QVERIFY(off(alike::fast::atan2(y, x), exact) < 3.0); // small angles, too
+            }
+        }
+        QCOMPARE(alike::fast::sin(0.0), 0.0);
+        QCOMPARE(alike::fast::atan2(-0.0, -2.0), -std::numbers::pi);
+        const double none = std::numeric_limits<double>::quiet_NaN();
+        QVERIFY(std::isnan(alike::fast::sin(none)) && std::isnan(alike::fast::cos(none)));
+        QVERIFY(std::isnan(alike::fast::atan2(none, 1.0)) && std::isnan(alike::fast::atan2(1.0, none)));
+        QVERIFY(std::isnan(alike::fast::atan2(0.0, 0.0)));
     }
 
     void alongTheAxesItIsTheLibrarys()
