@@ -61,19 +61,17 @@ constexpr double degreesOf(TreeFormula formula)
 namespace tree_formulas {
 
 using alike::atan2;
-using alike::cos;
 using alike::remainder;
-using alike::sin;
 
 /// The way from a branch's origin to its end before the branch is scaled: px. Angle in degrees; `degrees` are how
 /// many of them are a radian. Published: swaying tree, getEndPoint().
 // Shown lines are short.
 // clang-format off
-inline
+template <class Cos, class Sin>
 //! [reach]
 Vec2 branchReach(
     double angle, double length,
-    double degrees)
+    double degrees, Cos cos, Sin sin)
 {
     double rad = angle / degrees;
     Vec2 reach = {length * cos(rad),
@@ -85,7 +83,24 @@ Vec2 branchReach(
 
 }
 
-using tree_formulas::branchReach;
+/// Calls `work` with a function that computes the reach of a branch from its angle and length, for so many `degrees` to
+/// the radian. The published number goes with alike::cos() and alike::sin(), which published runs have their bits from.
+template <class Work>
+auto withReach(double degrees, const Work &work)
+{
+    if (degrees == publishedDegrees)
+        return work([](double angle, double length) {
+            return tree_formulas::branchReach(angle, length, publishedDegrees, alike::cos, alike::sin);
+        });
+    return work([degrees](double angle, double length) {
+        return tree_formulas::branchReach(angle, length, degrees, alike::fast::cos, alike::fast::sin);
+    });
+}
+
+inline Vec2 branchReach(double angle, double length, double degrees)
+{
+    return withReach(degrees, [&](const auto &reachOf) { return reachOf(angle, length); });
+}
 
 /// Where a branch ends, px: there its children begin. Published: swaying tree, localToGlobal(endPoint).
 // Shown lines are short.

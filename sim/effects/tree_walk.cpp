@@ -17,22 +17,6 @@ Points TreeWalk::next(Points run) const
     return {first, most - first};
 }
 
-void TreeWalk::findReach(Points run)
-{
-    runFast([this, run] {
-        const double *angle = m_state.angle.data() + run.first;
-        double *x = m_reachX.data(), *y = m_reachY.data();
-        const double length = m_tree.baseLength, degrees = m_degrees;
-        const int count = run.count;
-        SIM_TURNS_ARE_APART
-        for (int i = 0; i < count; ++i) {
-            const Vec2 reach = branchReach(angle[i], length, degrees);
-            x[i] = reach.x;
-            y[i] = reach.y;
-        }
-    });
-}
-
 void TreeWalk::carry(Points run)
 {
     run = common(run, {0, m_tree.carriers});
@@ -41,20 +25,26 @@ void TreeWalk::carry(Points run)
         --run.count;
     if (run.count == 0)
         return;
-    findReach(run);
     int first = run.first;
     while (!carries(first))
         ++first;
     const auto last = static_cast<std::size_t>(run.end() - 1);
     const int from = m_tree.firstChild[static_cast<std::size_t>(first)];
     const Points children = {from, m_tree.firstChild[last] + m_tree.children[last] - from};
-    const int *parent = m_tree.parent.data();
-    const double *scale = m_tree.scale.data(), *x = m_reachX.data(), *y = m_reachY.data();
-    replaceFree(m_state.inverseMass, children, m_state.position,
-                [=, at = Columns(m_state.position), begin = run.first](int child) {
-                    const int i = parent[child];
-                    return branchEnd(at.at(i), {x[i - begin], y[i - begin]}, scale[i]);
-                });
+    TreeRow endX, endY; // each number is written before it is read
+    const Columns at(m_state.position);
+    forEachReach(run, [at, first = run.first, scale = m_tree.scale.data(), x = endX.data(),
+                       y = endY.data()](int i, Vec2 reach) {
+        const Vec2 end = branchEnd(at.at(i), reach, scale[i]);
+        x[i - first] = end.x;
+        y[i - first] = end.y;
+    });
+    replaceFree(
+        m_state.inverseMass, children, m_state.position,
+        [first = run.first, parent = m_tree.parent.data(), x = endX.data(), y = endY.data()](int child) {
+            const int i = parent[child] - first;
+            return Vec2{x[i], y[i]};
+        });
 }
 
 }

@@ -2,13 +2,15 @@
 
 #include "sim/effect.h"
 #include "sim/effects/tree.h"
+#include "sim/wide.h"
 
 #include <array>
 
 namespace sim {
 
-/// So many branches are computed in one go: what they come to fits the nearest cache.
-constexpr int mostTogether = 128;
+/// So many branches are computed in one go. With 128 a tree that fits no cache took a tenth to a third longer: their
+/// children's positions are too many to wait for memory while the next branches are computed.
+constexpr int mostTogether = 48;
 
 /// One number for each branch of a run.
 using TreeRow = std::array<double, mostTogether>;
@@ -26,22 +28,28 @@ public:
 
     /// The branches after `run` that are computed together: none of them carries another. Empty at the end.
     Points next(Points run) const;
-    /// Finds where `run` leads, at the angles that it has in the state.
-    void findReach(Points run);
+    /// Calls `use(branch, reach)` for each branch of `run`, several at once, with its reach at its angle in the state.
+    template <class Use>
+    void forEachReach(Points run, const Use &use) const
+    {
+        withReach(m_degrees, [&](const auto &reachOf) {
+            runFast([this, run, use, reachOf] {
+                const double *angle = m_state.angle.data();
+                const double length = m_tree.baseLength;
+                const int end = run.end();
+                SIM_TURNS_ARE_APART
+                for (int i = run.first; i < end; ++i)
+                    use(i, reachOf(angle[i], length));
+            });
+        });
+    }
     /// Moves the children of `run` to where it ends. What a hand holds stays there.
     void carry(Points run);
-
-    /// px: what findReach() has found, by the place in the run.
-    const TreeRow &reachX() const { return m_reachX; }
-    const TreeRow &reachY() const { return m_reachY; }
 
 private:
     const Tree &m_tree;
     State &m_state;
     double m_degrees;
-    // These begin without values: whatever is read has been written before.
-    TreeRow m_reachX;
-    TreeRow m_reachY;
 };
 
 }

@@ -8,9 +8,6 @@ namespace sim {
 
 namespace {
 
-/// The pointer has no number among the points.
-constexpr int pointerNumber = -1;
-
 const char *const here = "sim/effects/tree_wind.h";
 const char *const tree = "sim/effects/tree.h";
 
@@ -38,7 +35,7 @@ struct Corrected
 
     BranchWind breeze(Vec2 origin, Vec2 reach, double scale) const
     {
-        return windAt(branchEnd(origin, reach, scale), pointer, [](Vec2 d) { return direction(d); });
+        return windAt(branchEnd(origin, reach, scale), pointer);
     }
     double turn(double angle, double wind, double strength, double h) const
     {
@@ -61,29 +58,35 @@ struct AsPrinted
     }
 };
 
-/// How the wind comes to each branch of `run`, whose reach is found. Returns whether the pointer is on no end.
-template <class Bend>
-bool findBreeze(const TreeWalk &walk, const State &state, const double *scales, Points run,
-                const Bend &bendBy, TreeRow &wind, TreeRow &distance)
+/// How the wind comes to the branches of a run, by their places in it.
+struct Breezes
 {
-    std::int64_t close = 0;
-    runFast([&, bendBy] {
-        const double *x = state.position.data() + run.first, *y = x + state.position.rows();
-        const double *reachX = walk.reachX().data(), *reachY = walk.reachY().data();
-        const double *scale = scales + run.first;
-        double *to = wind.data(), *far = distance.data();
-        std::int64_t any = 0;
-        const int count = run.count;
+    // These begin without values: each number is written before it is read.
+    TreeRow reachX, reachY, wind, distance;
+};
+
+/// Computes how the wind comes to each branch of `run`, without the rule for an end that the pointer is on.
+template <class Bend>
+void findBreezes(const TreeWalk &walk, State &state, const double *scale, Points run, const Bend &bendBy,
+                 Breezes &into)
+{
+    double *reachX = into.reachX.data(), *reachY = into.reachY.data();
+    walk.forEachReach(run, [=, first = run.first](int i, Vec2 reach) {
+        reachX[i - first] = reach.x;
+        reachY[i - first] = reach.y;
+    });
+    // Two short loops: in a long one a processor could not begin with the next branches early enough.
+    runFast([=, &into, at = Columns(state.position)] {
+        double *wind = into.wind.data(), *distance = into.distance.data();
+        const int first = run.first, count = run.count;
         SIM_TURNS_ARE_APART
         for (int i = 0; i < count; ++i) {
-            const BranchWind breeze = bendBy.breeze({x[i], y[i]}, {reachX[i], reachY[i]}, scale[i]);
-            to[i] = breeze.wind;
-            far[i] = breeze.distance;
-            any |= breeze.distance < inOnePlace ? std::int64_t{1} : std::int64_t{0};
+            const BranchWind breeze =
+                bendBy.breeze(at.at(first + i), {reachX[i], reachY[i]}, scale[first + i]);
+            wind[i] = breeze.wind;
+            distance[i] = breeze.distance;
         }
-        close = any;
     });
-    return close == 0;
 }
 
 }
@@ -95,7 +98,7 @@ std::vector<Region> TreeWind::regions(Directions) const
     if (asPrinted)
         shown.insert(shown.end(), {{tree, "sight_published"}, {here, "wind_published"}});
     else
-        shown.insert(shown.end(), {{tree, "end"}, {"sim/direction.h", "direction"}, {here, "wind"}});
+        shown.insert(shown.end(), {{tree, "end"}, {here, "wind"}});
     if (m_turbulence)
         shown.insert(shown.end(), {{here, "turbulence"}, {here, "gusty"}});
     if (m_resistance.by == Resistance::By::distance)
@@ -119,8 +122,7 @@ BranchWind TreeWind::breezeAt(TreeFormula formula, int point, Vec2 origin, doubl
     const Vec2 reach = branchReach(angle, m_tree->baseLength, degreesOf(formula));
     if (formula == TreeFormula::published)
         return windPublished(sightPublished(pointer, origin, reach, scale).d);
-    return windAt(branchEnd(origin, reach, scale), pointer,
-                  [point](Vec2 d) { return direction(d, pointerNumber, point); });
+    return windAt(branchEnd(origin, reach, scale), pointer, point);
 }
 
 double TreeWind::gustNow(const State &state) const
@@ -139,40 +141,30 @@ double TreeWind::strength(double distance, int point) const
     return resisted(m_resistance.by, [&](auto strength) { return strength(m_resistance, distance, scale); });
 }
 
-double TreeWind::turned(const State &state, int i, double gust, double h) const
-{
-    const auto turn = m_formula == TreeFormula::published ? bendPublished : bend;
-    const BranchWind breeze = breezeAt(m_formula, i, state.at(i), state.angle[i], *state.outside.pointer);
-    return turn(state.angle[i], gusty(breeze.wind, gust), strength(breeze.distance, i), h);
-}
-
 template <class Bend>
 void TreeWind::bendAll(State &state, double h, const Bend &bendBy) const
 {
-    const double gust = gustNow(state);
+    const double gust = gustNow(state), *scale = m_tree->scale.data();
+    double *angle = state.angle.data();
     TreeWalk walk(*m_tree, state, degreesOf(m_formula));
-    TreeRow wind, distance, angle; // what they hold has been written before
+    Breezes breezes;
     for (Points run = walk.next({}); run.count > 0; run = walk.next(run)) {
-        walk.findReach(run);
-        const bool isSure = findBreeze(walk, state, m_tree->scale.data(), run, bendBy, wind, distance);
-        const auto turnAll = [&](auto strengthOf) {
-            runFast([&, bendBy, gust, h, resistance = m_resistance] {
-                const double *old = state.angle.data() + run.first, *scale = m_tree->scale.data() + run.first;
-                const double *to = wind.data(), *far = distance.data();
-                double *into = angle.data();
-                const int count = run.count;
-                SIM_TURNS_ARE_APART
-                for (int i = 0; i < count; ++i) {
-                    const double strength = strengthOf(resistance, far[i], scale[i]);
-                    into[i] = bendBy.turn(old[i], gusty(to[i], gust), strength, h);
-                }
+        findBreezes(walk, state, scale, run, bendBy, breezes);
+        const int first = run.first;
+        double *wind = breezes.wind.data(), *distance = breezes.distance.data();
+        for (int i = 0; i < run.count; ++i) {
+            const int branch = first + i;
+            if (distance[i] < inOnePlace)
+                wind[i] =
+                    breezeAt(m_formula, branch, state.at(branch), angle[branch], *state.outside.pointer).wind;
+        }
+        resisted(m_resistance.by, [&](auto strengthOf) {
+            replaceFree(state.inverseMass, run, angle, [=, resistance = m_resistance](int branch) {
+                const int i = branch - first;
+                const double strength = strengthOf(resistance, distance[i], scale[branch]);
+                return bendBy.turn(angle[branch], gusty(wind[i], gust), strength, h);
             });
-        };
-        resisted(m_resistance.by, turnAll);
-        for (int i = 0; !isSure && i < run.count; ++i)
-            angle[static_cast<std::size_t>(i)] = turned(state, run.first + i, gust, h);
-        replaceFree(state.inverseMass, run, state.angle.data(),
-                    [from = angle.data(), first = run.first](int i) { return from[i - first]; });
+        });
         walk.carry(run);
     }
 }

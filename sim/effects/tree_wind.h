@@ -24,27 +24,46 @@ struct BranchWind
     double wind = 0.0;     ///< degrees: where it blows to
 };
 
-namespace tree_formulas {
+namespace tree_formulas::fast {
 
-/// The wind at a branch's end, away from the pointer; px and degrees. `direction(d)` gives the length of d and its
-/// direction, also where the pointer is on the very end.
+using alike::fast::atan2;
+
+/// The wind at a branch's end, away from the pointer; px and degrees. The first function is all of it where the pointer
+/// is not on the very end.
 // Shown lines are short.
 // clang-format off
-template <class HeadingOf>
+inline
 //! [wind]
 BranchWind windAt(
-    Vec2 end, Vec2 pointer,
-    HeadingOf direction)
+    Vec2 end, Vec2 pointer)
 {
     // from the pointer to the end
     Vec2 d = end - pointer;
-    auto [distance, out] = direction(d);
-    double rad = atan2(out.y, out.x);
+    double distance = length(d);
+    double rad = atan2(d.y, d.x);
     double wind = rad * degreesPerRadian;
     return {d, distance, wind};
 }
+inline BranchWind windAt(
+    Vec2 end, Vec2 pointer, int branch)
+{
+    BranchWind found =
+        windAt(end, pointer);
+    if (found.distance < inOnePlace) {
+        // the pointer has no number
+        Vec2 out =
+            partingDirection(-1, branch);
+        found.wind =
+            windAt(out, {0, 0}).wind;
+    }
+    return found;
+}
 //! [wind]
 // clang-format on
+
+}
+
+namespace tree_formulas {
 
 /// The same as published: what the branch sees of the pointer is `d`, in its own frame, and half a turn is taken
 /// off its angle. Published: swaying tree, bend().
@@ -64,8 +83,8 @@ BranchWind windPublished(Vec2 d)
 
 }
 
-using tree_formulas::windAt;
 using tree_formulas::windPublished;
+using tree_formulas::fast::windAt;
 
 /// What resists the wind: the larger, the slower a branch turns; in frames.
 /// Published: swaying tree, the first `strength`.
@@ -220,8 +239,6 @@ private:
     static bool blows(const State &state) { return state.outside.pointerDown && state.outside.pointer; }
     double gustNow(const State &state) const;
     double strength(double distance, int point) const;
-    /// The new angle of branch `i`, by all rules; degrees.
-    double turned(const State &state, int i, double gust, double h) const;
     /// Turns all branches, by a formula for how the wind comes to a branch and how that turns.
     template <class Bend>
     void bendAll(State &state, double h, const Bend &bendBy) const;
