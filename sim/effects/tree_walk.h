@@ -8,8 +8,7 @@
 
 namespace sim {
 
-/// So many branches are computed in one go. With 128 a tree that fits no cache took a tenth to a third longer: their
-/// children's positions are too many to wait for memory while the next branches are computed.
+/// So many branches are computed in one go. With 128 a tree that fits no cache took a tenth to a third longer.
 constexpr int mostTogether = 48;
 
 /// One number for each branch of a run.
