@@ -6,7 +6,7 @@ namespace sim {
 
 namespace {
 
-/// So many take more than 0.1 ms on one thread: 9 us each in bench_blocks, where 10,000 creatures are 40 blocks.
+/// So many take 70 us on one thread: 4 us each in bench_blocks, where 10,000 creatures are 40 blocks.
 constexpr std::size_t blocksWorthSharing = 16;
 
 /// Blocks share State::previous: the first phase that keeps places there would make room for all of them.
