@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/accuracy/study.h"
+#include "sim/analysis/accuracy/study.h"
 
 #include <QString>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/cost/cost.h"
+#include "sim/analysis/cost/cost.h"
 
 #include <QString>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/hard/judge.h"
+#include "sim/hard_cases/judge.h"
 
 #include <QJsonObject>
 #include <QString>

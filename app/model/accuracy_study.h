@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/model/session.h"
-#include "sim/accuracy/study.h"
+#include "sim/analysis/accuracy/study.h"
 
 #include <QObject>
 #include <QTimer>

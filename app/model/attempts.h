@@ -3,7 +3,7 @@
 #include "app/model/progress.h"
 #include "lessons/api/budget.h"
 #include "lessons/api/step.h"
-#include "sim/timeline.h"
+#include "sim/run/timeline.h"
 
 #include <QElapsedTimer>
 #include <QObject>

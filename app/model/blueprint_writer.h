@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/blueprint.h"
+#include "sim/scene/blueprint.h"
 
 #include <QString>
 

@@ -3,7 +3,7 @@
 #include "app/model/breakpoints.h"
 #include "app/model/condition.h"
 #include "lessons/api/step.h"
-#include "sim/timeline.h"
+#include "sim/run/timeline.h"
 
 namespace app {
 

@@ -1,6 +1,6 @@
 #include "app/model/code_history.h"
 
-#include "sim/flush.h"
+#include "sim/simd/flush.h"
 
 #include <algorithm>
 #include <optional>

@@ -2,7 +2,7 @@
 
 #include "app/model/code_lines.h"
 #include "app/model/sentences.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 #include "sim/methods/methods.h"
 
 #include <QCoreApplication>

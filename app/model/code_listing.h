@@ -2,7 +2,7 @@
 
 #include "app/model/source_book.h"
 #include "lessons/api/step.h"
-#include "sim/timeline.h"
+#include "sim/run/timeline.h"
 
 #include <QString>
 #include <QStringList>

@@ -2,8 +2,8 @@
 
 #include "app/model/same_run.h"
 #include "app/model/slices.h"
-#include "sim/accuracy/run.h"
-#include "sim/error.h"
+#include "sim/analysis/accuracy/run.h"
+#include "sim/base/error.h"
 #include "sim/methods/methods.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "lessons/api/step.h"
-#include "sim/track.h"
+#include "sim/run/track.h"
 
 #include <memory>
 

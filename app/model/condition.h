@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/segments.h"
+#include "sim/run/script/segments.h"
 
 #include <QString>
 #include <QStringList>

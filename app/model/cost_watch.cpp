@@ -1,7 +1,7 @@
 #include "app/model/cost_watch.h"
 
 #include "app/model/same_run.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 #include <QElapsedTimer>
 

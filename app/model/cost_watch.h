@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/model/session.h"
-#include "sim/cost/cost.h"
+#include "sim/analysis/cost/cost.h"
 
 #include <QObject>
 #include <QThreadPool>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/model/known_effects.h"
-#include "sim/cost/cost.h"
+#include "sim/analysis/cost/cost.h"
 
 namespace app {
 

@@ -2,7 +2,7 @@
 
 #include "app/model/later_slices.h"
 #include "app/model/session.h"
-#include "sim/energy/ledger.h"
+#include "sim/analysis/energy/ledger.h"
 
 #include <QObject>
 

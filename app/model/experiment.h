@@ -3,7 +3,7 @@
 #include "app/model/branches.h"
 #include "app/model/lesson_library.h"
 #include "app/model/refusal.h"
-#include "sim/script.h"
+#include "sim/run/script/script.h"
 
 #include <QByteArray>
 #include <QString>

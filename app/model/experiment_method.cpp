@@ -1,7 +1,7 @@
 #include "app/model/experiment_method.h"
 
 #include "app/model/words.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 #include "sim/methods/methods.h"
 
 #include <QCoreApplication>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/model/json_fields.h"
-#include "sim/script.h"
+#include "sim/run/script/script.h"
 
 namespace app {
 

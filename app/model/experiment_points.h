@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/model/json_document.h"
-#include "sim/values.h"
+#include "sim/scene/values.h"
 
 #include <map>
 #include <vector>

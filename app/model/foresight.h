@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/track.h"
+#include "sim/run/track.h"
 
 #include <optional>
 

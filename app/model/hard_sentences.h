@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 #include <QString>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "sim/error.h"
-#include "sim/script.h"
+#include "sim/base/error.h"
+#include "sim/run/script/script.h"
 
 #include <functional>
 #include <string>

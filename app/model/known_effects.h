@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/model/lesson_library.h"
-#include "sim/effect.h"
+#include "sim/scene/effect.h"
 
 #include <functional>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "lessons/api/look.h"
-#include "sim/effect.h"
+#include "sim/scene/effect.h"
 
 namespace app {
 

@@ -2,7 +2,7 @@
 
 #include "app/model/csv_text.h"
 #include "app/model/words.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 #include <QElapsedTimer>
 #include <QFileInfo>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/vec2.h"
+#include "sim/base/vec2.h"
 
 #include <QString>
 

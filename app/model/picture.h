@@ -1,7 +1,7 @@
 #pragma once
 
 #include "lessons/api/step.h"
-#include "sim/segments.h"
+#include "sim/run/script/segments.h"
 
 #include <memory>
 #include <vector>

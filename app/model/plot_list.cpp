@@ -1,7 +1,7 @@
 #include "app/model/plot_list.h"
 
-#include "sim/error.h"
-#include "sim/track.h"
+#include "sim/base/error.h"
+#include "sim/run/track.h"
 
 #include <QSettings>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "sim/energy/stock.h"
-#include "sim/segments.h"
+#include "sim/analysis/energy/stock.h"
+#include "sim/run/script/segments.h"
 
 #include <QString>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/model/session.h"
-#include "sim/stability/trials.h"
+#include "sim/analysis/stability/remedies/trials.h"
 
 #include <QObject>
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "lessons/api/look.h"
-#include "sim/resting.h"
-#include "sim/scene.h"
+#include "sim/scene/resting.h"
+#include "sim/scene/scene.h"
 
 #include <vector>
 

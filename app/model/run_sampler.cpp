@@ -1,6 +1,6 @@
 #include "app/model/run_sampler.h"
 
-#include "sim/flush.h"
+#include "sim/simd/flush.h"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 
 #include "app/model/quantity.h"
 #include "app/model/samples.h"
-#include "sim/track.h"
+#include "sim/run/track.h"
 
 namespace app {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "sim/error.h"
-#include "sim/track.h"
+#include "sim/base/error.h"
+#include "sim/run/track.h"
 
 #include <QString>
 

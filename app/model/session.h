@@ -11,9 +11,9 @@
 #include "app/model/picture.h"
 #include "app/model/player.h"
 #include "app/model/progress.h"
-#include "sim/gathered.h"
-#include "sim/stability/remedies.h"
-#include "sim/timeline.h"
+#include "sim/analysis/gathered.h"
+#include "sim/analysis/stability/remedies/remedies.h"
+#include "sim/run/timeline.h"
 
 #include <QElapsedTimer>
 #include <QObject>

@@ -4,7 +4,7 @@
 #include "app/model/sentences.h"
 #include "app/model/session.h"
 #include "app/model/slices.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 #include <QTimer>
 

@@ -2,7 +2,7 @@
 
 #include "app/model/sentences.h"
 #include "app/model/session.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 #include <algorithm>
 

@@ -4,7 +4,7 @@
 #include "app/model/session.h"
 #include "app/model/step_words.h"
 #include "lessons/api/choice_group.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 #include "sim/methods/methods.h"
 
 #include <QLocale>

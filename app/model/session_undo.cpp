@@ -3,7 +3,7 @@
 #include "app/model/same_run.h"
 #include "app/model/sentences.h"
 #include "app/model/session.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "app/model/stability_reading.h"
 
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 #include <utility>
 

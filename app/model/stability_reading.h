@@ -1,7 +1,7 @@
 #pragma once
 
-#include "sim/stability/remedies.h"
-#include "sim/stability/stick_fit.h"
+#include "sim/analysis/stability/remedies/remedies.h"
+#include "sim/analysis/stability/remedies/stick_fit.h"
 
 #include <memory>
 #include <optional>

@@ -1,6 +1,6 @@
 #include "app/model/stability_watch.h"
 
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 #include <algorithm>
 #include <cmath>

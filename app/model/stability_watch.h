@@ -4,7 +4,7 @@
 #include "app/model/session.h"
 #include "app/model/stability_look.h"
 #include "app/model/stability_reading.h"
-#include "sim/stability/growth_map.h"
+#include "sim/analysis/stability/growth_map.h"
 
 #include <QElapsedTimer>
 #include <QObject>

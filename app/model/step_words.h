@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/step_size.h"
+#include "sim/base/step_size.h"
 
 #include <QString>
 

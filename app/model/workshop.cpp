@@ -4,7 +4,7 @@
 #include "app/model/sentences.h"
 #include "app/model/words.h"
 #include "lessons/api/blueprint_of.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 #include <QCoreApplication>
 

@@ -1,12 +1,12 @@
 #include "scenes.h"
 
 #include "lessons/api/creature.h"
-#include "sim/effects/damping.h"
-#include "sim/effects/gravity.h"
-#include "sim/effects/point_spring.h"
-#include "sim/effects/radial_spring.h"
-#include "sim/effects/walls.h"
-#include "sim/random.h"
+#include "sim/base/random.h"
+#include "sim/effects/contacts/walls.h"
+#include "sim/effects/drags/damping.h"
+#include "sim/effects/fields/gravity.h"
+#include "sim/effects/springs/point_spring.h"
+#include "sim/effects/springs/radial_spring.h"
 
 #include <algorithm>
 #include <cmath>

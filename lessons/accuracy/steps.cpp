@@ -5,7 +5,7 @@
 #include "lessons/api/parameters.h"
 #include "measures.h"
 #include "scenes.h"
-#include "sim/effects/walls.h"
+#include "sim/effects/contacts/walls.h"
 #include "tries.h"
 
 #include <QCoreApplication>

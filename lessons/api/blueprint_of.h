@@ -1,8 +1,8 @@
 #pragma once
 
 #include "lessons/api/look.h"
-#include "sim/built.h"
-#include "sim/scene.h"
+#include "sim/scene/built.h"
+#include "sim/scene/scene.h"
 
 #include <optional>
 

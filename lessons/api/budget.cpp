@@ -1,8 +1,8 @@
 #include "lessons/api/budget.h"
 
 #include "lessons/api/exact_run.h"
-#include "sim/accuracy/run.h"
-#include "sim/accuracy/timing.h"
+#include "sim/analysis/accuracy/run.h"
+#include "sim/analysis/accuracy/timing.h"
 
 #include <algorithm>
 #include <cmath>

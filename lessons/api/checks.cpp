@@ -1,6 +1,6 @@
 #include "lessons/api/checks.h"
 
-#include "sim/flush.h"
+#include "sim/simd/flush.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "lessons/api/hand.h"
-#include "sim/timeline.h"
+#include "sim/run/timeline.h"
 
 #include <cstdint>
 #include <string>

@@ -1,10 +1,10 @@
 #include "lessons/api/creature.h"
 
-#include "sim/effects/body_spring.h"
-#include "sim/effects/leg_spring.h"
-#include "sim/effects/offset_spring.h"
-#include "sim/effects/point_spring.h"
-#include "sim/effects/radial_spring.h"
+#include "sim/effects/springs/body_spring.h"
+#include "sim/effects/springs/leg_spring.h"
+#include "sim/effects/springs/offset_spring.h"
+#include "sim/effects/springs/point_spring.h"
+#include "sim/effects/springs/radial_spring.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "lessons/api/look.h"
-#include "sim/scene.h"
+#include "sim/scene/scene.h"
 
 #include <memory>
 #include <string>

@@ -1,7 +1,7 @@
 #include "lessons/api/exact_run.h"
 
-#include "sim/accuracy/run.h"
-#include "sim/error.h"
+#include "sim/analysis/accuracy/run.h"
+#include "sim/base/error.h"
 #include "sim/methods/methods.h"
 
 #include <limits>

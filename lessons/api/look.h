@@ -1,7 +1,7 @@
 #pragma once
 
-#include "sim/effects/walls.h"
-#include "sim/vec2.h"
+#include "sim/base/vec2.h"
+#include "sim/effects/contacts/walls.h"
 
 #include <QRectF>
 #include <QString>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/setting.h"
+#include "sim/scene/setting.h"
 
 #include <QString>
 #include <QStringList>

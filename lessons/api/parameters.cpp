@@ -1,8 +1,8 @@
 #include "lessons/api/parameters.h"
 
-#include "sim/effects/damping.h"
-#include "sim/effects/gravity.h"
-#include "sim/effects/ground.h"
+#include "sim/effects/contacts/ground.h"
+#include "sim/effects/drags/damping.h"
+#include "sim/effects/fields/gravity.h"
 
 #include <QCoreApplication>
 

@@ -6,7 +6,7 @@
 #include "lessons/api/look.h"
 #include "lessons/api/parameter.h"
 #include "sim/effects/catalogue.h"
-#include "sim/timeline.h"
+#include "sim/run/timeline.h"
 
 #include <cstdint>
 #include <functional>

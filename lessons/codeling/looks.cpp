@@ -1,7 +1,7 @@
 #include "looks.h"
 
 #include "lessons/api/acting.h"
-#include "sim/effects/motor.h"
+#include "sim/effects/drivers/motor.h"
 #include "swimmer.h"
 
 #include <QCoreApplication>

@@ -1,11 +1,11 @@
 #include "scenes.h"
 
 #include "lessons/api/creature.h"
-#include "sim/effects/area_stick.h"
-#include "sim/effects/damping.h"
-#include "sim/effects/motor.h"
-#include "sim/effects/split_damping.h"
-#include "sim/effects/sticks.h"
+#include "sim/effects/constraints/area_stick.h"
+#include "sim/effects/constraints/sticks.h"
+#include "sim/effects/drags/damping.h"
+#include "sim/effects/drags/split_damping.h"
+#include "sim/effects/drivers/motor.h"
 #include "swimmer.h"
 
 // Learners read these functions in a narrow panel.

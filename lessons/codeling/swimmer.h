@@ -1,10 +1,10 @@
 #pragma once
 
-#include "sim/effects/area_stick.h"
-#include "sim/effects/soft_sticks.h"
-#include "sim/effects/stick.h"
-#include "sim/scene.h"
-#include "sim/values.h"
+#include "sim/effects/constraints/area_stick.h"
+#include "sim/effects/constraints/soft_sticks.h"
+#include "sim/effects/constraints/stick.h"
+#include "sim/scene/scene.h"
+#include "sim/scene/values.h"
 
 #include <vector>
 

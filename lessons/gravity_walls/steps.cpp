@@ -4,7 +4,7 @@
 #include "lessons/api/creature.h"
 #include "lessons/api/parameters.h"
 #include "scenes.h"
-#include "sim/effects/walls.h"
+#include "sim/effects/contacts/walls.h"
 #include "tries.h"
 
 #include <QCoreApplication>

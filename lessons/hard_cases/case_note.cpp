@@ -2,8 +2,8 @@
 
 #include "cases.h"
 
-#include "sim/accuracy/run.h"
-#include "sim/hard/judge.h"
+#include "sim/analysis/accuracy/run.h"
+#include "sim/hard_cases/judge.h"
 
 #include <QCoreApplication>
 

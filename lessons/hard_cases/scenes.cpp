@@ -2,10 +2,10 @@
 
 #include "cases.h"
 #include "lessons/api/creature.h"
-#include "sim/effects/damping.h"
-#include "sim/effects/point_spring.h"
-#include "sim/effects/radial_spring.h"
-#include "sim/effects/sticks.h"
+#include "sim/effects/constraints/sticks.h"
+#include "sim/effects/drags/damping.h"
+#include "sim/effects/springs/point_spring.h"
+#include "sim/effects/springs/radial_spring.h"
 
 // Learners read these functions in a narrow panel.
 // clang-format off

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "sim/scene.h"
-#include "sim/values.h"
+#include "sim/scene/scene.h"
+#include "sim/scene/values.h"
 
 /// One scene a step, each set up by the same function name, so that the code of two steps differs only in what is
-/// new. The last step shows those of sim/hard.
+/// new. The last step shows those of sim/hard_cases.
 namespace hard_cases {
 
 /// px: where the springs of `limit` and `long_run` end.

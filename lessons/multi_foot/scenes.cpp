@@ -1,9 +1,9 @@
 #include "scenes.h"
 
 #include "lessons/api/creature.h"
-#include "sim/effects/damping.h"
-#include "sim/effects/radial_spring.h"
-#include "sim/random.h"
+#include "sim/base/random.h"
+#include "sim/effects/drags/damping.h"
+#include "sim/effects/springs/radial_spring.h"
 
 // Learners read these functions in a narrow panel.
 // clang-format off

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "sim/effects/sticks.h"
-#include "sim/scene.h"
-#include "sim/values.h"
+#include "sim/effects/constraints/sticks.h"
+#include "sim/scene/scene.h"
+#include "sim/scene/values.h"
 
 #include <vector>
 

@@ -2,7 +2,7 @@
 
 #include "figure.h"
 #include "lessons/api/acting.h"
-#include "sim/effects/room_limits.h"
+#include "sim/effects/contacts/room_limits.h"
 
 #include <QCoreApplication>
 

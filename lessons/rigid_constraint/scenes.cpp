@@ -2,11 +2,11 @@
 
 #include "figure.h"
 #include "lessons/api/creature.h"
-#include "sim/effects/angle_limits.h"
-#include "sim/effects/damping.h"
-#include "sim/effects/gravity.h"
-#include "sim/effects/pointer.h"
-#include "sim/effects/room_limits.h"
+#include "sim/effects/constraints/angle_limits.h"
+#include "sim/effects/contacts/room_limits.h"
+#include "sim/effects/drags/damping.h"
+#include "sim/effects/drivers/pointer.h"
+#include "sim/effects/fields/gravity.h"
 
 // Learners read these functions in a narrow panel.
 // clang-format off

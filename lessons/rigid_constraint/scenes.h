@@ -1,7 +1,7 @@
 #pragma once
 
-#include "sim/scene.h"
-#include "sim/values.h"
+#include "sim/scene/scene.h"
+#include "sim/scene/values.h"
 
 /// One scene a step, each set up by the same function name, so that the code of two steps differs only in what is
 /// new. A file's points and sticks take the place of the step's own.

@@ -2,8 +2,8 @@
 
 #include "lessons/api/acting.h"
 #include "plan.h"
-#include "sim/effects/ground.h"
-#include "sim/effects/room_limits.h"
+#include "sim/effects/contacts/ground.h"
+#include "sim/effects/contacts/room_limits.h"
 
 #include <algorithm>
 #include <cmath>

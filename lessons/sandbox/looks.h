@@ -1,8 +1,8 @@
 #pragma once
 
 #include "lessons/api/look.h"
-#include "sim/scene.h"
-#include "sim/values.h"
+#include "sim/scene/scene.h"
+#include "sim/scene/values.h"
 
 namespace sandbox {
 

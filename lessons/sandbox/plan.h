@@ -1,10 +1,10 @@
 #pragma once
 
-#include "sim/built.h"
-#include "sim/effects/leg_spring.h"
-#include "sim/effects/springs.h"
-#include "sim/scene.h"
-#include "sim/values.h"
+#include "sim/effects/springs/leg_spring.h"
+#include "sim/effects/springs/springs.h"
+#include "sim/scene/built.h"
+#include "sim/scene/scene.h"
+#include "sim/scene/values.h"
 
 #include <memory>
 #include <string>

@@ -3,8 +3,8 @@
 #include "lessons/api/creature.h"
 #include "plan.h"
 #include "sim/effects/catalogue.h"
-#include "sim/effects/gait_clock.h"
-#include "sim/effects/sticks.h"
+#include "sim/effects/constraints/sticks.h"
+#include "sim/effects/drivers/gait_clock.h"
 
 // Learners read this function in a narrow panel.
 // clang-format off

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "sim/scene.h"
-#include "sim/values.h"
+#include "sim/scene/scene.h"
+#include "sim/scene/values.h"
 
 namespace sandbox::build {
 

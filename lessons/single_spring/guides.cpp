@@ -2,9 +2,9 @@
 
 #include "lessons/api/acting.h"
 #include "scenes.h"
-#include "sim/direction.h"
-#include "sim/effects/offset_spring.h"
-#include "sim/effects/spring.h"
+#include "sim/base/direction.h"
+#include "sim/effects/pairs/spring.h"
+#include "sim/effects/springs/offset_spring.h"
 
 #include <QCoreApplication>
 #include <QLocale>

@@ -1,11 +1,11 @@
 #include "scenes.h"
 
 #include "lessons/api/creature.h"
-#include "sim/effects/body_spring.h"
-#include "sim/effects/damping.h"
-#include "sim/effects/offset_spring.h"
-#include "sim/effects/point_spring.h"
-#include "sim/effects/radial_spring.h"
+#include "sim/effects/drags/damping.h"
+#include "sim/effects/springs/body_spring.h"
+#include "sim/effects/springs/offset_spring.h"
+#include "sim/effects/springs/point_spring.h"
+#include "sim/effects/springs/radial_spring.h"
 
 using namespace sim;
 using namespace lessons;

@@ -1,7 +1,7 @@
 #include "tries.h"
 
 #include "lessons/api/checks.h"
-#include "sim/direction.h"
+#include "sim/base/direction.h"
 
 #include <QCoreApplication>
 

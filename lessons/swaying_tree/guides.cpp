@@ -1,10 +1,10 @@
 #include "guides.h"
 
 #include "measuring.h"
-#include "sim/direction.h"
-#include "sim/effects/joints.h"
-#include "sim/effects/tree_wind.h"
-#include "sim/effects/turn_to_pointer.h"
+#include "sim/base/direction.h"
+#include "sim/effects/drivers/turn_to_pointer.h"
+#include "sim/effects/tree/joints.h"
+#include "sim/effects/tree/tree_wind.h"
 #include "standing.h"
 
 #include <QCoreApplication>

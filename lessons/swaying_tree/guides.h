@@ -1,9 +1,9 @@
 #pragma once
 
 #include "lessons/api/look.h"
-#include "sim/scene.h"
-#include "sim/track.h"
-#include "sim/values.h"
+#include "sim/run/track.h"
+#include "sim/scene/scene.h"
+#include "sim/scene/values.h"
 
 #include <vector>
 

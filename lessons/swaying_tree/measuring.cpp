@@ -1,6 +1,6 @@
 #include "measuring.h"
 
-#include "sim/effects/joints.h"
+#include "sim/effects/tree/joints.h"
 
 #include <QCoreApplication>
 

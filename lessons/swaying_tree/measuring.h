@@ -2,7 +2,7 @@
 
 #include "lessons/api/acting.h"
 #include "lessons/api/step.h"
-#include "sim/effects/torsion.h"
+#include "sim/effects/tree/torsion.h"
 
 /// What guides, measures and checks read off a tree.
 namespace swaying_tree {

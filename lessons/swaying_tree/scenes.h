@@ -1,8 +1,8 @@
 #pragma once
 
-#include "sim/effects/tree.h"
-#include "sim/scene.h"
-#include "sim/values.h"
+#include "sim/effects/tree/tree.h"
+#include "sim/scene/scene.h"
+#include "sim/scene/values.h"
 
 /// One scene a step, each set up by the same function name, so that the code of two steps differs only in what is
 /// new. Point n is branch n, breadth first, the left child first. Trees are refused as checkGrowth() says.

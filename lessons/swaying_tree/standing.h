@@ -1,8 +1,8 @@
 #pragma once
 
-#include "sim/effects/tree.h"
-#include "sim/scene.h"
-#include "sim/values.h"
+#include "sim/effects/tree/tree.h"
+#include "sim/scene/scene.h"
+#include "sim/scene/values.h"
 
 #include <memory>
 

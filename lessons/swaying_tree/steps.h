@@ -1,7 +1,7 @@
 #pragma once
 
 #include "lessons/api/step.h"
-#include "sim/effects/tree.h"
+#include "sim/effects/tree/tree.h"
 
 namespace swaying_tree {
 

@@ -2,7 +2,7 @@
 
 #include "lessons/api/creature.h"
 #include "picture.h"
-#include "sim/effects/push.h"
+#include "sim/effects/springs/push.h"
 
 #include <QCoreApplication>
 

@@ -2,9 +2,9 @@
 
 #include "lessons/api/acting.h"
 #include "lessons/api/creature.h"
-#include "sim/effects/ground.h"
-#include "sim/effects/leg_spring.h"
-#include "sim/effects/walls.h"
+#include "sim/effects/contacts/ground.h"
+#include "sim/effects/contacts/walls.h"
+#include "sim/effects/springs/leg_spring.h"
 
 #include <QCoreApplication>
 

@@ -1,11 +1,11 @@
 #include "scenes.h"
 
 #include "lessons/api/creature.h"
-#include "sim/effects/damping.h"
-#include "sim/effects/gait_clock.h"
-#include "sim/effects/gravity.h"
-#include "sim/effects/ground.h"
-#include "sim/effects/leg_spring.h"
+#include "sim/effects/contacts/ground.h"
+#include "sim/effects/drags/damping.h"
+#include "sim/effects/drivers/gait_clock.h"
+#include "sim/effects/fields/gravity.h"
+#include "sim/effects/springs/leg_spring.h"
 
 #include <numbers>
 

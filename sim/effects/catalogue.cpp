@@ -1,6 +1,6 @@
 #include "sim/effects/catalogue.h"
 
-#include "sim/built.h"
+#include "sim/scene/built.h"
 
 #include <algorithm>
 

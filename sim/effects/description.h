@@ -1,7 +1,7 @@
 #pragma once
 
-#include "sim/effect.h"
-#include "sim/setting.h"
+#include "sim/scene/effect.h"
+#include "sim/scene/setting.h"
 
 #include <span>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/method.h"
+#include "sim/pipeline/method.h"
 
 namespace sim {
 

@@ -3,11 +3,11 @@
 #include "app/model/lesson_library.h"
 #include "lessons/api/creature.h"
 #include "lessons/api/parameters.h"
-#include "sim/effects/body_spring.h"
-#include "sim/effects/damping.h"
-#include "sim/effects/gravity.h"
-#include "sim/effects/pointer.h"
-#include "sim/effects/walls.h"
+#include "sim/effects/contacts/walls.h"
+#include "sim/effects/drags/damping.h"
+#include "sim/effects/drivers/pointer.h"
+#include "sim/effects/fields/gravity.h"
+#include "sim/effects/springs/body_spring.h"
 
 /// What the suites of the ledger of effects share: small lessons.
 namespace effects_bench {

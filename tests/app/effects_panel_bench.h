@@ -111,6 +111,6 @@ struct Bench
     EffectsPanel panel{world.session, world.theme, meter.function()};
 };
 
-const char *springFile = "sim/effects/spring.h";
+const char *springFile = "sim/effects/pairs/spring.h";
 
 }

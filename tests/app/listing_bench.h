@@ -2,7 +2,7 @@
 
 #include "app/model/code_marks.h"
 #include "app/model/lesson_library.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 #include "sim/methods/methods.h"
 
 #include <QTest>

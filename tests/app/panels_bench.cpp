@@ -2,8 +2,8 @@
 
 #include "lessons/api/creature.h"
 #include "lessons/api/parameters.h"
-#include "sim/effects/damping.h"
-#include "sim/effects/point_spring.h"
+#include "sim/effects/drags/damping.h"
+#include "sim/effects/springs/point_spring.h"
 
 #include <QApplication>
 #include <QSettings>

@@ -3,9 +3,9 @@
 #include "app/model/session.h"
 #include "lessons/api/creature.h"
 #include "lessons/api/parameters.h"
-#include "sim/effects/damping.h"
-#include "sim/effects/gravity.h"
-#include "sim/effects/point_spring.h"
+#include "sim/effects/drags/damping.h"
+#include "sim/effects/fields/gravity.h"
+#include "sim/effects/springs/point_spring.h"
 #include "sim/methods/methods.h"
 
 /// What the suites of the plots share: one lesson whose steps have closed forms.

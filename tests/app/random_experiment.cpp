@@ -2,10 +2,10 @@
 
 #include "random_sheet.h"
 
-#include "sim/error.h"
+#include "sim/base/error.h"
+#include "sim/base/random.h"
 #include "sim/methods/methods.h"
-#include "sim/pipeline.h"
-#include "sim/random.h"
+#include "sim/pipeline/pipeline.h"
 
 namespace random_experiments {
 

@@ -2,10 +2,10 @@
 
 #include "lessons/api/creature.h"
 #include "lessons/api/parameters.h"
-#include "sim/effects/damping.h"
-#include "sim/effects/gravity.h"
-#include "sim/effects/point_spring.h"
-#include "sim/effects/walls.h"
+#include "sim/effects/contacts/walls.h"
+#include "sim/effects/drags/damping.h"
+#include "sim/effects/fields/gravity.h"
+#include "sim/effects/springs/point_spring.h"
 
 #include <QApplication>
 #include <QMouseEvent>

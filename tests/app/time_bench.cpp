@@ -2,9 +2,9 @@
 
 #include "lessons/api/creature.h"
 #include "lessons/api/parameters.h"
-#include "sim/effects/damping.h"
-#include "sim/effects/gravity.h"
-#include "sim/effects/radial_spring.h"
+#include "sim/effects/drags/damping.h"
+#include "sim/effects/fields/gravity.h"
+#include "sim/effects/springs/radial_spring.h"
 
 #include <QSettings>
 #include <QStandardPaths>

@@ -56,7 +56,7 @@ private slots:
     {
         QFETCH(Way, way);
         Bench bench;
-        QVERIFY(bench.session.breakpoints().toggle(placeOf("sim/effects/spring.h", "pull = k * d")));
+        QVERIFY(bench.session.breakpoints().toggle(placeOf("sim/effects/pairs/spring.h", "pull = k * d")));
         const auto expected = search(
             bench.session.timeline().script(), 4,
             [](const sim::Timeline &run) { return nextPhase(run).id == "radial_spring"; }, false);
@@ -69,7 +69,7 @@ private slots:
     {
         QFETCH(Way, way);
         Bench bench;
-        const CodePlace place = placeOf("sim/effects/walls.h", "x.y = room.floor - half");
+        const CodePlace place = placeOf("sim/effects/contacts/walls.h", "x.y = room.floor - half");
         bench.session.breakpoints().toggle(place);
         const int id = bench.session.breakpoints().at(place)->id;
         bench.session.breakpoints().setCondition(id, "foot0.y > 372.5");
@@ -95,7 +95,8 @@ private slots:
         Bench bench;
         bench.session.setMethod("semi_implicit_euler");
         bench.session.setStepSize(h);
-        bench.session.breakpoints().toggle(placeOf("sim/effects/gravity.cpp", "Vec2 pull = {0, gravity}"));
+        bench.session.breakpoints().toggle(
+            placeOf("sim/effects/fields/gravity.cpp", "Vec2 pull = {0, gravity}"));
         bench.session.breakpoints().add("foot1.y > 300");
         const auto expected = [&] {
             bool held = false;
@@ -153,7 +154,7 @@ private slots:
         bench.session.restart();
         QVERIFY(!bench.session.stoppedBy());
         bench.session.breakpoints().remove(bench.session.breakpoints().all().front().id);
-        const CodePlace place = placeOf("sim/effects/walls.h", "x.y = room.floor - half");
+        const CodePlace place = placeOf("sim/effects/contacts/walls.h", "x.y = room.floor - half");
         bench.session.breakpoints().toggle(place);
         bench.session.frameForward();
         QCOMPARE(bench.session.stoppedBy()->sentence,

@@ -88,9 +88,9 @@ private slots:
         QTest::addColumn<QString>("marker");
         QTest::newRow("no such file") << "sim/effects/nothing.h"
                                       << "spring";
-        QTest::newRow("no such marker") << "sim/effects/spring.h"
+        QTest::newRow("no such marker") << "sim/effects/pairs/spring.h"
                                         << "sprung";
-        QTest::newRow("a part of a marker") << "sim/effects/spring.h"
+        QTest::newRow("a part of a marker") << "sim/effects/pairs/spring.h"
                                             << "spri";
     }
     void aRegionThatDoesNotExistHasNoText()

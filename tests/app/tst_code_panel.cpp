@@ -280,7 +280,7 @@ private slots:
         QApplication::clipboard()->clear();
         QTest::mouseClick(shown.button("Copy"), Qt::LeftButton);
         const QString text = QApplication::clipboard()->text();
-        QVERIFY(text.contains("// sim/effects/radial_spring.h:"));
+        QVERIFY(text.contains("// sim/effects/springs/radial_spring.h:"));
         QVERIFY(text.contains("    x = x + h * v;\n"));
         QVERIFY(!text.contains("step.forces")); // the order is folded
         QVERIFY(!text.contains("//!"));

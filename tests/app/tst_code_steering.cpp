@@ -205,7 +205,7 @@ private slots:
         QVERIFY(shown.session.breakpoints().all().empty());
         QVERIFY(act("Copy “2 Gravity”"));
         const QString text = QApplication::clipboard()->text();
-        QVERIFY(text.contains("// sim/effects/gravity.cpp:"));
+        QVERIFY(text.contains("// sim/effects/fields/gravity.cpp:"));
         QVERIFY(text.contains("Vec2 fall(double gravity)"));
         QVERIFY(!text.contains("keep"));
         QVERIFY(act("Copy all"));

@@ -1,7 +1,7 @@
 #include "app/model/code_history.h"
 #include "app/model/code_steering.h"
 #include "app/model/refusal.h"
-#include "sim/random.h"
+#include "sim/base/random.h"
 #include "tests/app/listing_bench.h"
 
 #include <algorithm>

@@ -4,9 +4,9 @@
 #include "lessons/api/creature.h"
 #include "lessons/api/parameters.h"
 #include "scene_bench.h"
-#include "sim/effects/damping.h"
-#include "sim/effects/point_spring.h"
-#include "sim/effects/sticks.h"
+#include "sim/effects/constraints/sticks.h"
+#include "sim/effects/drags/damping.h"
+#include "sim/effects/springs/point_spring.h"
 #include "sim/methods/methods.h"
 
 #include <QTemporaryDir>

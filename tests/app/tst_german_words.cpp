@@ -6,7 +6,7 @@
 #include "app/ui/window/notice.h"
 #include "german_bench.h"
 #include "sim/methods/methods.h"
-#include "sim/pipeline.h"
+#include "sim/pipeline/pipeline.h"
 
 #include <QMenu>
 #include <QMenuBar>

@@ -7,7 +7,7 @@
 #include "app/ui/measure/run_plot.h"
 #include "app/ui/stability/stability_gauge.h"
 #include "app/ui/stability/stability_panel.h"
-#include "sim/stability/stability.h"
+#include "sim/analysis/stability/stability.h"
 
 #include <QTemporaryDir>
 

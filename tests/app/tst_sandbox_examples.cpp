@@ -1,7 +1,7 @@
 // The scenes that come with the sandbox: each does what it is there for.
 
 #include "app/model/experiment.h"
-#include "sim/energy/stock.h"
+#include "sim/analysis/energy/stock.h"
 
 #include <QDir>
 #include <QTest>

@@ -4,7 +4,7 @@
 #include "lessons/api/creature.h"
 #include "look_scenes.h"
 #include "scene_bench.h"
-#include "sim/effects/gravity.h"
+#include "sim/effects/fields/gravity.h"
 
 #include <QSignalSpy>
 #include <QTest>

@@ -5,9 +5,9 @@
 #include "lessons/api/creature.h"
 #include "look_scenes.h"
 #include "scene_bench.h"
-#include "sim/effects/damping.h"
-#include "sim/effects/point_spring.h"
-#include "sim/effects/springs.h"
+#include "sim/effects/drags/damping.h"
+#include "sim/effects/springs/point_spring.h"
+#include "sim/effects/springs/springs.h"
 
 #include <QTemporaryDir>
 #include <QtTest>

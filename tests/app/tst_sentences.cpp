@@ -1,5 +1,5 @@
 #include "app/model/sentences.h"
-#include "sim/effects/body_spring.h"
+#include "sim/effects/springs/body_spring.h"
 
 #include <QTest>
 

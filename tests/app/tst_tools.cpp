@@ -3,7 +3,7 @@
 #include "app/ui/scene/hand.h"
 #include "look_scenes.h"
 #include "scene_bench.h"
-#include "sim/input_reader.h"
+#include "sim/scene/input_reader.h"
 
 #include <QTemporaryDir>
 #include <QtTest>

@@ -4,8 +4,8 @@
 #include "creature_in_air.h"
 #include "support.h"
 
-#include "sim/effects/damping.h"
-#include "sim/effects/radial_spring.h"
+#include "sim/effects/drags/damping.h"
+#include "sim/effects/springs/radial_spring.h"
 #include "sim/methods/methods.h"
 
 #include <benchmark/benchmark.h>

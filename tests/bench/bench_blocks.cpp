@@ -4,7 +4,7 @@
 #include "crowd.h"
 
 #include "sim/methods/methods.h"
-#include "sim/run_step.h"
+#include "sim/pipeline/run_step.h"
 
 #include <benchmark/benchmark.h>
 

@@ -4,10 +4,10 @@
 #include "cloth.h"
 #include "support.h"
 
-#include "sim/flow.h"
-#include "sim/methods/conjugate_gradients.h"
+#include "sim/methods/flow.h"
+#include "sim/methods/implicit/solvers/conjugate_gradients.h"
 #include "sim/methods/methods.h"
-#include "sim/run_step.h"
+#include "sim/pipeline/run_step.h"
 
 #include <benchmark/benchmark.h>
 

@@ -3,12 +3,12 @@
 // processor time, so that a machine with other things to do does not add to them.
 
 #include "lessons/api/creature.h"
-#include "sim/accuracy/cpu_clock.h"
-#include "sim/effects/damping.h"
-#include "sim/effects/gravity.h"
-#include "sim/effects/radial_spring.h"
-#include "sim/effects/walls.h"
-#include "sim/random.h"
+#include "sim/base/cpu_clock.h"
+#include "sim/base/random.h"
+#include "sim/effects/contacts/walls.h"
+#include "sim/effects/drags/damping.h"
+#include "sim/effects/fields/gravity.h"
+#include "sim/effects/springs/radial_spring.h"
 #include "tests/app/look_scenes.h"
 #include "tests/app/scene_bench.h"
 

@@ -6,7 +6,7 @@
 #include "plain_creature.h"
 #include "support.h"
 
-#include "sim/run_step.h"
+#include "sim/pipeline/run_step.h"
 
 #include <benchmark/benchmark.h>
 

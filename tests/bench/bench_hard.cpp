@@ -3,9 +3,9 @@
 
 #include "crowd.h"
 
-#include "sim/hard/scenes.h"
+#include "sim/hard_cases/scenes.h"
 #include "sim/methods/methods.h"
-#include "sim/pipeline.h"
+#include "sim/pipeline/pipeline.h"
 
 #include <benchmark/benchmark.h>
 

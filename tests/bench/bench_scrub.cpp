@@ -13,7 +13,7 @@
 #include "app/ui/time/timeline_strip.h"
 #include "app/ui/window/main_window.h"
 #include "every_panel.h"
-#include "sim/accuracy/cpu_clock.h"
+#include "sim/base/cpu_clock.h"
 #include "slow_events.h"
 
 #include <QCommandLineParser>

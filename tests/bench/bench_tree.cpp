@@ -3,7 +3,7 @@
 #include "tree_scenes.h"
 
 #include "sim/methods/methods.h"
-#include "sim/run_step.h"
+#include "sim/pipeline/run_step.h"
 
 #include <benchmark/benchmark.h>
 

@@ -4,7 +4,7 @@
 #include "plain_crowd.h"
 #include "tree_scenes.h"
 
-#include "sim/random.h"
+#include "sim/base/random.h"
 
 #include <algorithm>
 

@@ -1,14 +1,14 @@
 #include "crowd.h"
 
-#include "sim/built.h"
+#include "sim/base/random.h"
 #include "sim/effects/catalogue.h"
-#include "sim/effects/damping.h"
-#include "sim/effects/gravity.h"
-#include "sim/effects/radial_spring.h"
-#include "sim/effects/springs.h"
-#include "sim/effects/walls.h"
-#include "sim/random.h"
-#include "sim/values.h"
+#include "sim/effects/contacts/walls.h"
+#include "sim/effects/drags/damping.h"
+#include "sim/effects/fields/gravity.h"
+#include "sim/effects/springs/radial_spring.h"
+#include "sim/effects/springs/springs.h"
+#include "sim/scene/built.h"
+#include "sim/scene/values.h"
 
 namespace bench::crowd {
 

@@ -2,8 +2,8 @@
 
 #include "crowd_numbers.h"
 
-#include "sim/effects/links.h"
-#include "sim/scene.h"
+#include "sim/effects/pairs/links.h"
+#include "sim/scene/scene.h"
 
 #include <vector>
 

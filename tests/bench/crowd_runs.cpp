@@ -3,7 +3,7 @@
 #include "support.h"
 
 #include "sim/methods/methods.h"
-#include "sim/run_step.h"
+#include "sim/pipeline/run_step.h"
 
 namespace bench::crowd {
 

@@ -1,11 +1,11 @@
 #include "tree_scenes.h"
 
-#include "sim/effects/damping.h"
-#include "sim/effects/gust.h"
-#include "sim/effects/joints.h"
-#include "sim/effects/return_to_rest.h"
-#include "sim/effects/torsion.h"
-#include "sim/effects/wind_torque.h"
+#include "sim/effects/drags/damping.h"
+#include "sim/effects/drivers/gust.h"
+#include "sim/effects/tree/joints.h"
+#include "sim/effects/tree/return_to_rest.h"
+#include "sim/effects/tree/torsion.h"
+#include "sim/effects/tree/wind_torque.h"
 
 namespace bench::trees {
 

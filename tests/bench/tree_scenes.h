@@ -1,7 +1,7 @@
 #pragma once
 
-#include "sim/effects/tree_wind.h"
-#include "sim/scene.h"
+#include "sim/effects/tree/tree_wind.h"
+#include "sim/scene/scene.h"
 
 /// Full trees, in which every branch but the twigs has two children, with the numbers of the lesson swaying_tree.
 namespace bench::trees {

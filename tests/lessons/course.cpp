@@ -1,6 +1,6 @@
 #include "tests/lessons/course.h"
 
-#include "sim/track.h"
+#include "sim/run/track.h"
 
 #include <algorithm>
 

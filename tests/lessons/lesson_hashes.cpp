@@ -7,13 +7,13 @@
 #include "tests/lessons/support.h"
 #include "tests/sizes.h"
 
-#include "sim/error.h"
-#include "sim/flush.h"
+#include "sim/base/error.h"
 #include "sim/methods/methods.h"
-#include "sim/row_start.h"
-#include "sim/run_step.h"
-#include "sim/track.h"
-#include "sim/wide.h"
+#include "sim/pipeline/run_step.h"
+#include "sim/run/script/row_start.h"
+#include "sim/run/track.h"
+#include "sim/simd/flush.h"
+#include "sim/simd/wide.h"
 
 #include <algorithm>
 #include <cstdio>

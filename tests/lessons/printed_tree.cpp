@@ -1,6 +1,6 @@
 #include "tests/lessons/printed_tree.h"
 
-#include "sim/random.h"
+#include "sim/base/random.h"
 
 #include <cmath>
 

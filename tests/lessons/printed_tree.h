@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/script.h"
+#include "sim/run/script/script.h"
 
 #include <memory>
 #include <string>

@@ -3,7 +3,7 @@
 #include "tests/lessons/codeling_targets.h"
 #include "tests/lessons/support.h"
 
-#include "sim/effects/area_stick.h"
+#include "sim/effects/constraints/area_stick.h"
 
 #include <QTest>
 

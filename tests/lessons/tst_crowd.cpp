@@ -1,10 +1,10 @@
 #include "lessons/api/creature.h"
-#include "sim/accuracy/study.h"
-#include "sim/effects/damping.h"
-#include "sim/effects/gravity.h"
-#include "sim/effects/radial_spring.h"
-#include "sim/effects/walls.h"
-#include "sim/stability/stability.h"
+#include "sim/analysis/accuracy/study.h"
+#include "sim/analysis/stability/stability.h"
+#include "sim/effects/contacts/walls.h"
+#include "sim/effects/drags/damping.h"
+#include "sim/effects/fields/gravity.h"
+#include "sim/effects/springs/radial_spring.h"
 #include "tests/lessons/support.h"
 
 #include <QTest>

@@ -1,11 +1,11 @@
 #include "tests/lessons/support.h"
 
-#include "sim/cost/cost.h"
-#include "sim/cost/probe.h"
-#include "sim/cost/touched.h"
-#include "sim/error.h"
+#include "sim/analysis/cost/cost.h"
+#include "sim/analysis/cost/probe.h"
+#include "sim/analysis/cost/touched.h"
+#include "sim/base/error.h"
 #include "sim/methods/methods.h"
-#include "sim/track.h"
+#include "sim/run/track.h"
 
 #include <QTest>
 

@@ -1,7 +1,7 @@
 #include "tests/lessons/support.h"
 #include "tests/sizes.h"
 
-#include "sim/error.h"
+#include "sim/base/error.h"
 #include "sim/methods/methods.h"
 
 #include <QRegularExpression>

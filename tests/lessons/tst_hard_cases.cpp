@@ -2,7 +2,7 @@
 
 #include "hard_cases_bench.h"
 
-#include "sim/direction.h"
+#include "sim/base/direction.h"
 #include "tests/lessons/attempts.h"
 
 #include <QTest>

@@ -1,9 +1,9 @@
 #include "tests/lessons/support.h"
 
-#include "sim/error.h"
-#include "sim/islands.h"
+#include "sim/base/error.h"
 #include "sim/methods/methods.h"
-#include "sim/run_step.h"
+#include "sim/pipeline/run_step.h"
+#include "sim/scene/islands.h"
 
 #include <QTest>
 

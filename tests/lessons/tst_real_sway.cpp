@@ -1,4 +1,4 @@
-#include "sim/effects/torsion.h"
+#include "sim/effects/tree/torsion.h"
 #include "tests/lessons/support.h"
 
 #include <QTest>

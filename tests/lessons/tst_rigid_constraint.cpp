@@ -1,7 +1,7 @@
 #include "tests/lessons/attempts.h"
 #include "tests/lessons/published_files.h"
 
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 #include <QTest>
 

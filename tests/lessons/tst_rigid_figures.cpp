@@ -2,7 +2,7 @@
 
 #include "tests/lessons/support.h"
 
-#include "sim/effects/sticks.h"
+#include "sim/effects/constraints/sticks.h"
 
 #include <QTest>
 

@@ -2,9 +2,9 @@
 
 #include "tests/lessons/support.h"
 
-#include "sim/error.h"
+#include "sim/base/error.h"
 #include "sim/methods/methods.h"
-#include "sim/track.h"
+#include "sim/run/track.h"
 
 #include <QTest>
 

@@ -1,5 +1,5 @@
-#include "sim/direction.h"
-#include "sim/effects/tree_wind.h"
+#include "sim/base/direction.h"
+#include "sim/effects/tree/tree_wind.h"
 #include "tests/lessons/attempts.h"
 #include "tests/lessons/printed_tree.h"
 #include "tests/lessons/published_files.h"

@@ -1,4 +1,4 @@
-#include "sim/error.h"
+#include "sim/base/error.h"
 #include "tests/lessons/support.h"
 
 #include <QTest>

@@ -1,5 +1,5 @@
-#include "sim/effects/gust.h"
-#include "sim/effects/wind_torque.h"
+#include "sim/effects/drivers/gust.h"
+#include "sim/effects/tree/wind_torque.h"
 #include "tests/lessons/support.h"
 
 #include <QTest>

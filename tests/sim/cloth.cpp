@@ -1,8 +1,8 @@
 #include "cloth.h"
 
-#include "sim/effects/damping.h"
-#include "sim/effects/gravity.h"
-#include "sim/effects/radial_spring.h"
+#include "sim/effects/drags/damping.h"
+#include "sim/effects/fields/gravity.h"
+#include "sim/effects/springs/radial_spring.h"
 
 namespace cloth {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/scene.h"
+#include "sim/scene/scene.h"
 
 /// A square of points on springs to their neighbours, which hangs by its top row.
 namespace cloth {

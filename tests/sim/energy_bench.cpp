@@ -2,7 +2,7 @@
 
 #include "support.h"
 
-#include "sim/energy/ledger.h"
+#include "sim/analysis/energy/ledger.h"
 #include "sim/methods/methods.h"
 
 #include <QTest>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "sim/energy/balance.h"
-#include "sim/script.h"
+#include "sim/analysis/energy/balance.h"
+#include "sim/run/script/script.h"
 
 /// What the suites of the ledger share.
 namespace energy_bench {

@@ -2,7 +2,7 @@
 
 #include "support.h"
 
-#include "sim/effects/radial_spring.h"
+#include "sim/effects/springs/radial_spring.h"
 
 /// Scenes of the suites of energy and momentum.
 namespace energy_bench {

@@ -2,16 +2,16 @@
 
 #include "support.h"
 
-#include "sim/effects/damping.h"
-#include "sim/effects/gait_clock.h"
-#include "sim/effects/gravity.h"
-#include "sim/effects/gust.h"
-#include "sim/effects/joints.h"
-#include "sim/effects/leg_spring.h"
-#include "sim/effects/point_spring.h"
-#include "sim/effects/radial_spring.h"
-#include "sim/effects/torsion.h"
-#include "sim/effects/wind_torque.h"
+#include "sim/effects/drags/damping.h"
+#include "sim/effects/drivers/gait_clock.h"
+#include "sim/effects/drivers/gust.h"
+#include "sim/effects/fields/gravity.h"
+#include "sim/effects/springs/leg_spring.h"
+#include "sim/effects/springs/point_spring.h"
+#include "sim/effects/springs/radial_spring.h"
+#include "sim/effects/tree/joints.h"
+#include "sim/effects/tree/torsion.h"
+#include "sim/effects/tree/wind_torque.h"
 
 #include <complex>
 

@@ -3,9 +3,9 @@
 // tst_instructions runs it and reads the counts.
 //   instructions SCENE METHOD
 
-#include "sim/cost/probe.h"
-#include "sim/cost/touched.h"
-#include "sim/effects/gravity.h"
+#include "sim/analysis/cost/probe.h"
+#include "sim/analysis/cost/touched.h"
+#include "sim/effects/fields/gravity.h"
 #include "sim/methods/methods.h"
 #include "support.h"
 

@@ -2,11 +2,11 @@
 
 #include "support.h"
 
-#include "sim/effects/body_spring.h"
-#include "sim/effects/damping.h"
-#include "sim/effects/point_spring.h"
-#include "sim/effects/radial_spring.h"
-#include "sim/effects/torsion.h"
+#include "sim/effects/drags/damping.h"
+#include "sim/effects/springs/body_spring.h"
+#include "sim/effects/springs/point_spring.h"
+#include "sim/effects/springs/radial_spring.h"
+#include "sim/effects/tree/torsion.h"
 #include "sim/methods/methods.h"
 
 #include <cmath>

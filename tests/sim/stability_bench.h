@@ -1,7 +1,7 @@
 #pragma once
 
-#include "sim/pipeline.h"
-#include "sim/stability/stability.h"
+#include "sim/analysis/stability/stability.h"
+#include "sim/pipeline/pipeline.h"
 
 #include <functional>
 #include <string>

@@ -1,7 +1,7 @@
 #include "study_scenes.h"
 
-#include "sim/effects/damping.h"
-#include "sim/effects/point_spring.h"
+#include "sim/effects/drags/damping.h"
+#include "sim/effects/springs/point_spring.h"
 
 #include <cmath>
 

@@ -2,7 +2,7 @@
 
 #include "support.h"
 
-#include "sim/accuracy/study.h"
+#include "sim/analysis/accuracy/study.h"
 
 namespace support {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "sim/effects/links.h"
-#include "sim/timeline.h"
+#include "sim/effects/pairs/links.h"
+#include "sim/run/timeline.h"
 
 #include <cstdint>
 #include <functional>

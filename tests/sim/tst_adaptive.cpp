@@ -3,15 +3,15 @@
 
 #include "support.h"
 
-#include "sim/effects/damping.h"
-#include "sim/effects/gait_clock.h"
-#include "sim/effects/gravity.h"
-#include "sim/effects/ground.h"
-#include "sim/effects/leg_spring.h"
-#include "sim/effects/point_spring.h"
-#include "sim/effects/radial_spring.h"
-#include "sim/effects/walls.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
+#include "sim/effects/contacts/ground.h"
+#include "sim/effects/contacts/walls.h"
+#include "sim/effects/drags/damping.h"
+#include "sim/effects/drivers/gait_clock.h"
+#include "sim/effects/fields/gravity.h"
+#include "sim/effects/springs/leg_spring.h"
+#include "sim/effects/springs/point_spring.h"
+#include "sim/effects/springs/radial_spring.h"
 
 #include "sim/methods/methods.h"
 

@@ -1,4 +1,4 @@
-#include "sim/alike.h"
+#include "sim/simd/alike.h"
 
 #include <QTest>
 

@@ -2,7 +2,7 @@
 
 #include "support.h"
 
-#include "sim/effects/point_spring.h"
+#include "sim/effects/springs/point_spring.h"
 #include "sim/methods/methods.h"
 #include "tests/sizes.h"
 

@@ -3,9 +3,9 @@
 #include "counting.h"
 #include "support.h"
 
-#include "sim/effects/body_spring.h"
-#include "sim/effects/damping.h"
-#include "sim/sleep.h"
+#include "sim/effects/drags/damping.h"
+#include "sim/effects/springs/body_spring.h"
+#include "sim/run/sleeping/sleep.h"
 
 #include <QTest>
 

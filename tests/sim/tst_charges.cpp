@@ -2,11 +2,11 @@
 
 #include "support.h"
 
-#include "sim/built.h"
 #include "sim/effects/catalogue.h"
-#include "sim/effects/charges.h"
+#include "sim/effects/fields/charges.h"
 #include "sim/methods/methods.h"
-#include "sim/values.h"
+#include "sim/scene/built.h"
+#include "sim/scene/values.h"
 
 #include <QTest>
 

@@ -2,16 +2,16 @@
 
 #include "support.h"
 
-#include "sim/effects/angle_limits.h"
-#include "sim/effects/area_stick.h"
-#include "sim/effects/damping.h"
-#include "sim/effects/gravity.h"
-#include "sim/effects/room_limits.h"
-#include "sim/effects/soft_sticks.h"
-#include "sim/effects/sticks.h"
-#include "sim/hard/scenes.h"
+#include "sim/effects/constraints/angle_limits.h"
+#include "sim/effects/constraints/area_stick.h"
+#include "sim/effects/constraints/soft_sticks.h"
+#include "sim/effects/constraints/sticks.h"
+#include "sim/effects/contacts/room_limits.h"
+#include "sim/effects/drags/damping.h"
+#include "sim/effects/fields/gravity.h"
+#include "sim/hard_cases/scenes.h"
 #include "sim/methods/methods.h"
-#include "sim/track.h"
+#include "sim/run/track.h"
 
 #include <QTest>
 

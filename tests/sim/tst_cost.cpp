@@ -1,6 +1,6 @@
-#include "sim/cost/cost.h"
-#include "sim/effects/gravity.h"
-#include "sim/error.h"
+#include "sim/analysis/cost/cost.h"
+#include "sim/base/error.h"
+#include "sim/effects/fields/gravity.h"
 #include "sim/methods/methods.h"
 #include "support.h"
 

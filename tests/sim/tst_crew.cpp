@@ -1,4 +1,4 @@
-#include "sim/crew.h"
+#include "sim/simd/crew.h"
 
 #include <QDir>
 #include <QFile>

@@ -2,8 +2,8 @@
 
 #include "support.h"
 
-#include "sim/effects/damping.h"
-#include "sim/effects/radial_spring.h"
+#include "sim/effects/drags/damping.h"
+#include "sim/effects/springs/radial_spring.h"
 
 #include <QTest>
 

@@ -2,7 +2,7 @@
 
 #include "support.h"
 
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 #include <QTest>
 

@@ -2,16 +2,16 @@
 
 #include "support.h"
 
-#include "sim/effects/body_spring.h"
-#include "sim/effects/breeze.h"
-#include "sim/effects/damping.h"
-#include "sim/effects/gravity.h"
-#include "sim/effects/offset_spring.h"
-#include "sim/effects/point_spring.h"
-#include "sim/effects/radial_spring.h"
-#include "sim/effects/springs.h"
-#include "sim/effects/walls.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
+#include "sim/effects/contacts/walls.h"
+#include "sim/effects/drags/damping.h"
+#include "sim/effects/fields/breeze.h"
+#include "sim/effects/fields/gravity.h"
+#include "sim/effects/springs/body_spring.h"
+#include "sim/effects/springs/offset_spring.h"
+#include "sim/effects/springs/point_spring.h"
+#include "sim/effects/springs/radial_spring.h"
+#include "sim/effects/springs/springs.h"
 
 #include <QTest>
 

@@ -4,7 +4,7 @@
 #include "implicit_scenes.h"
 #include "support.h"
 
-#include "sim/energy/integrals.h"
+#include "sim/analysis/energy/integrals.h"
 #include "sim/methods/methods.h"
 
 #include <QTest>

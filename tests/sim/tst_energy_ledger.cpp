@@ -5,10 +5,10 @@
 #include "implicit_scenes.h"
 #include "support.h"
 
-#include "sim/effects/gravity.h"
-#include "sim/effects/sticks.h"
-#include "sim/effects/walls.h"
-#include "sim/energy/ledger.h"
+#include "sim/analysis/energy/ledger.h"
+#include "sim/effects/constraints/sticks.h"
+#include "sim/effects/contacts/walls.h"
+#include "sim/effects/fields/gravity.h"
 #include "sim/methods/methods.h"
 
 #include <QTest>

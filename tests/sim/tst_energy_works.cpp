@@ -4,12 +4,12 @@
 #include "energy_scenes.h"
 #include "support.h"
 
-#include "sim/effects/body_spring.h"
-#include "sim/effects/breeze.h"
-#include "sim/effects/damping.h"
-#include "sim/effects/leg_spring.h"
-#include "sim/effects/push.h"
-#include "sim/energy/ledger.h"
+#include "sim/analysis/energy/ledger.h"
+#include "sim/effects/drags/damping.h"
+#include "sim/effects/fields/breeze.h"
+#include "sim/effects/springs/body_spring.h"
+#include "sim/effects/springs/leg_spring.h"
+#include "sim/effects/springs/push.h"
 #include "sim/methods/methods.h"
 
 #include <QTest>

@@ -2,9 +2,9 @@
 
 #include "support.h"
 
-#include "sim/effects/damping.h"
-#include "sim/energy/ledger.h"
-#include "sim/flush.h"
+#include "sim/analysis/energy/ledger.h"
+#include "sim/effects/drags/damping.h"
+#include "sim/simd/flush.h"
 
 #include <QTest>
 

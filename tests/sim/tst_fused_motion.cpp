@@ -2,13 +2,13 @@
 
 #include "tests/bench/crowd.h"
 
-#include "sim/effects/damping.h"
-#include "sim/effects/gravity.h"
-#include "sim/effects/ground.h"
-#include "sim/effects/room_limits.h"
-#include "sim/flush.h"
+#include "sim/effects/contacts/ground.h"
+#include "sim/effects/contacts/room_limits.h"
+#include "sim/effects/drags/damping.h"
+#include "sim/effects/fields/gravity.h"
 #include "sim/methods/methods.h"
-#include "sim/run_step.h"
+#include "sim/pipeline/run_step.h"
+#include "sim/simd/flush.h"
 
 #include <QTest>
 

@@ -2,7 +2,7 @@
 
 #include "support.h"
 
-#include "sim/gathered.h"
+#include "sim/analysis/gathered.h"
 #include "sim/methods/methods.h"
 
 #include <QTest>

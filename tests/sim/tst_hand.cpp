@@ -3,9 +3,9 @@
 
 #include "support.h"
 
-#include "sim/effects/damping.h"
-#include "sim/effects/gravity.h"
-#include "sim/effects/walls.h"
+#include "sim/effects/contacts/walls.h"
+#include "sim/effects/drags/damping.h"
+#include "sim/effects/fields/gravity.h"
 #include "sim/methods/methods.h"
 
 #include <QTest>

@@ -4,9 +4,9 @@
 #include "support.h"
 #include "tests/sizes.h"
 
-#include "sim/error.h"
-#include "sim/hard/catalogue.h"
-#include "sim/hard/judge.h"
+#include "sim/base/error.h"
+#include "sim/hard_cases/catalogue.h"
+#include "sim/hard_cases/judge.h"
 #include "sim/methods/methods.h"
 
 #include <QTest>

@@ -3,13 +3,13 @@
 #include "implicit_scenes.h"
 #include "support.h"
 
-#include "sim/effects/damping.h"
-#include "sim/effects/gravity.h"
-#include "sim/effects/point_spring.h"
-#include "sim/effects/radial_spring.h"
-#include "sim/effects/split_damping.h"
-#include "sim/effects/sticks.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
+#include "sim/effects/constraints/sticks.h"
+#include "sim/effects/drags/damping.h"
+#include "sim/effects/drags/split_damping.h"
+#include "sim/effects/fields/gravity.h"
+#include "sim/effects/springs/point_spring.h"
+#include "sim/effects/springs/radial_spring.h"
 #include "sim/methods/methods.h"
 
 #include <QTest>

@@ -2,11 +2,11 @@
 
 #include "tests/bench/crowd.h"
 
-#include "sim/effects/body_spring.h"
-#include "sim/effects/gait_clock.h"
-#include "sim/effects/gravity.h"
-#include "sim/effects/push.h"
-#include "sim/islands.h"
+#include "sim/effects/drivers/gait_clock.h"
+#include "sim/effects/fields/gravity.h"
+#include "sim/effects/springs/body_spring.h"
+#include "sim/effects/springs/push.h"
+#include "sim/scene/islands.h"
 
 #include <QTest>
 

@@ -3,9 +3,9 @@
 
 #include "support.h"
 
-#include "sim/effects/body_spring.h"
-#include "sim/effects/offset_spring.h"
-#include "sim/effects/radial_spring.h"
+#include "sim/effects/springs/body_spring.h"
+#include "sim/effects/springs/offset_spring.h"
+#include "sim/effects/springs/radial_spring.h"
 
 #include <QTest>
 

@@ -2,10 +2,10 @@
 
 #include "support.h"
 
-#include "sim/effects/damping.h"
-#include "sim/effects/gravity.h"
-#include "sim/effects/radial_spring.h"
-#include "sim/effects/walls.h"
+#include "sim/effects/contacts/walls.h"
+#include "sim/effects/drags/damping.h"
+#include "sim/effects/fields/gravity.h"
+#include "sim/effects/springs/radial_spring.h"
 
 #include <QTest>
 

@@ -2,8 +2,8 @@
 
 #include "support.h"
 
-#include "sim/effects/gravity.h"
-#include "sim/effects/ramp.h"
+#include "sim/effects/contacts/ramp.h"
+#include "sim/effects/fields/gravity.h"
 #include "sim/methods/methods.h"
 
 #include <QTest>

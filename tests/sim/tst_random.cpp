@@ -1,6 +1,6 @@
 // Numbers that depend on nothing but their arguments.
 
-#include "sim/random.h"
+#include "sim/base/random.h"
 
 #include <QTest>
 

@@ -3,12 +3,12 @@
 #include "stability_bench.h"
 #include "support.h"
 
-#include "sim/effects/body_spring.h"
-#include "sim/effects/damping.h"
-#include "sim/effects/radial_spring.h"
+#include "sim/analysis/stability/growth_map.h"
+#include "sim/analysis/stability/remedies/remedies.h"
+#include "sim/effects/drags/damping.h"
+#include "sim/effects/springs/body_spring.h"
+#include "sim/effects/springs/radial_spring.h"
 #include "sim/methods/methods.h"
-#include "sim/stability/growth_map.h"
-#include "sim/stability/remedies.h"
 
 #include <QTest>
 

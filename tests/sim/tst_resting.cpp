@@ -2,12 +2,12 @@
 
 #include "support.h"
 
-#include "sim/effects/leg_spring.h"
-#include "sim/effects/offset_spring.h"
-#include "sim/effects/radial_spring.h"
-#include "sim/effects/soft_sticks.h"
-#include "sim/effects/springs.h"
-#include "sim/effects/sticks.h"
+#include "sim/effects/constraints/soft_sticks.h"
+#include "sim/effects/constraints/sticks.h"
+#include "sim/effects/springs/leg_spring.h"
+#include "sim/effects/springs/offset_spring.h"
+#include "sim/effects/springs/radial_spring.h"
+#include "sim/effects/springs/springs.h"
 
 #include <QTest>
 

@@ -3,7 +3,7 @@
 #include "rounding.h"
 #include "support.h"
 
-#include "sim/methods/parts.h"
+#include "sim/pipeline/parts.h"
 
 #include <QTest>
 

@@ -2,14 +2,14 @@
 
 #include "support.h"
 
-#include "sim/direction.h"
-#include "sim/effects/area_stick.h"
-#include "sim/effects/tree_wind.h"
-#include "sim/error.h"
-#include "sim/hard/scenes.h"
+#include "sim/base/direction.h"
+#include "sim/base/error.h"
+#include "sim/effects/constraints/area_stick.h"
+#include "sim/effects/tree/tree_wind.h"
+#include "sim/hard_cases/scenes.h"
+#include "sim/methods/implicit/newton.h"
+#include "sim/methods/implicit/solvers/semidefinite.h"
 #include "sim/methods/methods.h"
-#include "sim/methods/newton.h"
-#include "sim/methods/semidefinite.h"
 
 #include <Eigen/Eigenvalues>
 

@@ -3,12 +3,12 @@
 #include "stability_bench.h"
 #include "support.h"
 
-#include "sim/effects/body_spring.h"
-#include "sim/effects/damping.h"
-#include "sim/effects/gravity.h"
-#include "sim/effects/point_spring.h"
+#include "sim/analysis/stability/modes/krylov.h"
+#include "sim/effects/drags/damping.h"
+#include "sim/effects/fields/gravity.h"
+#include "sim/effects/springs/body_spring.h"
+#include "sim/effects/springs/point_spring.h"
 #include "sim/methods/methods.h"
-#include "sim/stability/krylov.h"
 
 #include <Eigen/Eigenvalues>
 #include <QTest>

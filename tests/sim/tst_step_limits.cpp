@@ -3,10 +3,10 @@
 #include "stability_bench.h"
 #include "support.h"
 
-#include "sim/hard/catalogue.h"
-#include "sim/hard/judge.h"
+#include "sim/analysis/stability/remedies/remedies.h"
+#include "sim/hard_cases/catalogue.h"
+#include "sim/hard_cases/judge.h"
 #include "sim/methods/methods.h"
-#include "sim/stability/remedies.h"
 
 #include <QTest>
 

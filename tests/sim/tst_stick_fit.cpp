@@ -2,12 +2,12 @@
 
 #include "support.h"
 
-#include "sim/effects/damping.h"
-#include "sim/effects/gravity.h"
-#include "sim/effects/sticks.h"
-#include "sim/hard/scenes.h"
+#include "sim/analysis/stability/remedies/stick_fit.h"
+#include "sim/effects/constraints/sticks.h"
+#include "sim/effects/drags/damping.h"
+#include "sim/effects/fields/gravity.h"
+#include "sim/hard_cases/scenes.h"
 #include "sim/methods/methods.h"
-#include "sim/stability/stick_fit.h"
 
 #include <QTest>
 

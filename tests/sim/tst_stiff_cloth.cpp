@@ -4,9 +4,9 @@
 #include "implicit_scenes.h"
 #include "support.h"
 
-#include "sim/flow.h"
-#include "sim/methods/conjugate_gradients.h"
-#include "sim/methods/linear_solve.h"
+#include "sim/methods/flow.h"
+#include "sim/methods/implicit/solvers/conjugate_gradients.h"
+#include "sim/methods/implicit/solvers/linear_solve.h"
 #include "sim/methods/methods.h"
 
 #include <Eigen/Dense>

@@ -2,7 +2,7 @@
 
 #include "support.h"
 
-#include "sim/effects/body_spring.h"
+#include "sim/effects/springs/body_spring.h"
 #include "sim/methods/methods.h"
 
 #include <QTest>

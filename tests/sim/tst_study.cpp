@@ -2,8 +2,8 @@
 
 #include "study_scenes.h"
 
-#include "sim/effects/body_spring.h"
-#include "sim/effects/point_spring.h"
+#include "sim/effects/springs/body_spring.h"
+#include "sim/effects/springs/point_spring.h"
 #include "sim/methods/methods.h"
 
 #include <QTest>

@@ -3,10 +3,10 @@
 #include "support.h"
 #include "tests/sizes.h"
 
-#include "sim/effects/damping.h"
-#include "sim/effects/gravity.h"
+#include "sim/effects/drags/damping.h"
+#include "sim/effects/fields/gravity.h"
 #include "sim/methods/methods.h"
-#include "sim/phase_before.h"
+#include "sim/run/phase_before.h"
 
 #include <QTest>
 

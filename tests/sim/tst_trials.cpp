@@ -2,13 +2,13 @@
 
 #include "support.h"
 
-#include "sim/effects/body_spring.h"
-#include "sim/effects/damping.h"
-#include "sim/effects/point_spring.h"
-#include "sim/effects/radial_spring.h"
-#include "sim/effects/sticks.h"
+#include "sim/analysis/stability/remedies/trials.h"
+#include "sim/effects/constraints/sticks.h"
+#include "sim/effects/drags/damping.h"
+#include "sim/effects/springs/body_spring.h"
+#include "sim/effects/springs/point_spring.h"
+#include "sim/effects/springs/radial_spring.h"
 #include "sim/methods/methods.h"
-#include "sim/stability/trials.h"
 
 #include <QTest>
 

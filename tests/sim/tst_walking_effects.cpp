@@ -2,12 +2,12 @@
 
 #include "support.h"
 
-#include "sim/effects/gait_clock.h"
-#include "sim/effects/ground.h"
-#include "sim/effects/leg_spring.h"
-#include "sim/effects/push.h"
-#include "sim/effects/steering.h"
-#include "sim/effects/turn_round.h"
+#include "sim/effects/contacts/ground.h"
+#include "sim/effects/drivers/gait_clock.h"
+#include "sim/effects/drivers/steering.h"
+#include "sim/effects/drivers/turn_round.h"
+#include "sim/effects/springs/leg_spring.h"
+#include "sim/effects/springs/push.h"
 
 #include <QTest>
 

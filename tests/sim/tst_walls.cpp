@@ -2,7 +2,7 @@
 
 #include "support.h"
 
-#include "sim/effects/walls.h"
+#include "sim/effects/contacts/walls.h"
 
 #include <QTest>
 

@@ -2,12 +2,12 @@
 
 #include "study_scenes.h"
 
-#include "sim/accuracy/reference.h"
-#include "sim/effects/damping.h"
-#include "sim/effects/gravity.h"
-#include "sim/effects/point_spring.h"
-#include "sim/effects/sticks.h"
-#include "sim/effects/walls.h"
+#include "sim/analysis/accuracy/reference.h"
+#include "sim/effects/constraints/sticks.h"
+#include "sim/effects/contacts/walls.h"
+#include "sim/effects/drags/damping.h"
+#include "sim/effects/fields/gravity.h"
+#include "sim/effects/springs/point_spring.h"
 #include "sim/methods/methods.h"
 
 #include <QTest>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/ui/theme/theme.h"
-#include "sim/method.h"
+#include "sim/pipeline/method.h"
 
 #include <QPainterPath>
 

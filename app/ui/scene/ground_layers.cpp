@@ -4,7 +4,7 @@
 #include "app/ui/scene/layers.h"
 #include "app/ui/scene/material.h"
 #include "app/ui/scene/sky.h"
-#include "sim/effects/ramp.h"
+#include "sim/effects/contacts/ramp.h"
 
 #include <QCoreApplication>
 #include <QPainterPath>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/ui/scene/canvas.h"
-#include "sim/accuracy/study.h"
+#include "sim/analysis/accuracy/study.h"
 
 namespace app {
 

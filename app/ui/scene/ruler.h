@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/direction.h"
+#include "sim/base/direction.h"
 
 #include <QPointF>
 #include <QRectF>

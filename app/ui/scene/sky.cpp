@@ -1,6 +1,6 @@
 #include "app/ui/scene/sky.h"
 
-#include "sim/random.h"
+#include "sim/base/random.h"
 
 #include <QPainterPath>
 

@@ -4,7 +4,7 @@
 #include "app/ui/scene/material.h"
 #include "app/ui/scene/sticks.h"
 
-#include "sim/effects/stick.h"
+#include "sim/effects/constraints/stick.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "app/ui/scene/tools.h"
 
-#include "sim/input_reader.h"
+#include "sim/scene/input_reader.h"
 
 #include <algorithm>
 

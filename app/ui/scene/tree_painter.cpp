@@ -2,7 +2,7 @@
 
 #include "app/ui/scene/crowd.h"
 #include "app/ui/scene/sky.h"
-#include "sim/random.h"
+#include "sim/base/random.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "app/ui/scene/wind_guide.h"
 
-#include "sim/random.h"
+#include "sim/base/random.h"
 
 #include <QPainterPath>
 

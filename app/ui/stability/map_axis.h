@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/stability/growth_map.h"
+#include "sim/analysis/stability/growth_map.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/effect.h"
+#include "sim/scene/effect.h"
 
 #include <QColor>
 #include <QFont>

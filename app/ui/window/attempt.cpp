@@ -3,7 +3,7 @@
 #include "app/model/refusal.h"
 #include "app/model/sentences.h"
 #include "app/ui/window/notice.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 #include <QCoreApplication>
 

@@ -2,7 +2,7 @@
 
 #include "app/model/experiment.h"
 #include "app/ui/scene/thumbnail.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 #include <QHBoxLayout>
 #include <QHeaderView>

@@ -6,7 +6,7 @@
 #include "app/ui/window/experiment_files.h"
 #include "app/ui/window/kept_list.h"
 #include "app/ui/window/notice.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 #include <QScopedValueRollback>
 

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "sim/analysis/accuracy/watch.h"
+
+namespace sim {
+
+/// Times all measured rows by interleaved runs, and notes the noise.
+void measureTimes(const Script &script, const StudyPlan &plan, Accuracy &found, Watch &watch);
+
+}

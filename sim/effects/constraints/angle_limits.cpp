@@ -1,0 +1,78 @@
+#include "sim/effects/constraints/angle_limits.h"
+
+namespace sim {
+
+namespace {
+
+int lastOf(const AngleLimit &limit)
+{
+    return std::max({limit.a, limit.joint, limit.b});
+}
+
+JointEnds endsOf(const AngleLimit &limit, const State &state)
+{
+    return bendBack(state.at(limit.a), state.at(limit.joint), state.at(limit.b), limit.least, limit.most);
+}
+
+void put(State &state, const AngleLimit &limit, const JointEnds &ends)
+{
+    if (ends.past == 0.0)
+        return;
+    const auto place = [&](int point, Vec2 x) {
+        if (state.feels(point))
+            state.place(point, x);
+    };
+    place(limit.a, ends.a);
+    place(limit.joint, ends.joint);
+    place(limit.b, ends.b);
+}
+
+}
+
+std::vector<Region> AngleLimits::regions(Directions) const
+{
+    const std::string file = "sim/effects/constraints/angle_limits.h";
+    return {{file, "angle_limit"}, {file, "past_limit"}, {file, "angle_between"}, {file, "turned"}};
+}
+
+int AngleLimits::count(const State &, Points points) const
+{
+    return static_cast<int>(std::count_if(m_limits.begin(), m_limits.end(), [&](const AngleLimit &limit) {
+        return points.contains(lastOf(limit));
+    }));
+}
+
+void AngleLimits::ties(std::vector<Tie> &into) const
+{
+    for (const AngleLimit &limit : m_limits)
+        into.insert(into.end(), {{limit.a, limit.joint}, {limit.joint, limit.b}});
+}
+
+void AngleLimits::enforce(State &state, Points points, Directions, double) const
+{
+    for (const AngleLimit &limit : m_limits) {
+        if (points.contains(lastOf(limit)))
+            put(state, limit, endsOf(limit, state));
+    }
+}
+
+std::vector<Live> AngleLimits::explain(const State &before, const State &, int point) const
+{
+    State state = before;
+    std::vector<Live> live;
+    for (const AngleLimit &limit : m_limits) {
+        const JointEnds ends = endsOf(limit, state);
+        put(state, limit, ends);
+        if (limit.joint == point)
+            live = {{"angle", ends.angle}, {"past", ends.past}};
+    }
+    return live;
+}
+
+namespace described {
+constinit const Description angle_limits = {
+    "angle_limits", SIM_TEXT("joint limits"), Kind::stick,
+    SIM_TEXT("Keep joints from bending too far: a knee does not bend forwards.")};
+}
+
+}

@@ -1,0 +1,85 @@
+#include "sim/effects/constraints/soft_sticks.h"
+
+namespace sim {
+
+namespace {
+
+/// What goes of an error in h frames, of which the part `perFrame` goes in one: what is left is a product.
+//! [part_in_step]
+double partIn(double h, double perFrame)
+{
+    double left = std::pow(1 - perFrame, h);
+    return 1 - left;
+}
+//! [part_in_step]
+
+Strengths strengthsIn(double h, Strengths perFrame)
+{
+    if (h == 1.0)
+        return perFrame; // to the last digit
+    return {partIn(h, perFrame.soft), partIn(h, perFrame.hard)};
+}
+
+Heading wayOf(const SoftStick &stick, const State &state)
+{
+    return direction(state.at(stick.anchor) - state.at(stick.mover), stick.mover, stick.anchor);
+}
+
+}
+
+std::vector<Region> SoftSticks::regions(Directions) const
+{
+    return {{"sim/effects/constraints/soft_sticks.h", "soft_stick"},
+            {"sim/effects/constraints/soft_sticks.cpp", "part_in_step"},
+            {"sim/base/direction.h", "direction"}};
+}
+
+int SoftSticks::count(const State &state, Points points) const
+{
+    return static_cast<int>(std::count_if(m_sticks.begin(), m_sticks.end(), [&](const SoftStick &stick) {
+        return points.contains(stick.mover) && state.feels(stick.mover);
+    }));
+}
+
+void SoftSticks::ties(std::vector<Tie> &into) const
+{
+    for (const SoftStick &stick : m_sticks)
+        into.emplace_back(stick.mover, stick.anchor);
+}
+
+void SoftSticks::enforce(State &state, Points points, Directions, double h) const
+{
+    const Strengths strength = strengthsIn(h, m_perFrame);
+    for (const SoftStick &stick : m_sticks) {
+        if (points.contains(stick.mover) && state.feels(stick.mover))
+            state.place(stick.mover,
+                        softStick(state.at(stick.mover), wayOf(stick, state), stick, strength).x);
+    }
+}
+
+std::vector<Live> SoftSticks::explain(const State &before, const State &after, int point) const
+{
+    if (!before.feels(point))
+        return {};
+    const SoftStick *last = nullptr;
+    for (const SoftStick &stick : m_sticks)
+        last = stick.mover == point ? &stick : last;
+    if (!last)
+        return {};
+    const SoftEnd end = softStick(before.at(point), wayOf(*last, before), *last, m_perFrame);
+    return {{"length", end.length}, {"error", end.error}, {"x", after.at(point), before.at(point)}};
+}
+
+void SoftSticks::rests(const State &state, std::vector<RestEnd> &into) const
+{
+    for (const SoftStick &one : m_sticks)
+        into.push_back(restAt(state, one.mover, one.anchor, one.rest));
+}
+
+namespace described {
+constinit const Description soft_sticks = {
+    "soft_sticks", SIM_TEXT("soft sticks"), Kind::stick,
+    SIM_TEXT("Keep a point near its distance, but let it lag behind for a while.")};
+}
+
+}

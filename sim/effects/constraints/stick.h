@@ -1,0 +1,71 @@
+#pragma once
+
+#include "sim/base/direction.h"
+#include "sim/scene/values.h"
+
+namespace sim {
+
+/// Returns by how many px a stick from `a` to `b` is longer than the `length` that it should have; negative where it is
+/// shorter.
+inline double stickError(Vec2 a, Vec2 b, double length)
+{
+    return sim::length(a - b) - length;
+}
+
+/// The two ends of a stick after it was enforced once, and what that was found from.
+struct StickEnds
+{
+    Vec2 a;
+    Vec2 b;
+    double distance = 0.0; ///< px, before
+    double error = 0.0;    ///< px: too long when above 0
+};
+
+/// Makes the distance of `a` and `b` right at once: `a` takes `share` of the error, `b` the rest. Ends in one place
+/// part up and down, as atan2(0, 0) is 0. The sums are those of the printed code, in its order.
+/// Published: Ragdolls, constraints (the function with the error shared out).
+// Shown lines are short.
+// clang-format off
+inline
+//! [published_stick]
+StickEnds publishedStick(
+    Vec2 a, Vec2 b,
+    double length, double share)
+{
+    Vec2 d = a - b;
+    double distance = sim::length(d);
+    double angle = -atan2(d.x, d.y);
+    double error = distance - length;
+    double partOfA = error * share;
+    double partOfB = error * (1 - share);
+    a.x += partOfA * sin(angle);
+    a.y -= partOfA * cos(angle);
+    b.x -= partOfB * sin(angle);
+    b.y += partOfB * cos(angle);
+    return {a, b, distance, error};
+}
+//! [published_stick]
+// clang-format on
+
+/// The same without an angle. `out` is the direction from `b` to `a`, as direction() finds it.
+/// Source: Jakobsen, "Advanced character physics", 2001, section 3; with the two masses' shares in place of halves.
+// Shown lines are short.
+// clang-format off
+inline
+//! [stick]
+StickEnds stick(
+    Vec2 a, Vec2 b, Heading from_b,
+    double length, double share)
+{
+    double distance = from_b.length;
+    double error = distance - length;
+    double partOfA = error * share;
+    double partOfB = error * (1 - share);
+    a = a - partOfA * from_b.out;
+    b = b + partOfB * from_b.out;
+    return {a, b, distance, error};
+}
+//! [stick]
+// clang-format on
+
+}

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "sim/effects/constraints/stick.h"
+#include "sim/effects/description.h"
+#include "sim/scene/resting.h"
+
+namespace sim {
+
+namespace described {
+extern const Description sticks;
+}
+
+/// Rigid sticks, enforced one after the other, each seeing what those before it have moved. One pass over the list
+/// makes each stick right for a moment; the next ones may make it wrong again, and more passes leave less error.
+class Sticks : public Described<Constraint, described::sticks>
+{
+public:
+    /// `points`: how many points the scene has. `iterations`: passes over the list in a step.
+    /// @throws Error "stick-without-end" (stick, end, points) when a stick ends at a point that is not there
+    Sticks(std::vector<Stick> sticks, int points, int iterations = 1);
+
+    std::vector<Region> regions(Directions directions) const override;
+    int count(const State &state, Points points) const override;
+    Sees sees() const override { return Sees::tied; }
+    void ties(std::vector<Tie> &into) const override;
+    /// A stick has its turn with that of its ends that has the higher number. An end that feels nothing leaves the
+    /// whole error to the other one.
+    void enforce(State &state, Points points, Directions directions, double h) const override;
+    /// The last stick that moved `point`.
+    std::vector<Live> explain(const State &before, const State &after, int point) const override;
+    void rests(const State &state, std::vector<RestEnd> &into) const override;
+    bool takeInto(Taken &into) const override;
+
+    const std::vector<Stick> &list() const { return m_sticks; }
+    int iterations() const { return m_iterations; }
+
+private:
+    template <class Visit>
+    void forEach(Points points, Visit &&visit) const;
+
+    std::vector<Stick> m_sticks;
+    int m_iterations;
+};
+
+/// Returns those of `effects` that are sticks, in their order.
+std::vector<const Sticks *> sticksAmong(const std::vector<EffectPtr> &effects);
+
+/// Returns by how many px `stick` is too long in `state`.
+inline double stickError(const Stick &stick, const State &state)
+{
+    return stickError(state.at(stick.a), state.at(stick.b), stick.length);
+}
+
+}

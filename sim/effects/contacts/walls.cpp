@@ -1,0 +1,69 @@
+#include "sim/effects/contacts/walls.h"
+
+#include "sim/scene/built.h"
+#include "sim/scene/values.h"
+#include "sim/simd/free_points.h"
+
+namespace sim {
+
+std::vector<Region> Walls::regions(Directions) const
+{
+    return {{"sim/effects/contacts/walls.h", "walls"}};
+}
+
+int Walls::count(const State &state, Points points) const
+{
+    return static_cast<int>((state.inverseMass.segment(points.first, points.count) != 0.0).count());
+}
+
+std::vector<Surface> Walls::surfaces(int point) const
+{
+    const double half = m_half[point];
+    return {{{-1.0, 0.0}, half - m_room.right, m_room.bounce, Grip::none},
+            {{1.0, 0.0}, m_room.left + half, m_room.bounce, Grip::none},
+            {{0.0, -1.0}, half - m_room.floor, m_room.bounce, Grip::none}};
+}
+
+void Walls::resolve(State &state, Points points) const
+{
+    const Columns x(state.position), v(state.velocity);
+    replaceFreeMotion(state, points, [=, half = m_half.data(), room = m_room](int i) {
+        return walls(x.at(i), v.at(i), half[i], room);
+    });
+}
+
+Room roomOf(const Values &values)
+{
+    return {values["left"], values["right"], values["floor"], values["bounce"]};
+}
+
+bool Walls::takeInto(Taken &into) const
+{
+    into.choose(
+        "walls",
+        {{"left", m_room.left}, {"right", m_room.right}, {"floor", m_room.floor}, {"bounce", m_room.bounce}});
+    return true;
+}
+
+namespace {
+
+constexpr Setting wallsSettings[] = {settings::left, settings::right, settings::floor, settings::bounce};
+
+EffectPtr buildWalls(const Blueprint &plan, const Values &values)
+{
+    return std::make_shared<Walls>(roomOf(values), halfWidths(plan));
+}
+
+}
+
+namespace described {
+constinit const Description walls = {
+    .id = "walls",
+    .title = SIM_TEXT("walls"),
+    .kind = Kind::contact,
+    .purpose = SIM_TEXT("Put back what has gone past a wall or the floor, and turn its velocity round."),
+    .settings = wallsSettings,
+    .make = buildWalls};
+}
+
+}

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "sim/effects/description.h"
+#include "sim/effects/tree/tree.h"
+#include "sim/scene/input_reader.h"
+
+namespace sim {
+
+namespace described {
+extern const Description turn_to_pointer;
+}
+
+namespace tree_formulas {
+
+/// The angle of a branch that points at the pointer, in degrees: along the line from its origin. Measured from its
+/// end, as the text of the tutorial has it, the branch would turn past the pointer and back, frame after frame, when
+/// the pointer is nearer than two of its lengths.
+// Shown lines are short.
+// clang-format off
+inline
+//! [turn_to_pointer]
+double turnToPointer(Vec2 out)
+{
+    // out: from origin to pointer
+    double rad = atan2(out.y, out.x);
+    double angle = rad * degreesPerRadian;
+    return angle;
+}
+//! [turn_to_pointer]
+// clang-format on
+
+/// The same as published. Published: swaying tree, the first bend().
+// Shown lines are short.
+// clang-format off
+inline
+//! [turn_to_pointer_published]
+double turnToPointerPublished(Vec2 d)
+{
+    double rad = atan2(d.y, d.x);
+    double angle = rad * 57.3;
+    return angle;
+}
+//! [turn_to_pointer_published]
+// clang-format on
+
+}
+
+using tree_formulas::turnToPointer;
+using tree_formulas::turnToPointerPublished;
+
+/// Turns every branch to the pointer at once while its button is down, from the trunk to the twigs.
+class TurnToPointer : public Described<Driver, described::turn_to_pointer>, public InputReader
+{
+public:
+    TurnToPointer(TreePtr tree, TreeFormula formula) : m_tree(std::move(tree)), m_formula(formula) {}
+
+    std::vector<Region> regions(Directions directions) const override;
+    int count(const State &state, Points points) const override;
+    Sees sees() const override { return Sees::scene; }
+    bool reads(Signal signal) const override { return signal == Signal::pointer; }
+    void drive(State &state, double h) const override;
+    std::vector<Live> explain(const State &before, const State &after, int point) const override;
+
+private:
+    TreePtr m_tree;
+    TreeFormula m_formula;
+};
+
+}

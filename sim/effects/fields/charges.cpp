@@ -1,0 +1,127 @@
+#include "sim/effects/fields/charges.h"
+
+#include "sim/effects/pairs/pair_kernels.h"
+#include "sim/scene/values.h"
+
+namespace sim {
+
+template class PairForce<ChargeLaw>;
+
+namespace {
+
+/// Every two points that carry a charge.
+std::vector<Pair> chargedPairs(const Eigen::ArrayXd &charge)
+{
+    std::vector<Pair> pairs;
+    for (int one = 0; one < charge.size(); ++one) {
+        for (int other = one + 1; other < charge.size(); ++other) {
+            if (charge[one] != 0.0 && charge[other] != 0.0)
+                pairs.push_back({one, other, static_cast<int>(pairs.size()), true});
+        }
+    }
+    return pairs;
+}
+
+std::vector<ChargeLaw::Numbers> numbersOf(const Eigen::ArrayXd &charge, const std::vector<Pair> &pairs)
+{
+    std::vector<ChargeLaw::Numbers> numbers;
+    for (const Pair &pair : pairs)
+        numbers.push_back({charge[pair.mover], charge[pair.anchor]});
+    return numbers;
+}
+
+}
+
+Charges::Charges(Eigen::ArrayXd charge, double strength, double softening)
+    : Described({strength, softening}, chargedPairs(charge), numbersOf(charge, chargedPairs(charge))),
+      m_charge(std::move(charge))
+{
+}
+
+Vec2 ChargeLaw::published(Vec2 one, Vec2 other, const Numbers &own) const
+{
+    const Pull found = pull(one, other, own);
+    return found.length < inOnePlace ? pullInOnePlace(publishedDirection({}).out, own) : found.pull;
+}
+
+Slope ChargeLaw::slope(Vec2 one, Vec2 other, const Numbers &own) const
+{
+    const Heading way = direction(one - other);
+    if (way.length < inOnePlace)
+        return {}; // the force turns round there: it has no derivative
+    const double force = forceAt(way.length, own);
+    const double across = force / way.length;
+    const double along = -2.0 * force * way.length / (way.length * way.length + softening * softening);
+    const double xy = (along - across) * way.out.x * way.out.y;
+    return {across + (along - across) * way.out.x * way.out.x, xy, xy,
+            across + (along - across) * way.out.y * way.out.y};
+}
+
+double ChargeLaw::energy(Vec2 one, Vec2 other, const Numbers &own) const
+{
+    // The integral of K / (x^2 + s^2) from the distance to infinity.
+    return strength * own.q1 * own.q2 * std::atan2(softening, length(one - other)) / softening;
+}
+
+std::vector<Live> ChargeLaw::live(Vec2 one, Vec2 other, Vec2 parting, const Numbers &own,
+                                  Directions directions) const
+{
+    const Pull found = pull(one, other, own);
+    const Vec2 felt = directions == Directions::published ? published(one, other, own)
+                      : found.length < inOnePlace         ? pullInOnePlace(parting, own)
+                                                          : found.pull;
+    return {{"from", one - other},
+            {"length", found.length},
+            {"force", forceAt(found.length, own)},
+            {"pull", felt}};
+}
+
+namespace {
+
+constexpr Setting chargeSettings[] = {
+    {"charge_strength", SIM_TEXT("Charge strength"), "", SIM_TEXT("px³/frame²"),
+     SIM_TEXT("How hard charges push and pull each other."), 1000.0, 0.0, 1e9, 0.0, 5000.0, 0},
+    {"softening", SIM_TEXT("Softening"), "", SIM_TEXT("px"),
+     SIM_TEXT("Weakens the force where charges come closer than about this, so that it stays finite."), 10.0,
+     1.0, 1e6, 1.0, 50.0, 0}};
+constexpr Setting ofPoints[] = {
+    {"charge", SIM_TEXT("Charge"), "q", "",
+     SIM_TEXT("Charges of the same sign repel each other, and others attract. 0: it carries none."), 0.0,
+     -100.0, 100.0, -10.0, 10.0, 1}};
+constexpr Variable variables[] = {
+    {"from", "px", SIM_TEXT("Where this charge is, seen from the other one.")},
+    {"length", "px", SIM_TEXT("How far apart the two charges are.")},
+    {"force", "px/frame²",
+     SIM_TEXT("How hard they push each other apart, for a mass of 1. Below 0: they attract each other.")},
+    {"pull", "px/frame²", SIM_TEXT("What all charges together add to the velocity each frame.")}};
+
+EffectPtr build(const Blueprint &plan, const Values &values)
+{
+    return std::make_shared<Charges>(valuesOf(plan, ofPoints[0]), values["charge_strength"],
+                                     values["softening"]);
+}
+
+}
+
+bool Charges::takeInto(Taken &into) const
+{
+    into.choose("charges", {{"charge_strength", law().strength}, {"softening", law().softening}});
+    for (int i = 0; i < into.now.points(); ++i)
+        setValue(into.blueprint.points[static_cast<std::size_t>(i)], ofPoints[0], m_charge[i]);
+    return true;
+}
+
+namespace described {
+constinit const Description charges = {.id = "charges",
+                                       .title = SIM_TEXT("charges"),
+                                       .kind = Kind::spring,
+                                       .purpose =
+                                           SIM_TEXT("Push points with like charges apart, and pull unlike "
+                                                    "ones together: the harder, the closer they are."),
+                                       .settings = chargeSettings,
+                                       .ofPoints = ofPoints,
+                                       .variables = variables,
+                                       .make = build};
+}
+
+}

@@ -1,0 +1,92 @@
+#include "sim/effects/fields/gravity.h"
+
+#include "sim/scene/built.h"
+#include "sim/scene/values.h"
+#include "sim/simd/free_points.h"
+
+namespace sim {
+
+/// Published: Creatures I, step 19.
+//! [gravity]
+static Vec2 fall(double gravity)
+{
+    // for every point; y points down
+    Vec2 pull = {0, gravity};
+    return pull;
+}
+//! [gravity]
+
+std::vector<Region> Gravity::regions(Directions) const
+{
+    return {{"sim/effects/fields/gravity.cpp", "gravity"}};
+}
+
+int Gravity::count(const State &state, Points points) const
+{
+    return static_cast<int>((state.inverseMass.segment(points.first, points.count) != 0.0).count());
+}
+
+void Gravity::add(const State &state, Points movers, double scale, Directions, Eigen::ArrayX2d &into) const
+{
+    double *down = into.data() + into.rows(); // the column of y
+    replaceFree(state.inverseMass, movers, down,
+                [=, gravity = m_gravity](int i) { return down[i] + scale * sim::fall(gravity).y; });
+}
+
+std::optional<double> Gravity::fall() const
+{
+    return sim::fall(m_gravity).y;
+}
+
+bool Gravity::addSlopes(const State &, Points, double, Directions, Slopes &) const
+{
+    return true; // the same everywhere
+}
+
+/// Of what lies higher there is more: y points down, and y = 0 counts as 0.
+std::optional<double> Gravity::energy(const State &state) const
+{
+    double sum = 0.0;
+    for (int i = 0; i < state.points(); ++i) {
+        if (state.feels(i))
+            sum -= sim::fall(m_gravity).y * state.position(i, 1) / state.inverseMass[i];
+    }
+    return sum;
+}
+
+std::vector<Live> Gravity::explain(const State &state, int mover, Directions) const
+{
+    if (!state.feels(mover))
+        return {};
+    return {{"pull", sim::fall(m_gravity)}};
+}
+
+bool Gravity::takeInto(Taken &into) const
+{
+    into.choose("gravity", {{"gravity", m_gravity}});
+    return true;
+}
+
+namespace {
+
+constexpr Setting gravitySettings[] = {{"gravity", SIM_TEXT("Gravity"), "g", SIM_TEXT("px/frame²"),
+                                        SIM_TEXT("How much speed everything gains downwards each frame."),
+                                        0.3, -1e6, 1e6, 0.0, 3.0}};
+
+EffectPtr buildGravity(const Blueprint &, const Values &values)
+{
+    return std::make_shared<Gravity>(values["gravity"]);
+}
+
+}
+
+namespace described {
+constinit const Description gravity = {.id = "gravity",
+                                       .title = SIM_TEXT("gravity"),
+                                       .kind = Kind::gravity,
+                                       .purpose = SIM_TEXT("Pulls everything down, and everything alike."),
+                                       .settings = gravitySettings,
+                                       .make = buildGravity};
+}
+
+}

@@ -1,0 +1,14 @@
+#include "sim/effects/springs/body_spring.h"
+
+#include "sim/effects/pairs/pair_kernels.h"
+
+namespace sim {
+
+template class PairForce<BodyLaw>;
+
+namespace described {
+constinit const Description body_spring = {"body_spring", SIM_TEXT("spring"), Kind::spring,
+                                           SIM_TEXT("Pulls a foot to the body, wherever that is.")};
+}
+
+}

@@ -1,0 +1,135 @@
+#include "sim/effects/springs/leg_spring.h"
+
+#include "sim/effects/pairs/pair_kernels.h"
+
+#include <algorithm>
+#include <map>
+#include <numbers>
+#include <set>
+#include <tuple>
+
+namespace sim {
+
+template class PairForce<LegLaw>;
+
+namespace {
+
+const char *const here = "sim/effects/springs/leg_spring.h";
+
+/// Ordered by foot, and of one foot by the higher point.
+std::vector<Leg> inOrder(std::vector<Leg> legs)
+{
+    std::stable_sort(legs.begin(), legs.end(), [](const Leg &a, const Leg &b) {
+        return std::pair(a.foot, std::max(a.foot, a.body)) < std::pair(b.foot, std::max(b.foot, b.body));
+    });
+    return legs;
+}
+
+std::vector<Pair> pairsOf(const std::vector<Leg> &legs, Reaction reaction)
+{
+    std::vector<Pair> pairs;
+    for (const Leg &leg : legs)
+        pairs.push_back({leg.foot, leg.body, static_cast<int>(pairs.size()), reaction == Reaction::equal});
+    return pairs;
+}
+
+std::vector<LegLaw::Numbers> numbersOf(const std::vector<Leg> &legs)
+{
+    std::vector<LegLaw::Numbers> numbers;
+    for (const Leg &leg : legs)
+        numbers.push_back({leg.angle, leg.clock});
+    return numbers;
+}
+
+}
+
+LegSpring::LegSpring(const std::vector<Leg> &legs, LegRule rule)
+    : Described({rule}, pairsOf(inOrder(legs), rule.reaction), numbersOf(inOrder(legs)))
+{
+}
+
+std::vector<Region> LegLaw::regions(Directions) const
+{
+    std::vector<Region> all;
+    if (aim == Aim::swing)
+        all.push_back({here, "gait_angle"});
+    all.push_back({here, "bone_target"});
+    if (aim != Aim::bone)
+        all.push_back({here, "below_target"});
+    all.push_back({"sim/effects/pairs/spring.h", "spring"});
+    return all;
+}
+
+Vec2 LegSpring::target(const State &state, int number) const
+{
+    const Pair &leg = links().at(static_cast<std::size_t>(number));
+    return law().target(state.at(leg.anchor), now(state, leg.number));
+}
+
+std::vector<Leg> LegSpring::legs() const
+{
+    std::vector<Leg> all;
+    for (const Pair &leg : links()) {
+        const LegLaw::Numbers &own = numbers()[static_cast<std::size_t>(leg.number)];
+        all.push_back({leg.mover, leg.anchor, own.angle, own.clock});
+    }
+    return all;
+}
+
+std::vector<Live> LegLaw::live(Vec2 foot, Vec2 body, Vec2, const Numbers &one, Directions) const
+{
+    std::vector<Live> all;
+    if (aim == Aim::swing)
+        all.push_back({"turned", one.angle});
+    const Vec2 to = target(body, one);
+    const SpringPull s = spring(foot, to, k);
+    all.insert(all.end(), {{"target", to}, {"d", s.d}, {"pull", s.pull}});
+    return all;
+}
+
+namespace {
+
+/// The group of legs that go by the clock numbered `clock`, as it stands in `now`.
+BuiltGait gaitOf(const LegRule &rule, int clock, const State &now)
+{
+    BuiltGait gait;
+    gait.k = rule.k;
+    gait.leg = rule.leg;
+    gait.drop = rule.aim == Aim::bone ? 0.0 : rule.drop;
+    gait.pullsBody = rule.reaction == Reaction::equal;
+    if (rule.aim == Aim::swing && clock < now.gait.rows()) {
+        gait.start = now.gait[clock];
+        gait.speed = now.gaitSpeed[clock];
+    }
+    return gait;
+}
+
+}
+
+bool LegSpring::takeInto(Taken &into) const
+{
+    const std::vector<int> before = feetOf(into.blueprint);
+    std::set<int> feet(before.begin(), before.end());
+    std::vector<BuiltGait> &gaits = into.blueprint.gaits;
+    std::map<int, int> groups; // by clock
+    for (const Leg &leg : legs()) {
+        if (!feet.insert(leg.foot).second) {
+            into.leave(SIM_TEXT("feet with more than one leg"));
+            continue;
+        }
+        const auto [group, isNew] = groups.emplace(leg.clock, static_cast<int>(gaits.size()));
+        if (isNew)
+            gaits.push_back(gaitOf(rule(), leg.clock, into.now));
+        into.blueprint.feet.push_back(
+            {leg.foot, leg.body, leg.angle * 180.0 / std::numbers::pi, group->second});
+    }
+    return true;
+}
+
+namespace described {
+constinit const Description leg_spring = {
+    "leg_spring", SIM_TEXT("legs"), Kind::spring,
+    SIM_TEXT("Pull each foot to a place of its own, as seen from the body.")};
+}
+
+}

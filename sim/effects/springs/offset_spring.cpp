@@ -1,0 +1,14 @@
+#include "sim/effects/springs/offset_spring.h"
+
+#include "sim/effects/pairs/pair_kernels.h"
+
+namespace sim {
+
+template class PairForce<OffsetLaw>;
+
+namespace described {
+constinit const Description offset_spring = {"offset_spring", SIM_TEXT("spring"), Kind::spring,
+                                             SIM_TEXT("Pulls a foot to a place beside the body.")};
+}
+
+}

@@ -1,0 +1,90 @@
+#include "sim/effects/springs/push.h"
+
+#include "sim/effects/pairs/pair_kernels.h"
+#include "sim/scene/values.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace sim {
+
+template class PairForce<PushLaw>;
+
+namespace {
+
+/// Every two of `points`, the one with the lower number as the mover.
+std::vector<Pair> everyTwo(std::vector<int> points, Reaction reaction)
+{
+    std::sort(points.begin(), points.end());
+    std::vector<Pair> pairs;
+    for (auto one = points.begin(); one != points.end(); ++one) {
+        for (auto other = std::next(one); other != points.end(); ++other)
+            pairs.push_back({*one, *other, 0, reaction == Reaction::equal});
+    }
+    return pairs;
+}
+
+}
+
+Push::Push(const std::vector<int> &points, double k, double distance, Reaction reaction)
+    : Described({k, distance}, everyTwo(points, reaction), {{}})
+{
+}
+
+bool Push::takeInto(Taken &into) const
+{
+    const auto points = static_cast<std::size_t>(into.now.points());
+    if (2 * links().size() != points * (points - 1))
+        return false; // of some points only
+    into.choose("push", {{"push", law().k}, {"distance", law().distance}});
+    return true;
+}
+
+std::vector<Region> PushLaw::regions(Directions directions)
+{
+    return {
+        {"sim/effects/springs/push.h", "push"},
+        {"sim/base/direction.h", directions == Directions::published ? "published_direction" : "direction"}};
+}
+
+std::vector<Live> PushLaw::live(Vec2 one, Vec2 other, Vec2 parting, const Numbers &,
+                                Directions directions) const
+{
+    const PushPull found = push(one, other, k, distance, [&](Vec2 d) {
+        if (directions == Directions::published)
+            return publishedHeading(d);
+        const Heading heading = direction(d);
+        return heading.length < inOnePlace ? Heading{heading.length, parting} : heading;
+    });
+    return {{"from", found.from}, {"missing", found.missing}, {"pull", found.pull}};
+}
+
+namespace {
+
+constexpr Setting pushSettings[] = {
+    {"push", SIM_TEXT("Push"), "k", SIM_TEXT("1/frame²"),
+     SIM_TEXT("How hard two bodies push: this share of the missing distance, each frame."), 0.2, 0.0, 1e9},
+    {"distance", SIM_TEXT("Distance"), "", SIM_TEXT("px"),
+     SIM_TEXT("Two bodies closer than this push each other."), 20.0, 0.0, 1e6, 0.0, 100.0, 0}};
+
+EffectPtr buildPush(const Blueprint &plan, const Values &values)
+{
+    std::vector<int> all(plan.points.size());
+    std::iota(all.begin(), all.end(), 0);
+    return std::make_shared<Push>(all, values["push"], values["distance"], Reaction::equal);
+}
+
+}
+
+namespace described {
+constinit const Description push = {
+    .id = "push",
+    .title = SIM_TEXT("push"),
+    .kind = Kind::spring,
+    .purpose =
+        SIM_TEXT("Pushes apart what comes too close, so that creatures do not walk through each other."),
+    .settings = pushSettings,
+    .make = buildPush};
+}
+
+}

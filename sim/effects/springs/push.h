@@ -1,0 +1,95 @@
+#pragma once
+
+#include "sim/effects/pairs/pair_force.h"
+#include "sim/effects/pairs/reaction.h"
+#include "sim/effects/pairs/spring.h"
+
+#include <vector>
+
+namespace sim {
+
+namespace described {
+extern const Description push;
+}
+
+/// A push between two points, with what it was found from.
+struct PushPull
+{
+    Vec2 from;            ///< px, the one as seen from the other
+    double missing = 0.0; ///< px, how much closer than `distance` they are; 0 or less: they don't touch
+    Vec2 pull;            ///< px/frame^2, what the one feels
+};
+
+/// A spring that only pushes: on `one`, away from `other`, while they are closer than `distance` px.
+/// `direction(d)` gives the length and the direction of a distance. k in 1/frame^2.
+/// Source: the penalty method; Moore and Wilhelms, "Collision detection and response for computer animation", 1988.
+// Shown lines are short.
+// clang-format off
+template <class HeadingOf>
+//! [push]
+PushPull push(
+    Vec2 one, Vec2 other, double k,
+    double distance, HeadingOf direction)
+{
+    Vec2 from = one - other;
+    auto [far, out] = direction(from);
+    double missing = distance - far;
+    Vec2 pull = {0, 0};
+    if (missing > 0)
+        pull = k * missing * out;
+    return {from, missing, pull};
+}
+//! [push]
+// clang-format on
+
+/// Pushes apart every two points that come closer than `distance`.
+struct PushLaw
+{
+    double k = 0.0;        ///< 1/frame^2
+    double distance = 0.0; ///< px
+
+    struct Numbers
+    {
+        friend bool operator==(const Numbers &, const Numbers &) = default;
+    };
+    static constexpr bool isMutual = true;
+
+    Pull pull(Vec2 one, Vec2 other, const Numbers &) const
+    {
+        Heading way;
+        const Vec2 pull = push(one, other, k, distance, [&](Vec2 d) { return way = direction(d); }).pull;
+        return {pull, way.length};
+    }
+    Vec2 pullInOnePlace(Vec2 out, const Numbers &) const { return k * distance * out; }
+    Vec2 published(Vec2 one, Vec2 other, const Numbers &) const
+    {
+        return push(one, other, k, distance, publishedHeading).pull;
+    }
+    Slope slope(Vec2 one, Vec2 other, const Numbers &) const
+    {
+        const Vec2 from = one - other;
+        return length(from) < distance ? slopeToDistance(from, k, distance) : Slope();
+    }
+    double energy(Vec2 one, Vec2 other, const Numbers &) const
+    {
+        return springEnergy(std::max(0.0, distance - length(one - other)), k);
+    }
+    static std::vector<Region> regions(Directions directions);
+    bool isIdle(const Numbers &) const { return k == 0.0 || distance <= 0.0; }
+    static Heading publishedHeading(Vec2 d) { return {length(d), publishedDirection(d).out}; }
+    std::vector<Live> live(Vec2 one, Vec2 other, Vec2 parting, const Numbers &, Directions directions) const;
+};
+
+extern template class PairForce<PushLaw>;
+
+/// Pushes apart every two of some points that come too close to each other.
+class Push : public Described<PairForce<PushLaw>, described::push>
+{
+public:
+    /// k in 1/frame^2, distance in px. With Reaction::none only the one with the lower number is pushed.
+    Push(const std::vector<int> &points, double k, double distance, Reaction reaction);
+
+    bool takeInto(Taken &into) const override;
+};
+
+}

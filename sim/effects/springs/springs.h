@@ -1,0 +1,29 @@
+#pragma once
+
+#include "sim/effects/springs/radial_spring.h"
+
+namespace sim {
+
+namespace described {
+extern const Description springs;
+}
+
+/// A spring of its own between two points, both of which feel it.
+struct Spring
+{
+    int a = 0;
+    int b = 0;
+    double k = 0.0;      ///< mass/frame^2
+    double length = 0.0; ///< px, at which it neither pulls nor pushes
+    friend bool operator==(const Spring &, const Spring &) = default;
+};
+
+/// Springs of which each has its own stiffness and its own length: radial springs that pull both ends.
+class Springs : public Described<PairForce<RadialLaw>, described::springs>
+{
+public:
+    /// @throws Error "spring-without-end" (spring, end, points) when a spring ends at a point that is not there
+    Springs(const std::vector<Spring> &springs, int points);
+};
+
+}

@@ -1,0 +1,42 @@
+#include "sim/effects/tree/joints.h"
+
+#include "sim/effects/tree/tree_walk.h"
+
+namespace sim {
+
+std::vector<Region> Joints::regions(Directions) const
+{
+    return {{"sim/effects/tree/tree.h", "reach"}, {"sim/effects/tree/tree.h", "end"}};
+}
+
+int Joints::count(const State &, Points points) const
+{
+    return points.count;
+}
+
+void Joints::drive(State &state, double) const
+{
+    TreeWalk walk(*m_tree, state, m_degrees);
+    for (Points run = walk.next({}); run.count > 0; run = walk.next(run))
+        walk.carry(run);
+    if (state.spin.rows() > 0)
+        state.spin = (state.inverseMass == 0.0).select(0.0, state.spin);
+}
+
+std::vector<Live> Joints::explain(const State &, const State &after, int point) const
+{
+    const double scale = m_tree->scale[static_cast<std::size_t>(point)];
+    const Vec2 reach = branchReach(after.angle[point], m_tree->baseLength, m_degrees);
+    return {{"angle", after.angle[point], {}},
+            {"rad", after.angle[point] / m_degrees, {}},
+            {"reach", reach, {}},
+            {"scale", scale, {}},
+            {"end", branchEnd(after.at(point), reach, scale), {}}};
+}
+
+namespace described {
+constinit const Description joints = {"joints", SIM_TEXT("joints"), Kind::stick,
+                                      SIM_TEXT("Set each branch on the end of the branch that carries it.")};
+}
+
+}

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "sim/effects/description.h"
+#include "sim/effects/tree/tree.h"
+
+#include <cmath>
+
+namespace sim {
+
+namespace described {
+extern const Description return_to_rest;
+}
+
+/// Turns a branch a share of the way back to the angle at which it grew, if more than one degree is missing:
+/// `angle' = (rest - angle) / ease`, h in frames, taken as one step of explicit Euler; angles in degrees.
+/// Published: swaying tree, returnToRest().
+// Shown lines are short.
+// clang-format off
+inline
+//! [return_to_rest]
+double returnToRest(
+    double angle, double rest,
+    double ease, double h)
+{
+    double way = rest - angle;
+    // within 1 degree it stays
+    if (std::abs(way) > 1)
+        angle += h * way / ease;
+    return angle;
+}
+//! [return_to_rest]
+// clang-format on
+
+/// Lets every branch return to where it grew.
+class ReturnToRest : public Described<Driver, described::return_to_rest>
+{
+public:
+    /// `ease` in frames.
+    ReturnToRest(TreePtr tree, double ease) : m_tree(std::move(tree)), m_ease(ease) {}
+
+    std::vector<Region> regions(Directions directions) const override;
+    int count(const State &state, Points points) const override;
+    Sees sees() const override { return Sees::tied; }
+    bool idle() const override { return std::isinf(m_ease); }
+    void drive(State &state, double h) const override;
+    std::vector<Live> explain(const State &before, const State &after, int point) const override;
+
+private:
+    TreePtr m_tree;
+    double m_ease;
+};
+
+}

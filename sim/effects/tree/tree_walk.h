@@ -1,0 +1,54 @@
+#pragma once
+
+#include "sim/effects/tree/tree.h"
+#include "sim/scene/effect.h"
+#include "sim/simd/wide.h"
+
+#include <array>
+
+namespace sim {
+
+/// So many branches are computed in one go. With 128 a tree that fits no cache took a tenth to a third longer.
+constexpr int mostTogether = 48;
+
+/// One number for each branch of a run.
+using TreeRow = std::array<double, mostTogether>;
+
+/// Goes through a tree from the trunk to the twigs, several branches at once. The order of loops is that of
+/// fromTheTrunk(); each loop is short, so that a processor can begin with the next branches before it is done.
+class TreeWalk
+{
+public:
+    /// `degrees`: how many of them are a radian.
+    TreeWalk(const Tree &tree, State &state, double degrees)
+        : m_tree(tree), m_state(state), m_degrees(degrees)
+    {
+    }
+
+    /// The branches after `run` that are computed together: none of them carries another. Empty at the end.
+    Points next(Points run) const;
+    /// Calls `use(branch, reach)` for each branch of `run`, several at once, with its reach at its angle in the state.
+    template <class Use>
+    void forEachReach(Points run, const Use &use) const
+    {
+        withReach(m_degrees, [&](const auto &reachOf) {
+            runFast([this, run, use, reachOf] {
+                const double *angle = m_state.angle.data();
+                const double length = m_tree.baseLength;
+                const int end = run.end();
+                SIM_TURNS_ARE_APART
+                for (int i = run.first; i < end; ++i)
+                    use(i, reachOf(angle[i], length));
+            });
+        });
+    }
+    /// Moves the children of `run` to where it ends. What a hand holds stays there.
+    void carry(Points run);
+
+private:
+    const Tree &m_tree;
+    State &m_state;
+    double m_degrees;
+};
+
+}

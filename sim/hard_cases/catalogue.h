@@ -1,0 +1,13 @@
+#pragma once
+
+#include "sim/hard_cases/hard_case.h"
+
+namespace sim {
+
+/// All hard cases, in the order in which they are told.
+std::vector<HardCase> hardCases();
+
+/// The case called `id`, if there is one.
+std::optional<HardCase> findHardCase(const std::string &id);
+
+}

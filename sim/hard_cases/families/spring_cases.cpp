@@ -1,0 +1,114 @@
+#include "sim/hard_cases/families/families.h"
+#include "sim/hard_cases/scenes.h"
+
+namespace sim::hard {
+
+namespace {
+
+/// One foot on a spring; without damping it swings for ever, and with any it ends in the middle.
+HardCase oneSpring(const char *id, const char *title, const char *story, double k, double damp)
+{
+    HardCase one = caseOf(id, title, story, footOnSpring, valuesOf({{"k", k}, {"damp", damp}}), 2000);
+    one.brief.frames = 400;
+    one.asks = {Ask::swings};
+    one.stiffest = Stiffest{100.0, k, 1.0, 0.0, damp};
+    one.bound.reach = 150.0;
+    return one;
+}
+
+HardCase comesToRest(HardCase one)
+{
+    one.asks.push_back(Ask::rests);
+    one.rest = Rest{400, {{"foot", middle, 1e-6}}, {}, 1e-6};
+    return one;
+}
+
+/// What a step at the limit leaves of 100 px: methods that hold swing up to 2000 px far, as they may.
+HardCase nearLimit(HardCase one)
+{
+    one.bound.reach = 2100.0;
+    return one;
+}
+
+/// A light and a heavy body on a spring: the middle of their masses stays.
+HardCase unequal(const char *id, const char *title, const char *story, double k)
+{
+    const double ratio = 1e9, damp = 0.9;
+    HardCase one =
+        caseOf(id, title, story, unequalPair, valuesOf({{"k", k}, {"damp", damp}, {"ratio", ratio}}), 1000);
+    one.asks = {Ask::swings, Ask::rests, Ask::middleStays};
+    one.stiffest = Stiffest{100.0, k, 1.0, 1.0 / ratio, damp};
+    one.bound.reach = 150.0;
+    one.bound.drift = 1e-6;
+    one.rest = Rest{1000, {{"heavy", middle, 1e-3}}, {{"light", "heavy", 0.0, 1e-3}}, 1e-3};
+    return one;
+}
+
+HardCase suddenlyStiff()
+{
+    const double feet = 3, k = 0.2, stiff = 1e6, damp = 0.85;
+    HardCase one =
+        caseOf("stiffness_jumps", SIM_TEXT("suddenly stiff"),
+               SIM_TEXT("In the middle of a run the stiffness goes from 0.2 to a million."), creature,
+               valuesOf({{"k", k}, {"damp", damp}, {"radius", 50}, {"feet", feet}, {"out", 150}}), 400);
+    one.script.input = {{30, Set{"k", stiff}}};
+    one.asks = {Ask::swings, Ask::rests, Ask::setsInRun};
+    one.stiffest = Stiffest{100.0, feet * stiff, 1.0 / feet, 1.0, damp};
+    one.bound.reach = 500.0;
+    one.rest = Rest{400, {}, {}, 1e-3};
+    for (const char *foot : {"foot0", "foot1", "foot2"})
+        one.rest->distances.push_back({foot, "body", 50.0, 1e-3});
+    return one;
+}
+
+}
+
+std::vector<HardCase> stiffSprings()
+{
+    return {
+        nearLimit(oneSpring("stiffness_below_limit", SIM_TEXT("just below the limit"),
+                            SIM_TEXT("A spring that one step a frame can just follow: stiffness 3.99, where "
+                                     "the limit is 4."),
+                            3.99, 1.0)),
+        nearLimit(oneSpring("stiffness_at_limit", SIM_TEXT("at the limit"),
+                            SIM_TEXT("At stiffness 4 the foot comes to the other side in one step, with all "
+                                     "its speed: it goes farther each time."),
+                            4.0, 1.0)),
+        nearLimit(oneSpring("stiffness_above_limit", SIM_TEXT("just above the limit"),
+                            SIM_TEXT("At stiffness 4.01 each swing is a tenth larger than the one before."),
+                            4.01, 1.0)),
+        comesToRest(oneSpring("stiffness_1e3", SIM_TEXT("a thousand times as stiff"),
+                              SIM_TEXT("A spring of stiffness 1000 swings five times in a frame."), 1e3,
+                              0.9)),
+        comesToRest(oneSpring("stiffness_1e6", SIM_TEXT("a million times as stiff"),
+                              SIM_TEXT("A spring of stiffness a million swings 159 times in a frame."), 1e6,
+                              0.9)),
+        comesToRest(oneSpring("stiffness_1e9", SIM_TEXT("nearly rigid"),
+                              SIM_TEXT("A spring of stiffness 1e9 is as good as a stick."), 1e9, 0.9)),
+        oneSpring("stiffness_1e9_undamped", SIM_TEXT("nearly rigid, and nothing slows it"),
+                  SIM_TEXT("The same without damping: it may swing for ever, but no farther than it began."),
+                  1e9, 1.0),
+        [] {
+            HardCase one =
+                oneSpring("damp_0", SIM_TEXT("damping that stops all"),
+                          SIM_TEXT("With damping 0 no velocity is left: nothing may move."), 0.2, 0.0);
+            one.rest = Rest{1, {{"foot", middle + Vec2{100.0, 0.0}, 0.0}}, {}, 0.0};
+            return one;
+        }(),
+        oneSpring("damp_1", SIM_TEXT("no damping"),
+                  SIM_TEXT("With damping 1 nothing is lost: the foot swings for ever, and no farther."), 0.2,
+                  1.0),
+        oneSpring("damp_1e-300", SIM_TEXT("next to nothing is left"),
+                  SIM_TEXT("Damping of 1e-300 leaves numbers that are nearly too small to write."), 0.2,
+                  1e-300),
+        suddenlyStiff(),
+        unequal("masses_1_to_1e9", SIM_TEXT("a fly and a mountain"),
+                SIM_TEXT("One body is a billion times as heavy as the one on its spring."), 0.2),
+        unequal("masses_1_to_1e9_stiff", SIM_TEXT("the mountain swings, too"),
+                SIM_TEXT("The spring is stiff enough to move the heavy body, and so a hundred million "
+                         "times too stiff for the light one."),
+                1e8),
+    };
+}
+
+}

@@ -1,0 +1,83 @@
+#include "sim/hard_cases/families/families.h"
+#include "sim/hard_cases/scenes.h"
+
+namespace sim::hard {
+
+namespace {
+
+/// One soft spring by steps of `full` frames; a short run takes `brief` instead.
+HardCase stepped(const char *id, const char *title, const char *story, RunSize brief, RunSize full)
+{
+    const double k = 0.2, damp = 0.9;
+    HardCase one = caseOf(id, title, story, footOnSpring, valuesOf({{"k", k}, {"damp", damp}}), 0);
+    one.brief = brief;
+    one.full = full;
+    one.asks = {Ask::swings, Ask::oddStep};
+    one.stiffest = Stiffest{100.0, k, 1.0, 0.0, damp};
+    one.bound.reach = 150.0;
+    return one;
+}
+
+HardCase comesToRest(HardCase one)
+{
+    one.asks.push_back(Ask::rests);
+    one.rest = Rest{600, {{"foot", middle, 1e-6}}, {}, 1e-6};
+    return one;
+}
+
+HardCase tenMillionFrames()
+{
+    HardCase one =
+        caseOf("ten_million_frames", SIM_TEXT("ten million frames"),
+               SIM_TEXT("A foot swings for nearly four days of playing, and nothing slows it: no error may "
+                        "add up."),
+               footOnSpring, valuesOf({{"k", 0.2}, {"damp", 1}}), 10'000'000);
+    one.brief.frames = 20'000;
+    one.asks = {Ask::swings, Ask::longRun};
+    one.stiffest = Stiffest{100.0, 0.2, 1.0, 0.0, 1.0};
+    one.bound.reach = 120.0;
+    return one;
+}
+
+HardCase atRest()
+{
+    const double feet = 2, k = 0.2, damp = 0.85;
+    HardCase one =
+        caseOf("million_frames_at_rest", SIM_TEXT("a million frames at rest"),
+               SIM_TEXT("What has come to rest keeps velocities that are nearly too small to write, "
+                        "and must keep still."),
+               creature, valuesOf({{"k", k}, {"damp", damp}, {"radius", 50}, {"feet", feet}, {"out", 100}}),
+               1'000'000);
+    one.brief.frames = 10'000;
+    one.asks = {Ask::swings, Ask::rests, Ask::longRun};
+    one.stiffest = Stiffest{50.0, feet * k, 1.0 / feet, 1.0, damp};
+    one.bound.reach = 200.0;
+    one.rest = Rest{10'000, {}, {}, 1e-9};
+    for (const char *foot : {"foot0", "foot1"})
+        one.rest->distances.push_back({foot, "body", 50.0, 1e-9});
+    return one;
+}
+
+}
+
+std::vector<HardCase> oddSteps()
+{
+    return {
+        stepped("step_1e-6", SIM_TEXT("a million steps a frame"),
+                SIM_TEXT("Steps of a millionth of a frame: what each adds is nearly lost in rounding."),
+                {1, 1e-4}, {20, 1e-6}),
+        comesToRest(stepped("step_third", SIM_TEXT("a third of a frame"),
+                            SIM_TEXT("Three steps a frame, of a length that no binary number is equal to."),
+                            {600, 1.0 / 3}, {600, 1.0 / 3})),
+        comesToRest(stepped("step_100", SIM_TEXT("a hundred frames in a step"),
+                            SIM_TEXT("One step leaps over seven swings of the spring."), {60'000, 100},
+                            {60'000, 100})),
+    };
+}
+
+std::vector<HardCase> longRuns()
+{
+    return {tenMillionFrames(), atRest()};
+}
+
+}

@@ -1,0 +1,125 @@
+#include "sim/hard_cases/families/families.h"
+#include "sim/hard_cases/scenes.h"
+
+namespace sim::hard {
+
+namespace {
+
+constexpr Vec2 root = {275.0, 400.0};
+constexpr Vec2 trunkEnd = {275.0, 300.0};
+
+HardCase blown(const char *id, const char *title, const char *story, Values values, Vec2 pointer)
+{
+    HardCase one = caseOf(id, title, story, windyTree, std::move(values), 300);
+    one.script.input = {{1, Pointer{pointer, true}}};
+    one.asks = {Ask::driven, Ask::noDirection};
+    one.bound = {1000.0, root, {}};
+    return one;
+}
+
+Values windBy(double by, double formula)
+{
+    return valuesOf({{"levels", 4},
+                     {"slope", 0.8},
+                     {"base_length", 100},
+                     {"ease", 8},
+                     {"formula", formula},
+                     {"by", by},
+                     {"turned", 0},
+                     {"wind", 5}});
+}
+
+HardCase noDistancePublished()
+{
+    HardCase one = blown(
+        "wind_no_distance_published", SIM_TEXT("no distance to divide by"),
+        SIM_TEXT("In the printed formula the pointer can be at distance 0: it divides by that, and the run "
+                 "must end with a word about it."),
+        windBy(1, 1), root);
+    // Where its printed sum of the pointer and the branch's end is 0, to the last digit.
+    one.script.input = {{1, Pointer{root - Vec2{100.0, 0.0}, true}}};
+    one.script.values.set("levels", 0);
+    one.script.values.set("turned", 90);
+    one.asks = {Ask::ends};
+    return one;
+}
+
+HardCase turned()
+{
+    HardCase one = caseOf("pointer_on_root", SIM_TEXT("the pointer on the root"),
+                          SIM_TEXT("The trunk turns to a pointer that is exactly where it begins."),
+                          turningTree, valuesOf({{"levels", 4}, {"slope", 0.8}, {"base_length", 100}}), 60);
+    one.script.input = {{1, Pointer{root, true}}};
+    one.asks = {Ask::driven, Ask::noDirection};
+    one.bound = {600.0, root, {}};
+    return one;
+}
+
+HardCase deep()
+{
+    HardCase one = blown("branches_16_deep", SIM_TEXT("sixteen forks"),
+                         SIM_TEXT("Each branch forks into two as large as itself, sixteen times: 131,071 "
+                                  "branches in the wind."),
+                         windBy(2, 0), {100.0, 100.0});
+    one.script.values.set("levels", 16);
+    one.script.values.set("slope", 1);
+    one.script.values.set("base_length", 20);
+    one.asks = {Ask::driven, Ask::manyPoints};
+    one.brief.frames = 1;
+    return one;
+}
+
+HardCase endless()
+{
+    HardCase one =
+        caseOf("tree_without_end", SIM_TEXT("a tree without an end"),
+               SIM_TEXT("Branches that are as large as their parents never get small enough to stop "
+                        "forking."),
+               grownTree, valuesOf({{"slope", 1}, {"min_scale", 0.2}}), 60);
+    one.asks = {Ask::refused};
+    one.refusal = "tree-too-big";
+    return one;
+}
+
+HardCase stiffTree()
+{
+    const double k = 1e6, damp = 0.8;
+    HardCase one = caseOf(
+        "tree_stiff", SIM_TEXT("a tree of glass"),
+        SIM_TEXT("Joints a million times as stiff as wood, bent by ten degrees and let go."), springyTree,
+        valuesOf({{"levels", 3},
+                  {"slope", 0.8},
+                  {"base_length", 100},
+                  {"k", k},
+                  {"damp", damp},
+                  {"wind", 0},
+                  {"bent", 10}}),
+        100);
+    one.asks = {Ask::swings, Ask::rests};
+    // Gershgorin's circles bound the fastest swing: see Torsion::stiffestPull().
+    one.stiffest = Stiffest{10.0, 10.0 * k, 1.0, 0.0, damp};
+    one.bound = {600.0, root, {}};
+    one.rest = Rest{100, {{"branch1", trunkEnd, 1e-3}}, {}, 1e-3};
+    return one;
+}
+
+}
+
+std::vector<HardCase> windyTrees()
+{
+    return {
+        blown("wind_no_direction", SIM_TEXT("wind from the branch itself"),
+              SIM_TEXT("The pointer is exactly where the trunk ends: the wind has no direction there."),
+              windBy(0, 0), trunkEnd),
+        blown("wind_no_distance", SIM_TEXT("wind without a distance"),
+              SIM_TEXT("What resists the wind is the distance to the pointer, and it is 0."), windBy(1, 0),
+              trunkEnd),
+        noDistancePublished(),
+        turned(),
+        deep(),
+        endless(),
+        stiffTree(),
+    };
+}
+
+}

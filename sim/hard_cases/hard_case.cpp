@@ -1,0 +1,26 @@
+#include "sim/hard_cases/hard_case.h"
+
+#include <algorithm>
+
+namespace sim {
+
+bool HardCase::asksFor(Ask what) const
+{
+    return std::find(asks.begin(), asks.end(), what) != asks.end();
+}
+
+const Rest *HardCase::restAfter(const RunSize &size) const
+{
+    return rest && size.frames >= rest->after ? &*rest : nullptr;
+}
+
+Script scriptOf(const HardCase &hard, const MethodPtr &method, const RunSize &size)
+{
+    Script script = hard.script;
+    script.method = method;
+    script.step =
+        method->stepping() == Stepping::adaptive ? StepSize::within(size.tolerance) : StepSize::of(size.h);
+    return script;
+}
+
+}

@@ -1,0 +1,100 @@
+#include "sim/methods/adaptive/steps/dormand_prince.h"
+
+#include "sim/methods/adaptive/steps/embedded.h"
+#include "sim/methods/adaptive/steps/hermite.h"
+
+#include <cmath>
+
+namespace sim {
+
+namespace {
+
+Tableau fifthOrder()
+{
+    Tableau t;
+    //! [dormand_prince_tableau]
+    t.stages = 7;
+    t.c = {0, 1. / 5, 3. / 10, 4. / 5, 8. / 9, 1, 1};
+    t.a[1] = {1. / 5};
+    t.a[2] = {3. / 40, 9. / 40};
+    t.a[3] = {44. / 45, -56. / 15, 32. / 9};
+    t.a[4] = {19372. / 6561, -25360. / 2187, 64448. / 6561, -212. / 729};
+    t.a[5] = {9017. / 3168, -355. / 33, 46732. / 5247, 49. / 176, -5103. / 18656};
+    t.a[6] = {35. / 384, 0, 500. / 1113, 125. / 192, -2187. / 6784, 11. / 84};
+    t.b = t.a[6];
+    //! [dormand_prince_tableau]
+    return t;
+}
+
+/// The weights of order 5 less those of order 4.
+constexpr Tableau::Row fifthLessFourth = {71. / 57600,      0,         -71. / 16695, 71. / 1920,
+                                          -17253. / 339200, 22. / 525, -1. / 40};
+constexpr Tableau::Row none{};
+
+/// The polynomial of degree 5 through places, velocities and accelerations at both ends.
+class DormandPrincePair : public Pair
+{
+public:
+    const Tableau &tableau() const override { return m_tableau; }
+    int order() const override { return 5; }
+    const Tableau::Row &error() const override { return fifthLessFourth; }
+    const Tableau::Row &lowerError() const override { return none; }
+    bool hasLowerError() const override { return false; }
+    int extraStages() const override { return 0; }
+    int denseColumns() const override { return 6; }
+
+    void makeDense(const StepData &step, const double *endPlace, const double *endSpeed,
+                   double *columns) const override
+    {
+        const double h = step.h;
+        const double *slopeAtEnd = step.slopes + 6 * step.size;
+        for (int i = step.first; i < step.end; ++i) {
+            const double x0 = step.place[i], x1 = endPlace[i];
+            const double v0 = h * step.speed[i], v1 = h * endSpeed[i];
+            const double a0 = h * h * (step.slopes[i] - step.rate * step.speed[i]);
+            const double a1 = h * h * (slopeAtEnd[i] - step.rate * endSpeed[i]);
+            const Quintic all = Quintic::through(x0, v0, a0, x1, v1, a1);
+            for (int j = 0; j < 6; ++j)
+                columns[j * step.size + i] = all.c[j];
+        }
+    }
+
+    void dense(const double *columns, int size, int first, int end, const Instant &when, double *place,
+               double *speed) const override
+    {
+        for (int i = first; i < end; ++i) {
+            const Newton at = Newton::at<6>(columns + i, size, when.theta);
+            place[i - first] = at.value;
+            speed[i - first] = at.slope / when.h;
+        }
+    }
+
+private:
+    Tableau m_tableau = fifthOrder();
+};
+
+}
+
+const Pair &dormandPrincePair()
+{
+    static const DormandPrincePair pair;
+    return pair;
+}
+
+namespace {
+
+const StepRule &rule()
+{
+    static const Embedded one(dormandPrincePair());
+    return one;
+}
+
+}
+
+DormandPrince::DormandPrince()
+    : Adaptive(rule(), {{"sim/methods/adaptive/steps/embedded.cpp", "embedded_step"},
+                        {"sim/methods/adaptive/steps/dormand_prince.cpp", "dormand_prince_tableau"}})
+{
+}
+
+}

@@ -1,0 +1,200 @@
+#include "sim/methods/adaptive/steps/nystrom.h"
+
+#include "sim/methods/adaptive/steps/hermite.h"
+#include "sim/simd/wide.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sim {
+
+namespace {
+
+NystromTableau eighthOrder()
+{
+    NystromTableau t;
+    //! [nystrom_tableau]
+    t.c = {0, 1. / 20, 1. / 10, 3. / 10, 1. / 2, 7. / 10, 9. / 10, 1, 1};
+    t.a[1] = {1. / 800};
+    t.a[2] = {1. / 600, 1. / 300};
+    t.a[3] = {9. / 200, -9. / 100, 9. / 100};
+    t.a[4] = {-66701. / 197352, 28325. / 32892, -2665. / 5482, 2170. / 24669};
+    t.a[5] = {227015747. / 304251000, -54897451. / 30425100, 12942349. / 10141700, -9499. / 304251,
+              539. / 9250};
+    t.a[6] = {-1131891597. / 901789000, 41964921. / 12882700, -6663147. / 3220675,
+              270954. / 644135,         -108. / 5875,         114. / 1645};
+    t.a[7] = {13836959. / 3667458,   -17731450. / 1833729, 1063919505. / 156478208,
+              -33213845. / 39119552, 13335. / 28544,       -705. / 14272,
+              1645. / 57088};
+    t.a[8] = {223. / 7938, 0, 1175. / 8064, 925. / 6048, 41. / 448, 925. / 14112, 1175. / 72576};
+    t.b = {223. / 7938,   0,          5875. / 36288, 4625. / 21168, 41. / 224, 4625. / 21168,
+           5875. / 36288, 223. / 7938};
+    //! [nystrom_tableau]
+    t.lowerPlace = {7987313. / 109941300, 0,
+                    1610737. / 44674560,  10023263. / 33505920,
+                    -497221. / 12409600,  10023263. / 78180480,
+                    1610737. / 402071040};
+    t.lowerSpeed = {7987313. / 109941300,
+                    0,
+                    1610737. / 40207104,
+                    10023263. / 23454144,
+                    -497221. / 6204800,
+                    10023263. / 23454144,
+                    1610737. / 40207104,
+                    -4251941. / 54970650,
+                    3. / 20};
+    return t;
+}
+
+/// The time at which s has passed, when damping slows at a rate of c.
+double timeOf(double s, double c)
+{
+    return c == 0.0 ? s : -std::log1p(-c * s) / c;
+}
+
+/// e^(2 c t) at that time.
+double growth(double s, double c)
+{
+    const double left = 1.0 - c * s;
+    return 1.0 / (left * left);
+}
+
+/// Frames since the last whole one when s has passed in `step`; where nothing asks for it, not computed.
+double momentOf(const Attempt &step, double s)
+{
+    return step.flow.ticks() ? step.start + timeOf(s, step.nystrom->rate) : step.start;
+}
+
+double *stagesOf(const Attempt &step)
+{
+    return step.scratch + 2 * step.flow.size();
+}
+
+}
+
+void NystromWeights::set(const NystromTableau &of, double c, double step)
+{
+    if (c == rate && step == h)
+        return;
+    rate = c;
+    h = step;
+    whole = c == 0.0 ? h : -std::expm1(-c * h) / c;
+    const double kept = 1.0 - c * whole;
+    speed[0] = kept;
+    for (std::size_t j = 0; j < stages; ++j) {
+        const double s = of.c[j] * whole, grown = growth(s, c);
+        place[j][0] = s;
+        for (std::size_t i = j + 1; i < stages; ++i)
+            place[i][j + 1] = whole * whole * of.a[i][j] * grown;
+        speed[j + 1] = kept * whole * of.b[j] * grown;
+        placeOff[j] = whole * whole * (of.a[stages - 1][j] - of.lowerPlace[j]) * grown;
+        speedOff[j] = kept * whole * (of.b[j] - of.lowerSpeed[j]) * grown;
+    }
+}
+
+RungeKuttaNystrom::RungeKuttaNystrom() : m_tableau(eighthOrder()) {}
+
+// Shown lines are short.
+// clang-format off
+//! [nystrom_step]
+double RungeKuttaNystrom::attempt(
+    const Attempt &step) const
+{
+    int n = step.flow.size();
+    NystromWeights &w = *step.nystrom;
+    w.set(m_tableau,
+          *step.flow.oneRate(), step.h);
+    double *v = step.scratch + n;
+    double *a = stagesOf(step);
+    std::copy_n(step.speed, n, v);
+    std::copy_n(step.slope, n, a);
+    double *x = step.endPlace;
+    for (int i = 1; i < w.stages; ++i) {
+        // the velocity, and the
+        // accelerations so far
+        auto row = std::size_t(i);
+        blendRows(x, step.place, 1,
+            v, w.place[row].data(),
+            i + 1, 0, n, n);
+        double s = w.place[row][0];
+        step.pulls.at(x,
+            momentOf(step, s), a + i * n);
+    }
+    blendRows(step.endSpeed,
+        step.speed, w.speed[0],
+        a, w.speed.data() + 1,
+        w.stages, 0, n, n);
+    int last = w.stages - 1;
+    std::copy_n(a + last * n, n,
+                step.endSlope);
+    //! [nystrom_step]
+    double *off = step.scratch;
+    blendRows(off, a, 0.0, a, w.placeOff.data(), w.stages, 0, n, n);
+    const double ofPlace = largest(off, n);
+    blendRows(off, a, 0.0, a, w.speedOff.data(), w.stages, 0, n, n);
+    return std::max(ofPlace, largest(off, n));
+}
+// clang-format on
+
+void RungeKuttaNystrom::makeDense(const Attempt &step) const
+{
+    const int n = step.flow.size();
+    const NystromWeights &w = *step.nystrom;
+    const double square = w.whole * w.whole;
+    const double kept = 1.0 - w.rate * w.whole, grown = growth(w.whole, w.rate);
+    const double *a = stagesOf(step), *end = a + (w.stages - 1) * n;
+    double *middle = step.scratch;
+    for (int i = 0; i < n; ++i) {
+        const Quintic q =
+            Quintic::through(step.place[i], w.whole * step.speed[i], square * a[i], step.endPlace[i],
+                             w.whole * step.endSpeed[i] / kept, square * grown * end[i]);
+        for (int j = 0; j < 6; ++j)
+            step.columns[j * n + i] = q.c[j];
+        middle[i] = q.c[0] + q.c[1] / 2 + q.c[2] / 4 + q.c[3] / 8 - q.c[4] / 16 + q.c[5] / 32;
+    }
+    // With the acceleration in the middle the polynomial has one degree more.
+    double *bend = step.scratch + (2 + w.stages) * n;
+    step.pulls.at(middle, momentOf(step, 0.5 * w.whole), bend);
+    const double there = square * growth(0.5 * w.whole, w.rate);
+    for (int i = 0; i < n; ++i)
+        step.columns[6 * n + i] = Newton::seventh(step.columns + i, n, there * bend[i]);
+}
+
+Instant RungeKuttaNystrom::instant(double rate, double h, double theta) const
+{
+    if (rate == 0.0 || std::isinf(rate)) // what is stopped at once stands still
+        return {h, theta, 1.0, h, theta};
+    const double all = std::expm1(-rate * h), until = std::expm1(-rate * h * theta);
+    return {h, theta, 1.0 + until, -all / rate, until / all};
+}
+
+void RungeKuttaNystrom::dense(const double *columns, int size, int first, int end, const Instant &when,
+                              double *place, double *speed) const
+{
+    runFast([=] {
+        SIM_TURNS_ARE_APART
+        for (int i = 0; i < end - first; ++i) {
+            const Newton at = Newton::at<7>(columns + first + i, size, when.share);
+            place[i] = at.value;
+            speed[i] = when.kept * at.slope / when.whole;
+        }
+    });
+}
+
+namespace {
+
+const StepRule &rule()
+{
+    static const RungeKuttaNystrom one;
+    return one;
+}
+
+}
+
+Nystrom::Nystrom()
+    : Adaptive(rule(), {{"sim/methods/adaptive/steps/nystrom.cpp", "nystrom_step"},
+                        {"sim/methods/adaptive/steps/nystrom.cpp", "nystrom_tableau"}})
+{
+}
+
+}

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "sim/pipeline/method.h"
+
+namespace sim {
+
+/// Explicit (forward) Euler: x += h v; v += h a(x), both from where the step began. Order 1; an undamped spring gains
+/// energy at every step. Damping enters as the factor damp^h.
+/// Source: Hairer, Lubich and Wanner, "Geometric numerical integration", section I.1.2.
+class ExplicitEuler : public Method
+{
+public:
+    std::string id() const override { return "explicit_euler"; }
+    std::string title() const override { return SIM_TEXT("Explicit Euler"); }
+    int order() const override { return 1; }
+    std::vector<std::string> needs() const override { return {}; }
+    Directions directions() const override { return Directions::apart; }
+    Region region() const override
+    {
+        return {"sim/methods/fixed/explicit_euler.cpp", "explicit_euler_order"};
+    }
+    void prepare(State &state) const override;
+    std::vector<Phase> phases(const Scene &scene, StepSize size) const override;
+};
+
+}

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "sim/pipeline/method.h"
+
+namespace sim {
+
+/// Position Verlet: half a move, a whole kick, half a move. Order 2; symplectic without damping, and the same
+/// backwards. Damping enters exactly, by half a step's factor on either side of the kick (Strang splitting).
+/// Source: Tuckerman, Berne and Martyna, "Reversible multiple time scale molecular dynamics", 1992.
+class PositionVerlet : public Method
+{
+public:
+    std::string id() const override { return "position_verlet"; }
+    std::string title() const override { return SIM_TEXT("Position Verlet"); }
+    int order() const override { return 2; }
+    Symplectic symplectic() const override { return Symplectic::yes; }
+    std::vector<std::string> needs() const override { return {}; }
+    Directions directions() const override { return Directions::apart; }
+    Region region() const override
+    {
+        return {"sim/methods/fixed/position_verlet.cpp", "position_verlet_order"};
+    }
+    void prepare(State &state) const override;
+    std::vector<Phase> phases(const Scene &scene, StepSize size) const override;
+};
+
+}

@@ -1,0 +1,237 @@
+#include "sim/methods/fixed/runge_kutta.h"
+
+#include "sim/methods/flow.h"
+#include "sim/pipeline/parts.h"
+
+namespace sim {
+
+namespace {
+
+const char *const here = "sim/methods/fixed/runge_kutta.cpp";
+
+Tableau midpoint()
+{
+    Tableau t;
+    //! [midpoint_tableau]
+    t.stages = 2;
+    t.c = {0, 0.5};
+    t.a[1] = {0.5};
+    t.b = {0, 1};
+    //! [midpoint_tableau]
+    return t;
+}
+
+Tableau classical()
+{
+    Tableau t;
+    //! [rk4_tableau]
+    t.stages = 4;
+    t.c = {0, 0.5, 0.5, 1};
+    t.a[1] = {0.5};
+    t.a[2] = {0, 0.5};
+    t.a[3] = {0, 0, 1};
+    t.b = {1. / 6, 1. / 3, 1. / 3, 1. / 6};
+    //! [rk4_tableau]
+    return t;
+}
+
+/// The columns of State::stages: the places and velocities that the step began with, then the velocity of each stage,
+/// then its acceleration.
+struct Columns
+{
+    int stages = 0;
+    int startPlace() const { return 0; }
+    int startSpeed() const { return 1; }
+    int speed(int stage) const { return 2 + stage; }
+    int slope(int stage) const { return 2 + stages + stage; }
+    /// Where the next place is put together.
+    int place() const { return 2 + 2 * stages; }
+    int count() const { return 3 + 2 * stages; }
+};
+
+/// A scene's equations and the tableau's weights for them, as all phases of a step share them.
+struct Plan
+{
+    Plan(const Scene &scene, const Tableau &tableau, Directions directions, double step)
+        : flow(scene, directions), c(tableau.c), columns{tableau.stages}, h(step)
+    {
+        for (const Flow::Stretch &stretch : flow.stretches())
+            weights.emplace_back().set(tableau, stretch.rate, h, tableau.stages);
+    }
+
+    Flow flow;
+    Tableau::Row c;
+    std::vector<StageWeights> weights; ///< one a stretch of the flow
+    Columns columns;
+    double h;
+
+    double timeOf(int stage) const
+    {
+        return stage < columns.stages ? h * c[static_cast<std::size_t>(stage)] : h;
+    }
+    /// Takes time on from the stage before.
+    void tickTo(State &state, int stage) const { flow.tick(state, timeOf(stage) - timeOf(stage - 1)); }
+};
+
+double *column(State &state, int number)
+{
+    return state.stages.data() + number * state.stages.rows();
+}
+
+/// The place of a stage (or of the step's end), from the velocities of the stages before it.
+double *placeOf(State &state, const Plan &plan, int stage)
+{
+    const Columns &at = plan.columns;
+    for (std::size_t i = 0; i < plan.weights.size(); ++i) {
+        const Flow::Stretch &rows = plan.flow.stretches()[i];
+        const double *weights = plan.weights[i].place[static_cast<std::size_t>(stage)].data();
+        blendRows(column(state, at.place()), column(state, at.startPlace()), 1.0, column(state, at.speed(0)),
+                  weights, stage, rows.first, rows.end(), plan.flow.size());
+    }
+    return column(state, at.place());
+}
+
+/// The velocity of a stage (or of the step's end), from the pulls at the stages before it, in column `out`.
+double *velocityOf(State &state, const Plan &plan, int stage, int out)
+{
+    const Columns &at = plan.columns;
+    for (std::size_t i = 0; i < plan.weights.size(); ++i) {
+        const Flow::Stretch &rows = plan.flow.stretches()[i];
+        const auto row = static_cast<std::size_t>(stage);
+        const double *weights = plan.weights[i].speed[row].data();
+        blendRows(column(state, out), column(state, at.startSpeed()), plan.weights[i].keep[row],
+                  column(state, at.slope(0)), weights, stage, rows.first, rows.end(), plan.flow.size());
+    }
+    return column(state, out);
+}
+
+/// Keeps what the forces have gathered as the slope of `stage`, with the velocity that belongs to it.
+void keepSlope(State &state, const Plan &plan, int stage)
+{
+    const Columns &at = plan.columns;
+    if (stage == 0)
+        plan.flow.read(state, column(state, at.startPlace()), column(state, at.startSpeed()));
+    plan.flow.gathered(state, column(state, at.slope(stage)));
+    velocityOf(state, plan, stage, at.speed(stage));
+}
+
+// Shown lines are short.
+// clang-format off
+/// Goes to the place of `stage`, or of the step's end.
+//! [trial_place]
+void goTo(State &state,
+    const Plan &plan, int stage)
+{
+    // by the velocities found so far
+    double *x =
+        placeOf(state, plan, stage);
+    plan.tickTo(state, stage);
+    plan.flow.place(x, state);
+}
+//! [trial_place]
+
+/// The end of the step: its place, and its velocity.
+//! [step_end]
+void finish(State &state,
+    const Plan &plan)
+{
+    int end = plan.columns.stages;
+    goTo(state, plan, end);
+    // by the pulls of all stages
+    int out = plan.columns.place();
+    double *v = velocityOf(
+        state, plan, end, out);
+    plan.flow.push(v, state);
+}
+//! [step_end]
+// clang-format on
+
+Phase stagePhase(const char *id, const char *title, const Scene &scene, const char *tableau)
+{
+    Phase phase;
+    phase.id = id;
+    phase.title = title;
+    phase.points = {0, scene.start.points()};
+    phase.regions = {
+        {here, "trial_place"}, {here, "step_end"}, {here, tableau}, {"sim/methods/fixed/tableau.h", "blend"}};
+    phase.moves = true;
+    phase.integrates = true;
+    phase.explain = [](const State &before, const State &after, int point) {
+        return changeOf(before, after, point);
+    };
+    return phase;
+}
+
+/// What else the equations have besides forces: the phase computes it on its way.
+void nameOthers(Phase &phase, const Plan &plan, Directions directions)
+{
+    for (const EffectPtr &effect : plan.flow.effects()) {
+        if (as<Force>(effect) || as<Torque>(effect))
+            continue;
+        phase.within.push_back(effect);
+        for (const Region &region : effect->regions(directions))
+            phase.regions.push_back(region);
+    }
+}
+
+}
+
+Midpoint::Midpoint() : RungeKutta(midpoint(), 2, "midpoint_tableau") {}
+
+RungeKutta4::RungeKutta4() : RungeKutta(classical(), 4, "rk4_tableau") {}
+
+void RungeKutta::prepare(State &state) const
+{
+    state.acceleration.setZero(state.points(), 2);
+    state.turning.setZero(state.spin.rows());
+    state.stages.setZero(2 * state.points() + state.spin.rows(), Columns{m_tableau.stages}.count());
+}
+
+std::vector<Phase> RungeKutta::phases(const Scene &scene, StepSize size) const
+{
+    PhaseList step(scene, directions(), size.h);
+    const auto plan = std::make_shared<const Plan>(scene, m_tableau, directions(), size.h);
+    const auto trial = [&](int stage) {
+        Phase phase = stagePhase("trial", SIM_TEXT("try a place"), scene, m_shown);
+        phase.kernels = {{[plan, stage](State &state) {
+                              keepSlope(state, *plan, stage - 1);
+                              goTo(state, *plan, stage);
+                          },
+                          {}}};
+        nameOthers(phase, *plan, directions());
+        return phase;
+    };
+    const auto move = [&] {
+        Phase phase = stagePhase("step", SIM_TEXT("move"), scene, m_shown);
+        phase.kernels = {{[plan](State &state) {
+                              keepSlope(state, *plan, plan->columns.stages - 1);
+                              finish(state, *plan);
+                          },
+                          {}}};
+        return phase;
+    };
+    const int stages = step.anyMoves() ? m_tableau.stages : 0;
+    if (stages == 0)
+        step.flow(1);
+    //! [runge_kutta_order]
+    // forces at one trial place after
+    // another, then one step from all
+    Share all = step.everything();
+    step.jumpsFirst();
+    for (int i = 0; i < stages; ++i) {
+        if (i > 0)
+            step.own(trial(i));
+        step.gather(all);
+    }
+    if (stages > 0)
+        step.own(move());
+    step.dampingWithoutRate(all);
+    step.comeFrom(all);
+    step.constraints(all);
+    step.contacts(all);
+    step.jumpsLast();
+    //! [runge_kutta_order]
+    return step.take();
+}
+
+}

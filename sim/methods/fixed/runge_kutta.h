@@ -1,0 +1,54 @@
+#pragma once
+
+#include "sim/methods/fixed/tableau.h"
+#include "sim/pipeline/method.h"
+
+namespace sim {
+
+/// A method of fixed step that takes a step through the stages of a tableau: forces at the first place, a trial
+/// place, forces there, and so on, then the step itself. Damping is exact: see StageWeights.
+class RungeKutta : public Method
+{
+public:
+    int order() const override { return m_order; }
+    int evaluations() const override { return m_tableau.stages; }
+    std::vector<std::string> needs() const override { return {}; }
+    Directions directions() const override { return Directions::apart; }
+    Region region() const override { return {"sim/methods/fixed/runge_kutta.cpp", "runge_kutta_order"}; }
+    void prepare(State &state) const override;
+    std::vector<Phase> phases(const Scene &scene, StepSize size) const override;
+
+protected:
+    /// `shown`: the marker of the tableau's source.
+    RungeKutta(const Tableau &tableau, int order, const char *shown)
+        : m_tableau(tableau), m_order(order), m_shown(shown)
+    {
+    }
+
+private:
+    Tableau m_tableau;
+    int m_order;
+    const char *m_shown;
+};
+
+/// The explicit midpoint rule: the slope at the middle of a step, which an Euler step finds, is taken for all of it.
+/// Source: Butcher, "Numerical methods for ordinary differential equations", section 232.
+class Midpoint : public RungeKutta
+{
+public:
+    Midpoint();
+    std::string id() const override { return "midpoint"; }
+    std::string title() const override { return SIM_TEXT("Midpoint"); }
+};
+
+/// The classical Runge-Kutta method of order 4.
+/// Source: Kutta, "Beitrag zur naeherungsweisen Integration totaler Differentialgleichungen", 1901.
+class RungeKutta4 : public RungeKutta
+{
+public:
+    RungeKutta4();
+    std::string id() const override { return "rk4"; }
+    std::string title() const override { return SIM_TEXT("Runge–Kutta 4"); }
+};
+
+}

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "sim/pipeline/method.h"
+
+namespace sim {
+
+/// Semi-implicit (symplectic) Euler: v += h a(x); x += h v, all points at once. Order 1; symplectic without
+/// damping. Damping enters exactly, as the factor damp^h between the two.
+/// Source: Hairer, Lubich and Wanner, "Geometric numerical integration", section I.1.2.
+class SemiImplicitEuler : public Method
+{
+public:
+    std::string id() const override { return "semi_implicit_euler"; }
+    std::string title() const override { return SIM_TEXT("Semi-implicit Euler"); }
+    int order() const override { return 1; }
+    Symplectic symplectic() const override { return Symplectic::yes; }
+    std::vector<std::string> needs() const override { return {}; }
+    Directions directions() const override { return Directions::apart; }
+    Region region() const override
+    {
+        return {"sim/methods/fixed/semi_implicit_euler.cpp", "semi_implicit_order"};
+    }
+    void prepare(State &state) const override;
+    std::vector<Phase> phases(const Scene &scene, StepSize size) const override;
+};
+
+}

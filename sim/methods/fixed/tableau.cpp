@@ -1,0 +1,50 @@
+#include "sim/methods/fixed/tableau.h"
+
+#include <cmath>
+
+namespace sim {
+
+namespace {
+
+/// What of a velocity is left after `time` frames; a negative time undoes it.
+double decay(double rate, double time)
+{
+    return rate == 0.0 ? 1.0 : std::exp(-rate * time);
+}
+
+}
+
+void StageWeights::set(const Tableau &of, double c, double step, int count)
+{
+    if (&of == tableau && c == rate && step == h && count == rows)
+        return;
+    *this = {};
+    tableau = &of;
+    rate = c;
+    h = step;
+    rows = count;
+    if (std::isinf(rate))
+        return;
+    const auto last = static_cast<std::size_t>(rows);
+    for (std::size_t i = 0; i < last; ++i)
+        keep[i] = decay(rate, of.c[i] * h);
+    keep[last] = decay(rate, h);
+    // Quotients save most of the exponentials, as long as they are numbers.
+    const bool quotients = rate * h < 300.0;
+    for (std::size_t i = 0; i <= last; ++i) {
+        const Tableau::Row &a = i == last ? of.b : of.a[i];
+        const double time = i == last ? 1.0 : of.c[i];
+        for (std::size_t j = 0; j < i; ++j) {
+            if (a[j] == 0.0)
+                continue;
+            place[i][j] = h * a[j];
+            if (rate == 0.0)
+                speed[i][j] = place[i][j];
+            else
+                speed[i][j] =
+                    place[i][j] * (quotients ? keep[i] / keep[j] : decay(rate, (time - of.c[j]) * h));
+        }
+    }
+}
+
+}

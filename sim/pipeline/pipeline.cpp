@@ -1,0 +1,77 @@
+#include "sim/pipeline/pipeline.h"
+
+#include "sim/base/error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <sstream>
+
+namespace sim {
+
+namespace {
+
+bool computes(const Phase &phase, const EffectPtr &effect)
+{
+    return phase.effect == effect ||
+           std::find(phase.within.begin(), phase.within.end(), effect) != phase.within.end();
+}
+
+/// An effect that has something to do but got no phase is one that the method cannot handle: leaving it out
+/// silently would show a run of another scene.
+void checkFit(const Scene &scene, const Method &method, const std::vector<Phase> &phases)
+{
+    for (const EffectPtr &effect : scene.effects) {
+        const bool runs = std::any_of(phases.begin(), phases.end(),
+                                      [&](const Phase &phase) { return computes(phase, effect); });
+        if (!runs && effect->count(scene.start, {0, scene.start.points()}) > 0)
+            throw Error("method-does-not-fit", {{"method", method.id()}, {"effect", effect->id()}});
+    }
+}
+
+}
+
+StepSize StepSize::of(double h)
+{
+    if (h >= 1e-6 * (1.0 - 1e-9) && h <= 100.0) {
+        const double whole = std::round(h);
+        if (h >= 1.0 && std::abs(h - whole) <= 1e-9)
+            return {whole, 1, static_cast<int>(whole), 0.0};
+        const double parts = std::round(1.0 / h);
+        if (h < 1.0 && std::abs(1.0 / h - parts) <= 1e-9 * parts)
+            return {1.0 / parts, static_cast<int>(parts), 1, 0.0};
+    }
+    std::ostringstream given;
+    given << h; // not std::to_string, which writes 5e-7 as 0.000000
+    throw Error("step-size", {{"h", given.str()}});
+}
+
+StepSize StepSize::within(double tolerance)
+{
+    if (tolerance >= 1e-13 && tolerance <= 100.0)
+        return {1.0, 1, 1, tolerance};
+    std::ostringstream given;
+    given << tolerance;
+    throw Error("tolerance", {{"tolerance", given.str()}});
+}
+
+Pipeline compose(const Scene &scene, const Method &method, StepSize step)
+{
+    const bool adaptive = method.stepping() == Stepping::adaptive;
+    if (adaptive != step.adaptive())
+        throw Error(adaptive ? "needs-tolerance" : "needs-step", {{"method", method.id()}});
+    Scene acting = scene;
+    Pipeline pipeline{{}, step, {}, {}, {}};
+    const auto idle = [](const EffectPtr &effect) { return effect->idle(); };
+    std::copy_if(scene.effects.begin(), scene.effects.end(), std::back_inserter(pipeline.leftOut), idle);
+    std::erase_if(acting.effects, idle);
+    pipeline.phases = method.phases(acting, step);
+    checkFit(acting, method, pipeline.phases);
+    if (pipeline.phases.empty())
+        throw Error("nothing-moves", {{"method", method.id()}});
+    pipeline.kernels = fusedKernels(pipeline.phases);
+    pipeline.blocks = blocksOf(acting, pipeline.phases);
+    return pipeline;
+}
+
+}

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "sim/pipeline/pipeline.h"
+#include "sim/simd/crew.h"
+
+#include <vector>
+
+namespace sim {
+
+/// Runs one step: block after block where the pipeline has blocks, else phase after phase. Either way
+/// `state` comes out the same in every bit.
+void runStep(const Pipeline &pipeline, State &state);
+
+/// The same; what is large enough to gain by it `crew` shares among its threads. The same bits again.
+void runStep(const Pipeline &pipeline, State &state, Crew &crew);
+
+/// The same without the blocks whose entry in `asleep` is not 0; empty: with all of them.
+void runStep(const Pipeline &pipeline, State &state, Crew &crew, const std::vector<char> &asleep);
+
+}

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "sim/scene/effect.h"
+#include "sim/simd/crew.h"
+
+namespace sim {
+
+/// Whether all numbers that `points` have in `state` are finite.
+bool areFinite(const State &state, Points points);
+
+/// Whether all numbers of `state` are: the same as firstNotFinite() finding none. Where there are many, `crew` shares
+/// them among its threads.
+bool isFinite(const State &state, Crew &crew);
+
+}

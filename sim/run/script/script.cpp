@@ -1,0 +1,90 @@
+#include "sim/run/script/script.h"
+
+#include "sim/base/error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace sim {
+
+namespace {
+
+bool isFinite(Vec2 at)
+{
+    return std::isfinite(at.x) && std::isfinite(at.y);
+}
+
+/// What an event is called in files, if a number of it is not finite.
+struct Unfit
+{
+    std::string operator()(const Move &move) const { return isFinite(move.to) ? "" : "move"; }
+    std::string operator()(const Pointer &pointer) const { return isFinite(pointer.at) ? "" : "pointer"; }
+    std::string operator()(const Target &target) const { return isFinite(target.at) ? "" : "target"; }
+    std::string operator()(const Gust &gust) const { return std::isfinite(gust.degrees) ? "" : "gust"; }
+    std::string operator()(const Set &set) const { return std::isfinite(set.value) ? "" : "set"; }
+    template <class Other>
+    std::string operator()(const Other &) const
+    {
+        return {};
+    }
+};
+
+}
+
+std::int64_t rowEndOf(std::int64_t frame, int rowFrames)
+{
+    return std::max<std::int64_t>(1, (frame + rowFrames - 1) / rowFrames) * rowFrames;
+}
+
+Scene sceneOf(const Script &script, const Values &values)
+{
+    Scene scene = script.build(values);
+    for (const auto &[name, start] : script.bodies) {
+        if (!isFinite(start.x) || (start.v && !isFinite(*start.v)))
+            throw Error("start-not-finite", {{"body", name}});
+        const int point = scene.find(name);
+        if (point < 0)
+            continue;
+        scene.start.place(point, start.x);
+        if (start.v && scene.start.feels(point) && scene.hasInertia(point))
+            scene.start.push(point, *start.v);
+    }
+    std::erase_if(scene.effects, [&](const EffectPtr &effect) {
+        return std::find(script.effectsOff.begin(), script.effectsOff.end(), effect->id()) !=
+               script.effectsOff.end();
+    });
+    script.method->prepare(scene.start);
+    return scene;
+}
+
+Event eventOf(std::int64_t frame, const Input &what)
+{
+    return {frame, std::visit([](const auto &one) -> decltype(Event::what) { return one; }, what)};
+}
+
+void checkFinite(const Event &event)
+{
+    const std::string unfit = std::visit(Unfit{}, event.what);
+    if (!unfit.empty())
+        throw Error("input-not-finite", {{"event", unfit}, {"frame", std::to_string(event.frame)}});
+}
+
+void sortByFrame(std::vector<Event> &input)
+{
+    std::stable_sort(input.begin(), input.end(),
+                     [](const Event &a, const Event &b) { return a.frame < b.frame; });
+}
+
+std::int64_t firstDifference(const std::vector<Event> &a, const std::vector<Event> &b)
+{
+    const auto [one, other] = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
+    std::int64_t frame = std::numeric_limits<std::int64_t>::max();
+    if (one != a.end())
+        frame = std::min(frame, one->frame);
+    if (other != b.end())
+        frame = std::min(frame, other->frame);
+    return frame;
+}
+
+}

@@ -1,0 +1,12 @@
+#include "sim/run/sleeping/awake.h"
+
+namespace sim {
+
+Awake awakeBy(const Pipeline &pipeline, const State &state)
+{
+    if (const EffectPtr effect = keepsAwake(pipeline, state))
+        return {Awake::Why::time, effect};
+    return {pipeline.step.adaptive() ? Awake::Why::ownSteps : Awake::Why::nothing, nullptr};
+}
+
+}

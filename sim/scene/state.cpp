@@ -1,0 +1,72 @@
+#include "sim/scene/state.h"
+
+#include "sim/run/finite.h"
+
+#include <vector>
+
+namespace sim {
+
+State State::ofPoints(int points)
+{
+    State state;
+    state.position.setZero(points, 2);
+    state.velocity.setZero(points, 2);
+    state.inverseMass.setOnes(points);
+    return state;
+}
+
+void State::place(int point, Vec2 x)
+{
+    position(point, 0) = x.x;
+    position(point, 1) = x.y;
+}
+
+void State::push(int point, Vec2 v)
+{
+    velocity(point, 0) = v.x;
+    velocity(point, 1) = v.y;
+}
+
+bool sameBits(const State &a, const State &b)
+{
+    std::vector<char> flatA, flatB;
+    const auto flatten = [](std::vector<char> &into) {
+        return [&into](const void *data, std::size_t bytes) {
+            const char *first = static_cast<const char *>(data);
+            into.insert(into.end(), first, first + bytes);
+        };
+    };
+    visitMemory(a, flatten(flatA));
+    visitMemory(b, flatten(flatB));
+    return flatA == flatB;
+}
+
+std::size_t memoryOf(const State &state)
+{
+    std::size_t total = sizeof(State);
+    visitMemory(state, [&](const void *, std::size_t bytes) { total += bytes; });
+    return total;
+}
+
+int firstNotFinite(const State &state)
+{
+    const bool clocks = state.gait.isFinite().all() && state.gaitSpeed.isFinite().all();
+    if (clocks && areFinite(state, {0, state.points()}))
+        return -1;
+    for (int i = 0; i < state.points(); ++i) {
+        if (!areFinite(state, {i, 1}))
+            return i;
+    }
+    return state.points();
+}
+
+int firstStuck(const State &state)
+{
+    for (const Ahead &ahead : state.ahead) {
+        if (ahead.stuck >= 0)
+            return ahead.stuck;
+    }
+    return -1;
+}
+
+}
