@@ -4,7 +4,7 @@
 #include "sim/scene/values.h"
 
 /// One scene a step, each set up by the same function name, so that the code of two steps differs only in what is
-/// new. The feet are points 0, 1, 2..., the body comes last. From `more_feet` on they are in further_scenes.cpp.
+/// new. The feet are points 0, 1, 2..., the body comes last.
 namespace walking_gait {
 
 namespace bones {

@@ -1,6 +1,8 @@
 #include "tries.h"
 
 #include "lessons/api/checks.h"
+#include "lessons/api/creature.h"
+#include "picture.h"
 
 #include <QCoreApplication>
 
@@ -169,6 +171,237 @@ std::vector<Try> bodyPulledTries()
         {Text::tr("Hold a foot for 60 frames. It feels nothing, but the body still feels its leg."),
          {holdingAFoot(),
           atLeast(60.0, framesHeld, Text::tr("hold it for 60 frames while time runs. So far: %1."), 0)}},
+    };
+}
+
+namespace {
+
+bool standsOnAFoot(const Timeline &run)
+{
+    const sim::Scene &scene = run.track().shown().scene;
+    for (int i = 0; i < run.now().points(); ++i) {
+        const bool foot = !isBody(scene.names[static_cast<std::size_t>(i)]);
+        if (foot && stands(scene, run.now(), run.values(), i))
+            return true;
+    }
+    return false;
+}
+
+/// Whether a foot that is on the ground goes up from it at 1 px/frame or more: it has just bounced.
+bool justBounced(const Timeline &run)
+{
+    const sim::State &now = run.now();
+    for (int i = 0; i + 1 < now.points(); ++i) {
+        if (stands(run.track().shown().scene, now, run.values(), i) && now.velocity(i, 1) <= -1.0)
+            return true;
+    }
+    return false;
+}
+
+/// Whether some point touches a side wall.
+bool touchesAWall(const Timeline &run)
+{
+    const sim::State &now = run.now();
+    const Eigen::ArrayXd half = halfWidths(run.track().shown().scene);
+    for (int i = 0; i < now.points(); ++i) {
+        const bool right = now.position(i, 0) + half[i] >= run.values()["right"];
+        const bool left = now.position(i, 0) - half[i] <= run.values()["left"];
+        if (now.feels(i) && (left || right))
+            return true;
+    }
+    return false;
+}
+
+/// Whether an event of type `What` that `fits` was applied up to the cursor.
+template <class What, class Fits>
+bool happened(const Timeline &run, Fits &&fits)
+{
+    const std::vector<sim::Event> &input = run.script().input;
+    return std::any_of(input.begin(), input.end(), [&](const sim::Event &event) {
+        const auto *what = std::get_if<What>(&event.what);
+        return what && event.frame <= run.at().frame && fits(*what);
+    });
+}
+
+bool pressed(const Timeline &run, bool sim::Keys::*key)
+{
+    return happened<sim::Key>(run, [&](const sim::Key &one) { return one.key == key && one.down; });
+}
+
+bool pointed(const Timeline &run)
+{
+    return happened<sim::Pointer>(run, [](const sim::Pointer &pointer) { return pointer.down; });
+}
+
+double clockSpeedOf(const Timeline &run)
+{
+    return run.now().gaitSpeed[0];
+}
+
+/// Whether the clock stood ten frames ago already: it does not only pass through 0.
+bool stoodBefore(const Timeline &run)
+{
+    constexpr std::int64_t ago = 10;
+    return run.at().frame >= ago && std::abs(run.track().stateAt(run.at().frame - ago).gaitSpeed[0]) <= 0.005;
+}
+
+/// How near the nearest other body is to the one called `name`, px.
+double nearestBody(const Timeline &run, const std::string &name)
+{
+    double least = INFINITY;
+    for (const std::string &other : run.track().shown().scene.names) {
+        if (isBody(other) && other != name)
+            least = std::min(least, distance(run, name, other));
+    }
+    return least;
+}
+
+/// How far the creature has walked to the left of where it started, in px; 0 where it is to the right.
+double walkedLeft(const Timeline &run)
+{
+    const sim::Scene &scene = run.track().shown().scene;
+    return std::max(0.0, scene.start.at(scene.find("body")).x - placeOf(run, "body").x);
+}
+
+Condition walkedLeft100()
+{
+    return atLeast(100.0, walkedLeft,
+                   Text::tr("let it walk on to 100 px left of where it began. So far: %1 px."), 0);
+}
+
+/// How far up the hand lifted what it let go of last, in px.
+double lifted(const Timeline &run)
+{
+    const std::optional<Carry> carry = lastLetGo(run);
+    double most = 0.0;
+    for (const HandPlace &place : carry ? carry->path : std::vector<HandPlace>())
+        most = std::max(most, takenFrom(run, *carry).y - place.at.y);
+    return most;
+}
+
+Condition inTheAir()
+{
+    return {[](const Timeline &run) { return !standsOnAFoot(run); },
+            Text::tr("stop at a frame in which no foot touches the ground: go there with **→**.")};
+}
+
+Condition atAWall(const QString &todo)
+{
+    return {touchesAWall, todo};
+}
+
+/// How near the nearest body is to the one in the hand, px.
+double nearestToHand(const Timeline &run)
+{
+    return nearestBody(run, heldBody(run));
+}
+
+Condition nearEnough(std::function<double(const Timeline &)> nearest, const QString &todo)
+{
+    return {[nearest](const Timeline &run) { return nearest(run) < run.values()["distance"]; }, todo, nearest,
+            0};
+}
+
+}
+
+std::vector<Try> groundTries()
+{
+    return {
+        {Text::tr("Set **speed** to −0.05 and let the creature walk to 100 px left of where it began."),
+         {isSet("speed", -0.05), walkedLeft100()}},
+        {Text::tr("Set **traction** to none for 150 frames: ice. It treads on the spot."),
+         {isSet("traction", 1.0), keptFor("traction", 150)}},
+        Try{Text::tr("Set **bounce** to 0.8 and stop just when a foot bounces."),
+            {isSet("bounce", 0.8),
+             {justBounced, Text::tr("stop at a frame in which a foot on the ground moves up, at 1 px per "
+                                    "frame or more: go there with **→**.")}}}
+            .stopped(),
+        {Text::tr("Lift the body at least 60 px and let go. It lands on its feet and walks on, for 60 "
+                  "frames."),
+         {letGoOf("body"),
+          atLeast(60.0, lifted, Text::tr("lift it 60 px or more. It came %1 px up."), 0),
+          handsOff(60),
+          {standsOnAFoot, Text::tr("let it walk on until a foot stands on the ground.")}}},
+    };
+}
+
+std::vector<Try> moreFeetTries()
+{
+    return {
+        Try{Text::tr("Set **feet** to 12 and watch for 200 frames. How much does the body go up and down?"),
+            {isSet("feet", 12.0), keptFor("feet", 200)}}
+            .answered(Text::tr("By less than 1 px: some foot is always on its way down.")),
+        Try{Text::tr("Set **spread** to 0 for 200 frames. All feet step together: does it get anywhere?"),
+            {isSet("spread", 0.0), keptFor("spread", 200)}}
+            .answered(Text::tr("No. The body falls and rises and goes to and fro, but it gets nowhere.")),
+        Try{Text::tr("Set **speed** to 0.3, play 60 frames, and stop when no foot touches the ground."),
+            {isSet("speed", 0.3), isSet("spread", 360.0, Text::tr("set **spread** back to 360°.")),
+             isSet("feet", 5.0, Text::tr("set **feet** back to 5.")), keptFor("speed", 60), inTheAir()}}
+            .stopped(),
+    };
+}
+
+std::vector<Try> steeringTries()
+{
+    return {
+        {Text::tr(
+             "Hold the **←** key until the creature walks to the left, and let it walk to 100 px left of "
+             "where it began."),
+         {{[](const Timeline &run) { return pressed(run, &sim::Keys::left); }},
+          {[](const Timeline &run) { return clockSpeedOf(run) < 0.0; },
+           Text::tr("hold **←** longer, until the clock’s speed is below 0. It is %1 rad per frame."),
+           clockSpeedOf, 3},
+          walkedLeft100()}},
+        {Text::tr(
+             "Make it as fast as it can with the pointer: hold the button at least 200 px away from it."),
+         {{[](const Timeline &run) { return pointed(run) && run.values()["top"] > 0.0; }},
+          {[](const Timeline &run) { return std::abs(clockSpeedOf(run)) >= run.values()["top"]; },
+           Text::tr("hold the button 200 px or more to the left or right of it, while time runs. The clock’s "
+                    "speed is %1 rad per frame."),
+           clockSpeedOf, 3}}},
+        {Text::tr("Make it stand: bring the clock to within 0.005 rad/frame of 0."),
+         {{[](const Timeline &run) {
+              return pointed(run) || pressed(run, &sim::Keys::left) || pressed(run, &sim::Keys::right);
+          }},
+          {[](const Timeline &run) { return std::abs(clockSpeedOf(run)) <= 0.005; },
+           Text::tr("bring the clock’s speed to 0. It is %1 rad per frame."), clockSpeedOf, 3},
+          {stoodBefore, Text::tr("let it stand for ten frames.")}}},
+    };
+}
+
+std::vector<Try> wallsTries()
+{
+    return {
+        {Text::tr("Set **at wall** to *walk on* and let it walk against a wall, for 200 frames in all."),
+         {isSet("at_wall", 1.0), keptFor("at_wall", 200),
+          atAWall(Text::tr("let it walk on until it touches a wall."))}},
+        {Text::tr("Put the walls 150 px apart or closer, and see it turn to the left."),
+         {{[](const Timeline &run) { return run.values()["right"] - run.values()["left"] <= 150.0; }},
+          isSet("at_wall", 0.0, Text::tr("choose **turn** beside **At a wall**.")),
+          {[](const Timeline &run) { return clockSpeedOf(run) < 0.0; },
+           Text::tr("let time run (**Space**) until it turns.")}}},
+        {Text::tr("Throw the creature into a wall, so that it gets there within 40 frames."),
+         {letGoOf(),
+          fastEnough(),
+          {[](const Timeline &run) { return framesWithoutHand(run) <= 40 && touchesAWall(run); },
+           Text::tr("throw it harder or closer to a wall: it has to get there within 40 frames.")}}},
+    };
+}
+
+std::vector<Try> companyTries()
+{
+    return {
+        {Text::tr("Take one creature by its body and drag it at least 40 px, into another. Both feel the "
+                  "push; the one in your hand cannot move."),
+         {{[](const Timeline &run) { return isBody(heldBody(run)); }},
+          carriedFar(40.0),
+          nearEnough(nearestToHand, Text::tr("drag it into another. The nearest body is %1 px away."))}},
+        {Text::tr("Set **felt by** to one, and look at the sum of the pushes while two bodies touch."),
+         {isSet("felt_by", 1.0),
+          nearEnough([](const Timeline &run) { return nearestBody(run, "creature0.body"); },
+                     Text::tr("let time run (**Space**) until two bodies touch. They are %1 px apart."))}},
+        {Text::tr("Set **creatures** to 5 and watch the crowd for 300 frames."),
+         {isSet("creatures", 5.0), keptFor("creatures", 300)}},
     };
 }
 
