@@ -13,8 +13,8 @@ struct Meaning
     QString what; ///< in the learner's language; empty: nothing to say beyond the name
 };
 
-/// What the number called `name` is in `phase`: "pull", or "pull.x". Its effect's description comes before what all
-/// effects of its kind have in common. Empty where nothing is known of it.
+/// Returns the meaning of the variable `name` ("pull", or "pull.x") in the code of `phase`. The description of the
+/// phase's effect goes first, then the table for effects of its kind. Empty if neither has the variable.
 Meaning meaningOf(const QString &name, const sim::Phase &phase);
 
 }

@@ -7989,7 +7989,7 @@ auf dem Schirm (30 pro Sekunde)</translation>
         <translation>Setzt jeden Zweig auf das Ende des Zweigs, der ihn trägt.</translation>
     </message>
     <message>
-        <source>Pull each foot to a place of its own, as seen from the body.</source>
+        <source>Pull each foot to its own place, as seen from the body.</source>
         <translation>Zieht jeden Fuß an einen eigenen Ort, vom Körper aus gesehen.</translation>
     </message>
     <message>

@@ -4,7 +4,7 @@
 
 namespace sandbox {
 
-/// Those that come with the program.
+/// The experiments that are installed with the program.
 std::vector<lessons::Example> ownExamples();
 
 }

@@ -175,7 +175,7 @@ Step stepOnGround(const char *id, const QString &title)
     return step;
 }
 
-/// What all steps on the ground have, after what is a step's own.
+/// Adds the parameters that all steps on the ground share, after those of `step`.
 void addCommon(Step &step)
 {
     step.addParameters({lessons::gravity(), footBounce(), traction(), stiffness(0.1), damping(), leg(),
@@ -278,9 +278,9 @@ Step companyStep()
     step.addParameters(sideWalls());
     addCommon(step);
     step.narration = Text::tr(
-        "Several creatures, each with a clock of its own. They start towards each other, out of step.\n\n"
-        "Two bodies closer than **distance** push each other apart, by **push** times what is missing: a "
-        "spring that never pulls. Legs meet nothing.\n\n"
+        "Several creatures, each with its own clock. They start towards each other, out of step.\n\n"
+        "Two bodies closer than **distance** push each other apart, by **push** times the missing distance: "
+        "a spring that never pulls. Legs meet nothing.\n\n"
         "Each push is felt by **both**, the opposite way, in the same moment. So all pushes add up to 0, "
         "and two creatures that meet share their momentum out anew; the push makes none and loses none. "
         "(The ground does: it stops feet.) With **felt by** on one, the second feels nothing. Then each "

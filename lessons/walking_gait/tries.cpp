@@ -269,7 +269,7 @@ Condition walkedLeft100()
                    Text::tr("let it walk on to 100 px left of where it began. So far: %1 px."), 0);
 }
 
-/// How far up the hand lifted what it let go of last, in px.
+/// Returns how far up the hand lifted the body that it released last, in px.
 double lifted(const Timeline &run)
 {
     const std::optional<Carry> carry = lastLetGo(run);

@@ -92,9 +92,9 @@ Lenken kannst du sie wie zuvor: mit den Pfeiltasten oder mit dem Zeiger, solange
         <translation>Gesellschaft</translation>
     </message>
     <message>
-        <source>Several creatures, each with a clock of its own. They start towards each other, out of step.
+        <source>Several creatures, each with its own clock. They start towards each other, out of step.
 
-Two bodies closer than **distance** push each other apart, by **push** times what is missing: a spring that never pulls. Legs meet nothing.
+Two bodies closer than **distance** push each other apart, by **push** times the missing distance: a spring that never pulls. Legs meet nothing.
 
 Each push is felt by **both**, the opposite way, in the same moment. So all pushes add up to 0, and two creatures that meet share their momentum out anew; the push makes none and loses none. (The ground does: it stops feet.) With **felt by** on one, the second feels nothing. Then each push makes momentum from nothing.</source>
         <translation>Mehrere Figuren, jede mit eigener Uhr. Sie starten aufeinander zu, nicht im Takt.

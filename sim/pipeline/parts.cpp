@@ -281,7 +281,7 @@ std::vector<Phase> PhaseList::take()
 
 namespace {
 
-/// What a part of the step is called that is not the whole of it.
+/// Returns the title of a phase: `whole` if it takes the whole step, else `halved`.
 const char *half(double part, const char *whole, const char *halved)
 {
     return part == 1.0 ? whole : halved;

@@ -86,18 +86,18 @@ public:
     /// What the phases of the step under way (or, between rows, of the last step done) did to the point named.
     std::vector<Moment> moments(const std::string &body) const;
 
-    /// Composes each scene that `script` comes to.
+    /// Composes every scene of `script`.
     /// @throws Error when one does not fit its method, or when a number of the input is not finite
     static void check(const Script &script);
-    /// Input for replaceInput(), with the scenes that it comes to.
+    /// Input for replaceInput(), with its scenes.
     struct NewInput
     {
         std::vector<Event> events;
         std::int64_t frame = 0; ///< the first in which it may differ
         Segments segments;
     };
-    /// Composes each scene that the script comes to with `events` from `frame` on, before anything changes: no step
-    /// will meet one that does not fit.
+    /// Composes every scene of the script with `events` from `frame` on, before anything changes, so that no step
+    /// meets a scene that its method cannot compute.
     /// @throws Error when one does not, or when a number of the input is not finite
     NewInput prepared(std::vector<Event> events, std::int64_t frame) const;
     /// Replaces the input, which prepared() has returned, and forgets what was computed from its frame on. The cursor

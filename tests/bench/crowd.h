@@ -23,7 +23,7 @@ std::vector<sim::Link> springs(int creatures);
 
 /// Scattered over the room, at rest.
 sim::Scene inTheRoom(int creatures);
-/// The same as somebody would build it in the sandbox: each spring has numbers of its own, and effects are made from their
+/// The same scene as the sandbox builds it: each spring has its own numbers, and effects are made from their
 /// descriptions.
 sim::Scene builtInTheRoom(int creatures);
 /// The same creatures with springs and damping alone: neither gravity nor walls are listed.

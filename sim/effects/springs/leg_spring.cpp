@@ -129,7 +129,7 @@ bool LegSpring::takeInto(Taken &into) const
 namespace described {
 constinit const Description leg_spring = {
     "leg_spring", SIM_TEXT("legs"), Kind::spring,
-    SIM_TEXT("Pull each foot to a place of its own, as seen from the body.")};
+    SIM_TEXT("Pull each foot to its own place, as seen from the body.")};
 }
 
 }

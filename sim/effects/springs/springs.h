@@ -8,7 +8,7 @@ namespace described {
 extern const Description springs;
 }
 
-/// A spring of its own between two points, both of which feel it.
+/// A spring between two points, with its own stiffness and length. Both points feel it.
 struct Spring
 {
     int a = 0;

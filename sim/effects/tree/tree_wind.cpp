@@ -58,14 +58,14 @@ struct AsPrinted
     }
 };
 
-/// How the wind comes to the branches of a run, by their places in it.
+/// The wind at each branch of a run, in the order of the run.
 struct Breezes
 {
     // These begin without values: each number is written before it is read.
     TreeRow reachX, reachY, wind, distance;
 };
 
-/// Computes how the wind comes to each branch of `run`, without the rule for an end that the pointer is on.
+/// Computes the wind at each branch of `run`, as if the pointer were on no branch's end.
 template <class Bend>
 void findBreezes(const TreeWalk &walk, State &state, const double *scale, Points run, const Bend &bendBy,
                  Breezes &into)

@@ -50,7 +50,7 @@ inline BranchWind windAt(
     BranchWind found =
         windAt(end, pointer);
     if (found.distance < inOnePlace) {
-        // the pointer has no number
+        // -1 stands for the pointer
         Vec2 out =
             partingDirection(-1, branch);
         found.wind =
