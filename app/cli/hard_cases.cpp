@@ -3,7 +3,7 @@
 #include "app/cli/hard_report.h"
 #include "app/cli/terminal.h"
 #include "app/model/words.h"
-#include "sim/hard_cases/catalogue.h"
+#include "sim/catalogue/hard_cases.h"
 #include "sim/methods/methods.h"
 
 #include <QCoreApplication>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/hard_cases/judge.h"
+#include "sim/catalogue/judge.h"
 
 #include <QJsonObject>
 #include <QString>

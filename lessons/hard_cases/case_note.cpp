@@ -3,7 +3,7 @@
 #include "cases.h"
 
 #include "sim/analysis/accuracy/run.h"
-#include "sim/hard_cases/judge.h"
+#include "sim/catalogue/judge.h"
 
 #include <QCoreApplication>
 

@@ -3,11 +3,11 @@
 #include "lessons/api/choice_group.h"
 #include "lessons/api/creature.h"
 #include "lessons/api/parameters.h"
+#include "sim/catalogue/hard_cases.h"
 #include "sim/effects/constraints/sticks.h"
 #include "sim/effects/contacts/ground.h"
 #include "sim/effects/contacts/walls.h"
 #include "sim/effects/tree/joints.h"
-#include "sim/hard_cases/catalogue.h"
 
 #include <QCoreApplication>
 

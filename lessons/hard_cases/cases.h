@@ -1,9 +1,9 @@
 #pragma once
 
 #include "lessons/api/step.h"
-#include "sim/hard_cases/hard_case.h"
+#include "sim/catalogue/hard_case.h"
 
-/// The catalogue of sim/hard_cases as the last step shows it.
+/// The hard cases of sim/catalogue as the last step shows it.
 namespace hard_cases {
 
 /// Those that begin at all: what a refused one has to show is one sentence, and no scene. A tree that is too large to

@@ -4,7 +4,7 @@
 #include "sim/scene/values.h"
 
 /// One scene a step, each set up by the same function name, so that the code of two steps differs only in what is
-/// new. The last step shows those of sim/hard_cases.
+/// new. The last step shows those of sim/catalogue.
 namespace hard_cases {
 
 /// px: where the springs of `limit` and `long_run` end.

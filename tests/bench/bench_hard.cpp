@@ -3,7 +3,7 @@
 
 #include "crowd.h"
 
-#include "sim/hard_cases/scenes.h"
+#include "sim/catalogue/scenes.h"
 #include "sim/methods/methods.h"
 #include "sim/pipeline/pipeline.h"
 

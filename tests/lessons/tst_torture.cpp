@@ -1,7 +1,7 @@
 // The torture panel: each hard case under any method, with a note on what the method claims and what came of it.
 
-#include "sim/hard_cases/catalogue.h"
-#include "sim/hard_cases/judge.h"
+#include "sim/catalogue/hard_cases.h"
+#include "sim/catalogue/judge.h"
 #include "sim/methods/methods.h"
 #include "tests/lessons/support.h"
 

@@ -2,6 +2,7 @@
 
 #include "support.h"
 
+#include "sim/catalogue/scenes.h"
 #include "sim/effects/constraints/angle_limits.h"
 #include "sim/effects/constraints/area_stick.h"
 #include "sim/effects/constraints/soft_sticks.h"
@@ -9,7 +10,6 @@
 #include "sim/effects/contacts/room_limits.h"
 #include "sim/effects/drags/damping.h"
 #include "sim/effects/fields/gravity.h"
-#include "sim/hard_cases/scenes.h"
 #include "sim/methods/methods.h"
 #include "sim/run/track.h"
 

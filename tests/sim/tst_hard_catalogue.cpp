@@ -5,8 +5,8 @@
 #include "tests/sizes.h"
 
 #include "sim/base/error.h"
-#include "sim/hard_cases/catalogue.h"
-#include "sim/hard_cases/judge.h"
+#include "sim/catalogue/hard_cases.h"
+#include "sim/catalogue/judge.h"
 #include "sim/methods/methods.h"
 
 #include <QTest>

@@ -1,8 +1,8 @@
 // A judge that lets nothing pass: each of its looks finds what was made wrong on purpose.
 
 #include "sim/base/error.h"
-#include "sim/hard_cases/catalogue.h"
-#include "sim/hard_cases/judge.h"
+#include "sim/catalogue/hard_cases.h"
+#include "sim/catalogue/judge.h"
 #include "sim/methods/methods.h"
 
 #include <QTest>

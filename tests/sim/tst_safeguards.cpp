@@ -4,9 +4,9 @@
 
 #include "sim/base/direction.h"
 #include "sim/base/error.h"
+#include "sim/catalogue/scenes.h"
 #include "sim/effects/constraints/area_stick.h"
 #include "sim/effects/tree/tree_wind.h"
-#include "sim/hard_cases/scenes.h"
 #include "sim/methods/implicit/newton.h"
 #include "sim/methods/implicit/solvers/semidefinite.h"
 #include "sim/methods/methods.h"

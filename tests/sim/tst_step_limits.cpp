@@ -4,8 +4,8 @@
 #include "support.h"
 
 #include "sim/analysis/stability/remedies/remedies.h"
-#include "sim/hard_cases/catalogue.h"
-#include "sim/hard_cases/judge.h"
+#include "sim/catalogue/hard_cases.h"
+#include "sim/catalogue/judge.h"
 #include "sim/methods/methods.h"
 
 #include <QTest>

@@ -3,10 +3,10 @@
 #include "support.h"
 
 #include "sim/analysis/stability/remedies/stick_fit.h"
+#include "sim/catalogue/scenes.h"
 #include "sim/effects/constraints/sticks.h"
 #include "sim/effects/drags/damping.h"
 #include "sim/effects/fields/gravity.h"
-#include "sim/hard_cases/scenes.h"
 #include "sim/methods/methods.h"
 
 #include <QTest>

@@ -1,4 +1,4 @@
-#include "sim/hard_cases/hard_case.h"
+#include "sim/catalogue/hard_case.h"
 
 #include <algorithm>
 

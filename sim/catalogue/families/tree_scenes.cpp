@@ -1,3 +1,4 @@
+#include "sim/catalogue/scenes.h"
 #include "sim/effects/drags/damping.h"
 #include "sim/effects/drivers/gust.h"
 #include "sim/effects/drivers/turn_to_pointer.h"
@@ -5,7 +6,6 @@
 #include "sim/effects/tree/torsion.h"
 #include "sim/effects/tree/tree_wind.h"
 #include "sim/effects/tree/wind_torque.h"
-#include "sim/hard_cases/scenes.h"
 
 namespace sim::hard {
 

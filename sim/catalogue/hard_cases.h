@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/hard_cases/hard_case.h"
+#include "sim/catalogue/hard_case.h"
 
 namespace sim {
 

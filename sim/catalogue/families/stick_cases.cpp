@@ -1,5 +1,5 @@
-#include "sim/hard_cases/families/families.h"
-#include "sim/hard_cases/scenes.h"
+#include "sim/catalogue/families/families.h"
+#include "sim/catalogue/scenes.h"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "sim/base/error.h"
-#include "sim/hard_cases/hard_case.h"
+#include "sim/catalogue/hard_case.h"
 
 namespace sim {
 

@@ -1,4 +1,4 @@
-#include "sim/hard_cases/claims.h"
+#include "sim/catalogue/claims.h"
 
 #include "sim/analysis/accuracy/run.h"
 #include "sim/effects/drags/damping.h"

@@ -1,4 +1,4 @@
-#include "sim/hard_cases/judge.h"
+#include "sim/catalogue/judge.h"
 
 #include "sim/analysis/accuracy/run.h"
 #include "sim/analysis/stability/remedies/stick_fit.h"

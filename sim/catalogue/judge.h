@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/hard_cases/claims.h"
+#include "sim/catalogue/claims.h"
 
 #include <functional>
 

@@ -1,7 +1,7 @@
+#include "sim/catalogue/scenes.h"
 #include "sim/effects/constraints/sticks.h"
 #include "sim/effects/drags/damping.h"
 #include "sim/effects/fields/gravity.h"
-#include "sim/hard_cases/scenes.h"
 
 namespace sim::hard {
 

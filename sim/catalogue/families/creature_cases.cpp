@@ -1,7 +1,7 @@
+#include "sim/catalogue/families/families.h"
+#include "sim/catalogue/scenes.h"
 #include "sim/effects/drags/damping.h"
 #include "sim/effects/fields/charges.h"
-#include "sim/hard_cases/families/families.h"
-#include "sim/hard_cases/scenes.h"
 
 namespace sim::hard {
 

@@ -1,4 +1,4 @@
-#include "sim/hard_cases/scenes.h"
+#include "sim/catalogue/scenes.h"
 
 #include "sim/effects/constraints/soft_sticks.h"
 #include "sim/effects/constraints/sticks.h"

@@ -1,6 +1,6 @@
-#include "sim/hard_cases/catalogue.h"
+#include "sim/catalogue/hard_cases.h"
 
-#include "sim/hard_cases/families/families.h"
+#include "sim/catalogue/families/families.h"
 
 #include <iterator>
 
