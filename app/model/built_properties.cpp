@@ -155,7 +155,7 @@ void addPoints(Collector &all, const sim::Blueprint &plan, const Chosen &chosen)
 }
 
 /// What effects read of points, while they are in the scene.
-void addSettings(Collector &all, const sim::Blueprint &plan, sim::Catalogue known)
+void addSettings(Collector &all, const sim::Blueprint &plan, sim::EffectList known)
 {
     for (const sim::Description *effect : known) {
         if (!sim::has(plan, effect->id))
@@ -231,7 +231,7 @@ void addFootOf(Collector &all, const sim::Blueprint &plan, int foot)
 }
 
 std::vector<BuiltProperty> propertiesOf(const sim::Blueprint &plan, const Chosen &chosen,
-                                        sim::Catalogue known)
+                                        sim::EffectList known)
 {
     Collector all;
     if (!chosen.points.empty()) {

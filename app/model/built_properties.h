@@ -2,7 +2,7 @@
 
 #include "app/model/blueprint_edits.h"
 #include "lessons/api/parameter.h"
-#include "sim/effects/catalogue.h"
+#include "sim/effects/all_effects.h"
 
 #include <QString>
 
@@ -26,6 +26,6 @@ struct BuiltProperty
 /// What can be set of the chosen parts: of points, springs and sticks; of a single foot its leg and its gait group, too.
 /// Points have what those effects of `known` read of them that the plan lists.
 std::vector<BuiltProperty> propertiesOf(const sim::Blueprint &plan, const Chosen &chosen,
-                                        sim::Catalogue known = {});
+                                        sim::EffectList known = {});
 
 }

@@ -1,7 +1,7 @@
 #include "app/model/code_meanings.h"
 
 #include "app/model/sentences.h"
-#include "sim/effects/catalogue.h"
+#include "sim/effects/all_effects.h"
 
 #include <QCoreApplication>
 
@@ -66,7 +66,7 @@ Meaning meaningOf(const QString &name, const sim::Phase &phase)
 {
     const QString whole = name.section('.', 0, 0);
     const auto *described =
-        phase.effect ? sim::findDescription(sim::catalogue(), phase.effect->id()) : nullptr;
+        phase.effect ? sim::findDescription(sim::allEffects(), phase.effect->id()) : nullptr;
     if (described) {
         for (const sim::Variable &one : described->variables) {
             if (whole == QLatin1String(one.name))

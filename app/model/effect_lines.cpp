@@ -2,7 +2,7 @@
 
 #include "app/model/numbers.h"
 #include "app/model/sentences.h"
-#include "sim/effects/catalogue.h"
+#include "sim/effects/all_effects.h"
 
 #include <QCoreApplication>
 

@@ -1,7 +1,7 @@
 #include "app/model/known_effects.h"
 
 #include "sim/base/error.h"
-#include "sim/effects/catalogue.h"
+#include "sim/effects/all_effects.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "lessons/api/parameter.h"
-#include "sim/effects/catalogue.h"
+#include "sim/effects/all_effects.h"
 
 #include <vector>
 
@@ -11,7 +11,7 @@ namespace lessons {
 /// Returns a setting of an effect as a parameter, in the learner's language.
 Parameter parameterOf(const sim::Setting &setting);
 /// Returns the settings of all effects of `known`, each once, with the effects that read it.
-std::vector<Parameter> settingsOf(sim::Catalogue known);
+std::vector<Parameter> settingsOf(sim::EffectList known);
 /// Returns the setting `id` of the effect `effect`, with another preset.
 Parameter settingOf(const sim::Description &effect, const char *id, double preset);
 

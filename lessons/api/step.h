@@ -5,7 +5,7 @@
 #include "lessons/api/explanation.h"
 #include "lessons/api/look.h"
 #include "lessons/api/parameter.h"
-#include "sim/effects/catalogue.h"
+#include "sim/effects/all_effects.h"
 #include "sim/run/timeline.h"
 
 #include <cstdint>

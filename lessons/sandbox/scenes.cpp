@@ -2,7 +2,7 @@
 
 #include "lessons/api/creature.h"
 #include "plan.h"
-#include "sim/effects/catalogue.h"
+#include "sim/effects/all_effects.h"
 #include "sim/effects/constraints/sticks.h"
 #include "sim/effects/drivers/gait_clock.h"
 
@@ -34,7 +34,7 @@ Scene setUp(const Values &values)
     }
     // the effects that are switched on
     auto chosen = chosenEffects(
-        catalogue(), plan, values);
+        allEffects(), plan, values);
     for (EffectPtr &one : chosen.pulls)
         scene.effects.push_back(one);
     if (!plan.sticks.empty())

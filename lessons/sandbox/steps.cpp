@@ -33,7 +33,7 @@ Step buildStep()
         "What acts on the whole scene, as gravity or wind, you choose below. Building happens at the start "
         "of the "
         "run: play to see what your scene does, and come back to go on building.");
-    step.parameters = settingsOf(sim::catalogue());
+    step.parameters = settingsOf(sim::allEffects());
     step.scene = build::setUp;
     step.look = builtLook;
     step.method = "semi_implicit_euler";
@@ -42,7 +42,7 @@ Step buildStep()
         if (!script.values.blueprint)
             script.values.blueprint = firstPlan();
     };
-    for (const sim::Description *one : sim::catalogue()) {
+    for (const sim::Description *one : sim::allEffects()) {
         if (one->make)
             step.catalogue.push_back(one);
     }

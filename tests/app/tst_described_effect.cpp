@@ -285,7 +285,7 @@ private slots:
     {
         QStringList ids;
         std::map<std::string, const sim::Setting *> settings;
-        for (const sim::Description *one : sim::catalogue()) {
+        for (const sim::Description *one : sim::allEffects()) {
             ids << one->id;
             for (const sim::Setting &setting : one->settings) {
                 const auto [known, isNew] = settings.emplace(setting.id, &setting);

@@ -1,7 +1,7 @@
 #include "crowd.h"
 
 #include "sim/base/random.h"
-#include "sim/effects/catalogue.h"
+#include "sim/effects/all_effects.h"
 #include "sim/effects/contacts/walls.h"
 #include "sim/effects/drags/damping.h"
 #include "sim/effects/fields/gravity.h"
@@ -99,7 +99,7 @@ sim::Scene builtInTheRoom(int creatures)
         for (int creature = 0; creature < creatures; ++creature)
             own.push_back({pointOf(creatures, creature, foot), creature, k, radius});
     }
-    sim::ChosenEffects chosen = sim::chosenEffects(sim::catalogue(), plan, values);
+    sim::ChosenEffects chosen = sim::chosenEffects(sim::allEffects(), plan, values);
     scene.effects = std::move(chosen.pulls);
     scene.effects.insert(scene.effects.begin(), std::make_shared<sim::Springs>(own, scene.start.points()));
     scene.effects.insert(scene.effects.end(), chosen.rest.begin(), chosen.rest.end());

@@ -2,7 +2,7 @@
 
 #include "support.h"
 
-#include "sim/effects/catalogue.h"
+#include "sim/effects/all_effects.h"
 #include "sim/effects/fields/charges.h"
 #include "sim/methods/methods.h"
 #include "sim/scene/built.h"
@@ -365,7 +365,7 @@ private slots:
         Values values;
         values.set("charge_strength", 700.0);
         values.set("softening", 12.0);
-        const ChosenEffects chosen = chosenEffects(catalogue(), plan, values);
+        const ChosenEffects chosen = chosenEffects(allEffects(), plan, values);
         QCOMPARE(chosen.pulls.size(), std::size_t(1));
         Taken taken;
         taken.now = State::ofPoints(3);

@@ -25,7 +25,7 @@ namespace {
 constexpr int feet = 2;
 
 /// One of each effect that there is.
-std::vector<EffectPtr> allEffects()
+std::vector<EffectPtr> oneOfEach()
 {
     return {
         std::make_shared<PointSpring>(feet, Vec2{250, 150}, 0.1),
@@ -77,7 +77,7 @@ std::vector<EffectPtr> computed(const Scene &scene, const Method &method)
 Scene roomScene()
 {
     Scene scene = support::pointsOf(feet);
-    scene.effects = {allEffects()[3], allEffects()[4], allEffects()[5], allEffects()[6]};
+    scene.effects = {oneOfEach()[3], oneOfEach()[4], oneOfEach()[5], oneOfEach()[6]};
     return scene;
 }
 
@@ -170,7 +170,7 @@ private slots:
     void everyPhaseSaysWhatItIs()
     {
         Scene scene = roomScene();
-        scene.effects = allEffects();
+        scene.effects = oneOfEach();
         for (const MethodPtr &method : allMethods()) {
             for (const Phase &phase : compose(scene, *method, support::stepFor(*method, 1.0)).phases) {
                 QVERIFY(!phase.id.empty() && !phase.title.empty() && !phase.regions.empty());
@@ -249,7 +249,7 @@ private slots:
     {
         QFETCH(QString, method);
         QFETCH(double, h);
-        const std::vector<EffectPtr> effects = allEffects();
+        const std::vector<EffectPtr> effects = oneOfEach();
         for (unsigned subset = 0; subset < 1u << effects.size(); ++subset) {
             Scene scene = support::pointsOf(feet);
             support::scatter(scene.start, subset, 200.0);

@@ -1,4 +1,4 @@
-#include "sim/effects/catalogue.h"
+#include "sim/effects/all_effects.h"
 
 #include "sim/scene/built.h"
 
@@ -49,7 +49,7 @@ EFFECTS(DECLARE)
 #undef DECLARE
 }
 
-Catalogue catalogue()
+EffectList allEffects()
 {
 #define ADDRESS(name) &described::name,
     static constexpr const Description *all[] = {EFFECTS(ADDRESS)};
@@ -57,7 +57,7 @@ Catalogue catalogue()
     return all;
 }
 
-const Description *findDescription(Catalogue known, const std::string &id)
+const Description *findDescription(EffectList known, const std::string &id)
 {
     const auto found =
         std::find_if(known.begin(), known.end(), [&](const Description *one) { return one->id == id; });
@@ -66,11 +66,11 @@ const Description *findDescription(Catalogue known, const std::string &id)
 
 std::string purposeOf(const Effect &effect)
 {
-    const Description *found = findDescription(catalogue(), effect.id());
+    const Description *found = findDescription(allEffects(), effect.id());
     return found ? found->purpose : std::string();
 }
 
-ChosenEffects chosenEffects(Catalogue known, const Blueprint &plan, const Values &values)
+ChosenEffects chosenEffects(EffectList known, const Blueprint &plan, const Values &values)
 {
     ChosenEffects chosen;
     for (const Description *one : known) {
