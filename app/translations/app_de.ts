@@ -8352,6 +8352,14 @@ auf dem Schirm (30 pro Sekunde)</translation>
         <source>Two like charges begin in one place, where the force between them is greatest and has no direction.</source>
         <translation>Zwei gleiche Ladungen beginnen an einem Ort, wo die Kraft zwischen ihnen am größten ist und keine Richtung hat.</translation>
     </message>
+    <message>
+        <source>creature</source>
+        <translation>Figur</translation>
+    </message>
+    <message>
+        <source>bodies</source>
+        <translation>Körper</translation>
+    </message>
 </context>
 <context>
     <name>sim::Keys</name>

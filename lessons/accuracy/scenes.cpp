@@ -63,7 +63,7 @@ namespace halve {
 Scene setUp(const Values &values)
 {
     const int feet = 5;
-    Scene scene = creatureWithFeet(feet);
+    Scene scene = creature(feet);
     const int body = feet; // comes last
     placeFeet(scene, {{322, 154}, {210, 170},
                       {225, 252}, {330, 230},
@@ -93,7 +93,7 @@ namespace adapt {
 //! [adapt]
 Scene setUp(const Values &values)
 {
-    Scene scene = creatureOnHandle();
+    Scene scene = pairOnHandle();
     const int body = 1;
     scene.start.place(foot, {440, 200});
     scene.start.push(foot, {0, 0.2});
@@ -147,7 +147,7 @@ namespace budget {
 Scene setUp(const Values &values)
 {
     const int feet = 3;
-    Scene scene = creatureWithFeet(feet);
+    Scene scene = creature(feet);
     const int body = feet; // comes last
     placeFeet(scene, {{322, 154}, {210, 170},
                       {265, 272}});

@@ -111,27 +111,4 @@
         <translation>Wie weit unten das Kreuz ist.</translation>
     </message>
 </context>
-<context>
-    <name>sim</name>
-    <message>
-        <source>foot</source>
-        <translation>Fuß</translation>
-    </message>
-    <message>
-        <source>feet</source>
-        <translation>Füße</translation>
-    </message>
-    <message>
-        <source>body</source>
-        <translation>Körper</translation>
-    </message>
-    <message>
-        <source>bodies</source>
-        <translation>Körper</translation>
-    </message>
-    <message>
-        <source>creature</source>
-        <translation>Figur</translation>
-    </message>
-</context>
 </TS>

@@ -20,7 +20,7 @@ namespace walls {
 Scene setUp(const Values &values)
 {
     int feet = values.whole("feet");
-    Scene scene = creatureWithFeet(feet);
+    Scene scene = creature(feet);
     const int body = feet; // comes last
     scene.start.place(body, {420, 320});
     scene.start.push(body, {14, 9});
@@ -58,7 +58,7 @@ namespace gravity {
 Scene setUp(const Values &values)
 {
     int feet = values.whole("feet");
-    Scene scene = creatureWithFeet(feet);
+    Scene scene = creature(feet);
     const int body = feet; // comes last
     const auto seed = values.seed;
     for (int i = 0; i < feet; ++i) {

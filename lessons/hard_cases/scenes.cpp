@@ -15,22 +15,6 @@ using namespace lessons;
 
 namespace hard_cases {
 
-namespace {
-
-Scene threePoints()
-{
-    Scene scene;
-    scene.start = State::ofPoints(3);
-    scene.start.place(0, {260, 205});
-    scene.start.place(1, {280, 205});
-    scene.start.place(2, {270, 185});
-    scene.names = {"p0", "p1", "p2"};
-    scene.groups = {{SIM_TEXT("points"), {0, 3}}};
-    return scene;
-}
-
-}
-
 namespace limit {
 
 //! [limit]
@@ -55,7 +39,7 @@ namespace runaway {
 //! [runaway]
 Scene setUp(const Values &values)
 {
-    Scene scene = creature(1);
+    Scene scene = pair();
     const int foot = 0, body = 1;
     scene.start.place(foot, {330, 260});
 
@@ -79,7 +63,7 @@ namespace many_feet {
 Scene setUp(const Values &values)
 {
     const int feet = values.whole("feet");
-    Scene scene = creatureWithFeet(feet);
+    Scene scene = creature(feet);
     const int body = feet; // comes last
     placeFeet(scene, {}); // evenly round it
     scene.start.push(body, {2, 1});
@@ -107,7 +91,7 @@ namespace one_place {
 Scene setUp(const Values &values)
 {
     const int feet = values.whole("feet");
-    Scene scene = creatureWithFeet(feet);
+    Scene scene = creature(feet);
     const int body = feet; // comes last
     // All of them stay where they are
     // made: in one place.
@@ -135,7 +119,7 @@ namespace stiff {
 Scene setUp(const Values &values)
 {
     const int feet = 3;
-    Scene scene = creatureWithFeet(feet);
+    Scene scene = creature(feet);
     const int body = feet; // comes last
     placeFeet(scene, {{322, 154}, {210, 170},
                       {265, 272}});
@@ -162,7 +146,8 @@ namespace contradiction {
 //! [contradiction]
 Scene setUp(const Values &values)
 {
-    Scene scene = threePoints();
+    Scene scene = scenes::pointsAt(
+        {{260, 205}, {280, 205}, {270, 185}});
 
     double k = values["k"];
     double longest = values["longest"];

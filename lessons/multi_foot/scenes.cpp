@@ -19,7 +19,7 @@ namespace two_feet {
 Scene setUp(const Values &values)
 {
     const int feet = 2;
-    Scene scene = creatureWithFeet(feet);
+    Scene scene = creature(feet);
     const int body = feet; // comes last
     scene.start.place(0, {310, 240});
     scene.start.place(1, {220, 180});
@@ -47,7 +47,7 @@ namespace any_number {
 Scene setUp(const Values &values)
 {
     int feet = values.whole("feet");
-    Scene scene = creatureWithFeet(feet);
+    Scene scene = creature(feet);
     const int body = feet; // comes last
     placeFeet(scene, {{300, 210}, {250, 230},
                       {280, 160}, {240, 190},
@@ -76,7 +76,7 @@ namespace grown_feet {
 Scene setUp(const Values &values)
 {
     int feet = values.whole("feet");
-    Scene scene = creatureWithFeet(feet);
+    Scene scene = creature(feet);
     const int body = feet; // comes last
     const auto seed = values.seed;
     for (int i = 0; i < feet; ++i) {

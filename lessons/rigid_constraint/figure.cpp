@@ -1,10 +1,9 @@
 #include "figure.h"
 
-#include "lessons/api/creature.h"
+#include "sim/scenes/points.h"
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 namespace rigid_constraint {
 
@@ -12,14 +11,9 @@ namespace {
 
 sim::Scene pointsThat(const sim::Values &values, int own, sim::Inertia inertia)
 {
-    const int count = values.points.value_or(own);
-    sim::Scene scene;
-    scene.start = sim::State::ofPoints(count);
-    scene.start.position.col(0) = 240.0;
-    scene.start.position.col(1) = 165.0;
-    for (int i = 0; i < count; ++i)
-        scene.names.push_back(std::string("p").append(std::to_string(i)));
-    scene.groups = {{SIM_TEXT("points"), {0, count}, inertia}};
+    const auto count = static_cast<std::size_t>(values.points.value_or(own));
+    sim::Scene scene = scenes::pointsAt(std::vector<sim::Vec2>(count, {240.0, 165.0}));
+    scene.groups.front().inertia = inertia;
     return scene;
 }
 
@@ -51,7 +45,7 @@ sim::Stick stickBetween(const std::vector<sim::Vec2> &places, int a, int b)
 void addSticks(sim::Scene &scene, const sim::Values &values, const std::vector<sim::Stick> &own,
                int iterations)
 {
-    lessons::add<sim::Sticks>(scene, values.sticks.value_or(own), scene.start.points(), iterations);
+    scenes::add<sim::Sticks>(scene, values.sticks.value_or(own), scene.start.points(), iterations);
 }
 
 std::vector<sim::Stick> sticksOf(const sim::Scene &scene)

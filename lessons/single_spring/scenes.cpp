@@ -55,7 +55,7 @@ namespace moving_body {
 //! [moving_body]
 Scene setUp(const Values &values)
 {
-    Scene scene = creatureOnHandle();
+    Scene scene = pairOnHandle();
     scene.start.place(foot, {100, 300});
 
     std::vector<Link> links = {{foot, body}};
@@ -75,7 +75,7 @@ namespace offset {
 //! [offset]
 Scene setUp(const Values &values)
 {
-    Scene scene = creatureOnHandle();
+    Scene scene = pairOnHandle();
     scene.start.place(foot, {100, 300});
 
     std::vector<Link> links = {{foot, body}};
@@ -96,7 +96,7 @@ namespace radial {
 //! [radial]
 Scene setUp(const Values &values)
 {
-    Scene scene = creatureOnHandle();
+    Scene scene = pairOnHandle();
     scene.start.place(foot, {300, 230});
 
     std::vector<Link> links = {{foot, body}};

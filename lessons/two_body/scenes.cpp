@@ -17,7 +17,7 @@ namespace mutual {
 //! [mutual]
 Scene setUp(const Values &values)
 {
-    Scene scene = creature(1);
+    Scene scene = pair();
     scene.start.place(foot, {330, 260});
 
     std::vector<Link> links = {{foot, body},
@@ -46,7 +46,7 @@ namespace leg_line {
 //! [leg_line]
 Scene setUp(const Values &values)
 {
-    Scene scene = creature(1);
+    Scene scene = pair();
     scene.start.place(foot, {330, 260});
 
     std::vector<Link> links = {{foot, body},

@@ -27,7 +27,7 @@ namespace bones {
 //! [bones]
 Scene setUp(const Values &values)
 {
-    Scene scene = creatureWithFeetOnHandle(2);
+    Scene scene = creatureOnHandle(2);
     const int body = 2; // comes last
     scene.start.place(0, {255, 260});
     scene.start.place(1, {285, 260});
@@ -54,7 +54,7 @@ namespace legs {
 //! [legs]
 Scene setUp(const Values &values)
 {
-    Scene scene = creatureWithFeetOnHandle(2);
+    Scene scene = creatureOnHandle(2);
     const int body = 2; // comes last
     scene.start.place(0, {255, 260});
     scene.start.place(1, {285, 260});
@@ -81,7 +81,7 @@ namespace feet_below {
 //! [feet_below]
 Scene setUp(const Values &values)
 {
-    Scene scene = creatureWithFeetOnHandle(2);
+    Scene scene = creatureOnHandle(2);
     const int body = 2; // comes last
     scene.start.place(0, {220, 350});
     scene.start.place(1, {320, 350});
@@ -110,7 +110,7 @@ namespace curved_legs {
 //! [curved_legs]
 Scene setUp(const Values &values)
 {
-    Scene scene = creatureWithFeetOnHandle(2);
+    Scene scene = creatureOnHandle(2);
     const int body = 2; // comes last
     scene.start.place(0, {220, 350});
     scene.start.place(1, {320, 350});
@@ -139,7 +139,7 @@ namespace swing {
 //! [swing]
 Scene setUp(const Values &values)
 {
-    Scene scene = creatureWithFeetOnHandle(2);
+    Scene scene = creatureOnHandle(2);
     const int body = 2; // comes last
     scene.start.place(0, {220, 350});
     scene.start.place(1, {320, 350});
@@ -174,7 +174,7 @@ namespace body_pulled {
 //! [body_pulled]
 Scene setUp(const Values &values)
 {
-    Scene scene = creatureWithFeet(2);
+    Scene scene = creature(2);
     const int body = 2; // comes last
     scene.start.place(0, {220, 350});
     scene.start.place(1, {320, 350});
@@ -210,7 +210,7 @@ namespace ground {
 //! [ground]
 Scene setUp(const Values &values)
 {
-    Scene scene = creatureWithFeet(2);
+    Scene scene = creature(2);
     const int body = 2; // comes last
     const std::vector<int> feet = {0, 1};
     scene.start.place(0, {220, 350});
@@ -258,7 +258,7 @@ namespace more_feet {
 Scene setUp(const Values &values)
 {
     int count = values.whole("feet");
-    Scene scene = creatureWithFeet(count);
+    Scene scene = creature(count);
     const int body = count; // comes last
     scene.start.place(body, {270, 300});
 
@@ -310,7 +310,7 @@ namespace steering {
 //! [steering]
 Scene setUp(const Values &values)
 {
-    Scene scene = creatureWithFeet(2);
+    Scene scene = creature(2);
     const int body = 2; // comes last
     const std::vector<int> feet = {0, 1};
     scene.start.place(0, {220, 350});
@@ -362,7 +362,7 @@ namespace walls {
 //! [walls]
 Scene setUp(const Values &values)
 {
-    Scene scene = creatureWithFeet(2);
+    Scene scene = creature(2);
     const int body = 2; // comes last
     const std::vector<int> feet = {0, 1};
     scene.start.place(0, {220, 350});

@@ -19,8 +19,8 @@ inline lessons::Step fallStep()
     step.method = "semi_implicit_euler";
     step.parameters = {lessons::gravity(), lessons::stiffness()};
     step.scene = [](const sim::Values &values) {
-        sim::Scene scene = lessons::creatureOnHandle();
-        lessons::add<sim::Gravity>(scene, values["gravity"]);
+        sim::Scene scene = scenes::pairOnHandle();
+        scenes::add<sim::Gravity>(scene, values["gravity"]);
         return scene;
     };
     step.look = [](const sim::Scene &scene, const sim::Values &) { return lessons::creatureLook(scene); };

@@ -40,11 +40,11 @@ inline lessons::Step tiedStep()
     gravity.preset = 0.0;
     step.parameters = {lessons::stiffness(), lessons::damping(), gravity};
     step.scene = [](const sim::Values &values) {
-        sim::Scene scene = lessons::creature(1);
+        sim::Scene scene = scenes::pair();
         scene.start.place(0, {300, 210});
-        lessons::add<TiedSpring>(scene, std::vector<sim::Link>{{0, 1}}, values["k"]);
-        lessons::add<RareGravity>(scene, values["gravity"]);
-        lessons::add<sim::Damping>(scene, values["damp"]);
+        scenes::add<TiedSpring>(scene, std::vector<sim::Link>{{0, 1}}, values["k"]);
+        scenes::add<RareGravity>(scene, values["gravity"]);
+        scenes::add<sim::Damping>(scene, values["damp"]);
         return scene;
     };
     step.look = [](const sim::Scene &scene, const sim::Values &) {
@@ -60,9 +60,9 @@ inline lessons::Step puppetStep()
     step.id = "puppet";
     step.title = "A puppet";
     step.scene = [](const sim::Values &) {
-        sim::Scene scene = lessons::loneFoot();
+        sim::Scene scene = scenes::loneFoot();
         scene.groups.front().inertia = sim::Inertia::none;
-        lessons::add<sim::CarriedByPointer>(scene, 0);
+        scenes::add<sim::CarriedByPointer>(scene, 0);
         return scene;
     };
     step.look = [](const sim::Scene &scene, const sim::Values &) { return lessons::creatureLook(scene); };
@@ -74,8 +74,8 @@ inline lessons::Step walledStep()
     lessons::Step step = tiedStep();
     step.id = "walled";
     step.scene = [](const sim::Values &) {
-        sim::Scene scene = lessons::creature(1);
-        lessons::add<sim::Walls>(scene, sim::Room{20, 520, 380, 1}, lessons::halfWidths(scene));
+        sim::Scene scene = scenes::pair();
+        scenes::add<sim::Walls>(scene, sim::Room{20, 520, 380, 1}, scenes::halfWidths(scene));
         return scene;
     };
     return step;

@@ -23,10 +23,10 @@ lessons::Step springStep(const QString &id, const QString &title, const QString 
     step.narration = "A **spring** pulls the foot to the cross.\n\nTwice as far, twice the pull.";
     step.parameters = {lessons::stiffness(), lessons::damping()};
     step.scene = [](const sim::Values &values) {
-        sim::Scene scene = lessons::creature(1);
+        sim::Scene scene = scenes::pair();
         scene.start.place(0, {300, 210});
-        lessons::add<sim::PointSpring>(scene, 0, sim::Vec2{270, 200}, values["k"]);
-        lessons::add<sim::Damping>(scene, values["damp"]);
+        scenes::add<sim::PointSpring>(scene, 0, sim::Vec2{270, 200}, values["k"]);
+        scenes::add<sim::Damping>(scene, values["damp"]);
         return scene;
     };
     step.look = [](const sim::Scene &scene, const sim::Values &) { return lessons::creatureLook(scene); };

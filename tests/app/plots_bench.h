@@ -25,7 +25,7 @@ inline lessons::Step loneStep(const char *id, sim::Vec2 start, const char *metho
     step.method = method;
     step.parameters = {lessons::stiffness(stiffness)};
     step.scene = [start, addEffects](const sim::Values &values) {
-        sim::Scene scene = lessons::loneFoot();
+        sim::Scene scene = scenes::loneFoot();
         scene.start.place(0, start);
         addEffects(scene, values);
         return scene;
@@ -39,17 +39,17 @@ inline lessons::Step loneStep(const char *id, sim::Vec2 start, const char *metho
 inline app::LessonLibrary library()
 {
     const auto swing = [](sim::Scene &scene, const sim::Values &values) {
-        lessons::add<sim::PointSpring>(scene, 0, sim::Vec2{270, 200}, values["k"]);
+        scenes::add<sim::PointSpring>(scene, 0, sim::Vec2{270, 200}, values["k"]);
     };
     const auto fall = [](sim::Scene &scene, const sim::Values &) {
-        lessons::add<sim::Gravity>(scene, gravity);
+        scenes::add<sim::Gravity>(scene, gravity);
     };
     lessons::Step pair = loneStep("pair", {}, "published", [](sim::Scene &, const sim::Values &) {});
     pair.scene = [](const sim::Values &values) {
-        sim::Scene scene = lessons::creature(1);
+        sim::Scene scene = scenes::pair();
         scene.start.place(0, {300, 210});
-        lessons::add<sim::PointSpring>(scene, 0, sim::Vec2{270, 200}, values["k"]);
-        lessons::add<sim::Damping>(scene, 0.95);
+        scenes::add<sim::PointSpring>(scene, 0, sim::Vec2{270, 200}, values["k"]);
+        scenes::add<sim::Damping>(scene, 0.95);
         return scene;
     };
     lessons::Step puppet = pair;

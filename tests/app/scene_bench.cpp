@@ -22,26 +22,26 @@ constexpr sim::Room room = {20.0, 520.0, 400.0, 0.6};
 
 sim::Scene pulledCreature(const sim::Values &values)
 {
-    sim::Scene scene = lessons::creature(2);
-    lessons::placeFeet(scene, {{310, 240}, {230, 250}});
-    lessons::add<sim::PointSpring>(scene, 0, sim::Vec2{270, 200}, values["k"]);
-    lessons::add<sim::Gravity>(scene, values["gravity"]);
-    lessons::add<sim::Damping>(scene, values["damp"]);
+    sim::Scene scene = scenes::creature(2);
+    scenes::placeFeet(scene, {{310, 240}, {230, 250}});
+    scenes::add<sim::PointSpring>(scene, 0, sim::Vec2{270, 200}, values["k"]);
+    scenes::add<sim::Gravity>(scene, values["gravity"]);
+    scenes::add<sim::Damping>(scene, values["damp"]);
     return scene;
 }
 
 sim::Scene creatureInARoom(const sim::Values &values)
 {
     sim::Scene scene = pulledCreature(values);
-    lessons::add<sim::Walls>(scene, room, lessons::halfWidths(scene));
+    scenes::add<sim::Walls>(scene, room, scenes::halfWidths(scene));
     return scene;
 }
 
 sim::Scene footOnASpring(const sim::Values &values)
 {
-    sim::Scene scene = lessons::loneFoot();
+    sim::Scene scene = scenes::loneFoot();
     scene.start.place(0, {300, 210});
-    lessons::add<sim::PointSpring>(scene, 0, sim::Vec2{270, 200}, values["k"]);
+    scenes::add<sim::PointSpring>(scene, 0, sim::Vec2{270, 200}, values["k"]);
     return scene;
 }
 

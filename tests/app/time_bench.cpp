@@ -24,12 +24,11 @@ lessons::Step stepCalled(const QString &id, const QString &method)
     step.parameters = {lessons::stiffness(), lessons::damping(), lessons::gravity()};
     step.parameters[0].max = 1e300; // enough to end a run
     step.scene = [](const sim::Values &values) {
-        sim::Scene scene = lessons::creature(1);
-        lessons::placeFeet(scene, {{330, 230}});
-        const std::vector<sim::Link> links = {{0, 1}, {1, 0}};
-        lessons::add<sim::RadialSpring>(scene, links, values["k"], 50.0);
-        lessons::add<sim::Gravity>(scene, values["gravity"]);
-        lessons::add<sim::Damping>(scene, values["damp"]);
+        sim::Scene scene = scenes::pair();
+        scenes::placeFeet(scene, {{330, 230}});
+        scenes::add<sim::RadialSpring>(scene, scenes::legs(1), values["k"], 50.0);
+        scenes::add<sim::Gravity>(scene, values["gravity"]);
+        scenes::add<sim::Damping>(scene, values["damp"]);
         return scene;
     };
     step.look = [](const sim::Scene &scene, const sim::Values &) { return lessons::creatureLook(scene); };

@@ -5,8 +5,6 @@
 #include "lessons/api/parameters.h"
 #include "scene_bench.h"
 #include "sim/effects/constraints/sticks.h"
-#include "sim/effects/drags/damping.h"
-#include "sim/effects/springs/point_spring.h"
 #include "sim/methods/methods.h"
 
 #include <QTemporaryDir>
@@ -18,11 +16,7 @@ namespace {
 
 sim::Scene footOnASpring(const sim::Values &values)
 {
-    sim::Scene scene = lessons::loneFoot();
-    scene.start.place(0, {310, 200});
-    lessons::add<sim::PointSpring>(scene, 0, sim::Vec2{270, 200}, values["k"]);
-    lessons::add<sim::Damping>(scene, values["damp"]);
-    return scene;
+    return scenes::oscillator({310, 200}, {270, 200}, values["k"], values["damp"]);
 }
 
 lessons::Step footStep()

@@ -300,9 +300,9 @@ private slots:
         QFETCH(double, y);
         sim::Script script;
         script.build = [x, y](const sim::Values &) {
-            sim::Scene scene = lessons::loneFoot();
+            sim::Scene scene = scenes::loneFoot();
             scene.start.place(0, {x, y});
-            lessons::add<sim::PointSpring>(scene, 0, sim::Vec2{}, 0.2);
+            scenes::add<sim::PointSpring>(scene, 0, sim::Vec2{}, 0.2);
             return scene;
         };
         script.method = sim::findMethod("semi_implicit_euler");

@@ -29,7 +29,7 @@ lessons::Step crowdStep()
     step.method = "semi_implicit_euler";
     step.scene = [](const sim::Values &values) {
         const int count = values.whole("creatures");
-        sim::Scene scene = lessons::crowdByParts(count, 2);
+        sim::Scene scene = scenes::crowdByParts(count, 2);
         for (int i = 0; i < count; ++i) {
             const double x = 100.0 * (i % 40) + 50.0;
             const double y = 100.0 * (i / 40) + 50.0;
@@ -37,7 +37,7 @@ lessons::Step crowdStep()
             scene.start.place(count + i, {x - 20.0, y + 30.0});
             scene.start.place(2 * count + i, {x + 20.0, y + 30.0});
         }
-        lessons::add<sim::Gravity>(scene, 0.1);
+        scenes::add<sim::Gravity>(scene, 0.1);
         return scene;
     };
     step.look = [](const sim::Scene &scene, const sim::Values &values) {

@@ -5,8 +5,6 @@
 #include "lessons/api/creature.h"
 #include "look_scenes.h"
 #include "scene_bench.h"
-#include "sim/effects/drags/damping.h"
-#include "sim/effects/springs/point_spring.h"
 #include "sim/effects/springs/springs.h"
 
 #include <QTemporaryDir>
@@ -154,13 +152,7 @@ lessons::Step dampedFoot()
 {
     lessons::Step step = look_scenes::step("damped", {}, {});
     step.method = "semi_implicit_euler";
-    step.scene = [](const sim::Values &) {
-        sim::Scene scene = lessons::loneFoot();
-        scene.start.place(0, {400, 200});
-        lessons::add<sim::PointSpring>(scene, 0, sim::Vec2{270, 200}, 0.05);
-        lessons::add<sim::Damping>(scene, 0.8);
-        return scene;
-    };
+    step.scene = [](const sim::Values &) { return scenes::oscillator({400, 200}, {270, 200}, 0.05, 0.8); };
     step.look = [](const sim::Scene &scene, const sim::Values &) { return lessons::creatureLook(scene); };
     return step;
 }

@@ -91,8 +91,7 @@ void paintCreatures(benchmark::State &bench, int count, double across)
     constexpr int feet = 5;
     const double size = std::max(1.0, std::sqrt(count / 15.0));
     const sim::Room room{270.0 - 250.0 * size, 270.0 + 250.0 * size, 380.0, 1.0};
-    sim::Scene scene = lessons::crowdByParts(count, feet);
-    std::vector<sim::Link> links;
+    sim::Scene scene = scenes::crowdByParts(count, feet);
     for (int i = 0; i < count; ++i) {
         const auto index = static_cast<std::uint64_t>(i);
         scene.start.place(i, {room.left + 60.0 + (500.0 * size - 120.0) * sim::uniform(1, 0, index),
@@ -100,14 +99,12 @@ void paintCreatures(benchmark::State &bench, int count, double across)
         for (int foot = i + count; foot < scene.start.points(); foot += count) {
             const double angle = 2.0 * M_PI * sim::uniform(1, 2, static_cast<std::uint64_t>(foot));
             scene.start.place(foot, scene.start.at(i) + 50.0 * sim::Vec2{std::cos(angle), std::sin(angle)});
-            links.push_back({foot, i});
-            links.push_back({i, foot});
         }
     }
-    lessons::add<sim::RadialSpring>(scene, links, 0.2, 50.0);
-    lessons::add<sim::Gravity>(scene, 0.5);
-    lessons::add<sim::Damping>(scene, 0.9);
-    lessons::add<sim::Walls>(scene, room, lessons::halfWidths(scene));
+    scenes::add<sim::RadialSpring>(scene, scenes::legsByParts(count, feet), 0.2, 50.0);
+    scenes::add<sim::Gravity>(scene, 0.5);
+    scenes::add<sim::Damping>(scene, 0.9);
+    scenes::add<sim::Walls>(scene, room, scenes::halfWidths(scene));
     lessons::Look look = lessons::crowdByPartsLook(scene, count);
     look.room = room;
     look.stage = QRectF(room.left, room.floor - 360.0 * size, 500.0 * size, 380.0 * size);

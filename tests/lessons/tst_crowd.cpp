@@ -1,10 +1,9 @@
-#include "lessons/api/creature.h"
 #include "sim/analysis/accuracy/study.h"
 #include "sim/analysis/stability/stability.h"
 #include "sim/effects/contacts/walls.h"
 #include "sim/effects/drags/damping.h"
 #include "sim/effects/fields/gravity.h"
-#include "sim/effects/springs/radial_spring.h"
+#include "sim/scenes/creatures.h"
 #include "tests/lessons/support.h"
 
 #include <QTest>
@@ -39,20 +38,16 @@ class CrowdStep : public QObject
     static sim::Scene alone(const sim::Scene &crowd, int creature, const sim::Room &room,
                             const sim::Values &values)
     {
-        sim::Scene scene = lessons::creatureWithFeet(feet);
-        std::vector<sim::Link> links;
+        sim::Scene scene = scenes::springCreature(feet, values["k"], values["radius"]);
         for (int i = 0; i < feet; ++i) {
             const std::string foot = QString("creature%1.foot%2").arg(creature).arg(i).toStdString();
             scene.start.place(i, crowd.start.at(crowd.find(foot)));
-            links.push_back({i, feet});
-            links.push_back({feet, i});
         }
         const std::string body = QString("creature%1.body").arg(creature).toStdString();
         scene.start.place(feet, crowd.start.at(crowd.find(body)));
-        lessons::add<sim::RadialSpring>(scene, links, values["k"], values["radius"]);
-        lessons::add<sim::Gravity>(scene, values["gravity"]);
-        lessons::add<sim::Damping>(scene, values["damp"]);
-        lessons::add<sim::Walls>(scene, room, lessons::halfWidths(scene));
+        scenes::add<sim::Gravity>(scene, values["gravity"]);
+        scenes::add<sim::Damping>(scene, values["damp"]);
+        scenes::add<sim::Walls>(scene, room, scenes::halfWidths(scene));
         return scene;
     }
 
