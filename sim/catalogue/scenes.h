@@ -1,8 +1,8 @@
 #pragma once
 
-#include "sim/effects/tree/tree.h"
 #include "sim/scene/scene.h"
 #include "sim/scene/values.h"
+#include "sim/scenes/points.h"
 
 #include <utility>
 
@@ -12,7 +12,7 @@ namespace sim::hard {
 Values valuesOf(std::initializer_list<std::pair<const char *, double>> numbers);
 
 /// The middle of the stage, px.
-constexpr Vec2 middle = {270.0, 200.0};
+constexpr Vec2 middle = scenes::centre;
 
 /// One foot on a spring to the middle, 100 px away from it. Values: k, damp.
 Scene footOnSpring(const Values &values);
@@ -44,8 +44,6 @@ Scene noLengthStick(const Values &values);
 /// Values: damp, gravity.
 Scene fixedStick(const Values &values);
 
-/// A tree whose branches fork `levels` times, each `slope` times as large as its parent.
-Tree forkedTree(int levels, double slope, double baseLength);
 /// A tree that turns to the wind. Values: levels, slope, base_length, ease, formula (0: corrected, 1: published), by
 /// (0: ease, 1: distance, 2: thickness), wind, turned (degrees, by which the trunk starts off its rest).
 Scene windyTree(const Values &values);

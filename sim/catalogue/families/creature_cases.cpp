@@ -79,15 +79,10 @@ HardCase squeezed()
 /// Two charges at rest in the middle. Values: charge_strength, softening, damp.
 Scene chargesTogether(const Values &values)
 {
-    Scene scene;
-    scene.start = State::ofPoints(2);
-    for (int i = 0; i < 2; ++i)
-        scene.start.place(i, middle);
-    scene.names = {"p0", "p1"};
-    scene.groups = {{SIM_TEXT("points"), {0, 2}}};
-    scene.effects = {
-        std::make_shared<Charges>(Eigen::ArrayXd::Ones(2), values["charge_strength"], values["softening"]),
-        std::make_shared<Damping>(values["damp"])};
+    Scene scene = scenes::pointsAt({middle, middle});
+    scenes::add<Charges>(scene, Eigen::ArrayXd(Eigen::ArrayXd::Ones(2)), values["charge_strength"],
+                         values["softening"]);
+    scenes::add<Damping>(scene, values["damp"]);
     return scene;
 }
 

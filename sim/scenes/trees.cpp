@@ -1,0 +1,74 @@
+#include "sim/scenes/trees.h"
+
+#include "sim/effects/drags/damping.h"
+#include "sim/effects/drivers/gust.h"
+#include "sim/effects/tree/joints.h"
+#include "sim/effects/tree/torsion.h"
+#include "sim/effects/tree/wind_torque.h"
+#include "sim/scenes/points.h"
+
+namespace scenes {
+
+sim::Tree forkedTree(int levels, double slope, double baseLength)
+{
+    constexpr double spread = 30.0; // degrees
+    sim::Tree tree = sim::Tree::ofTrunk(baseLength);
+    for (int level = 0, first = 0; level < levels; ++level) {
+        const int end = tree.branches();
+        for (int i = first; i < end; ++i) {
+            const auto row = static_cast<std::size_t>(i);
+            const double angle = tree.rest[row], scale = slope * tree.scale[row];
+            tree.sprout(i, angle - spread, scale);
+            tree.sprout(i, angle + spread, scale);
+        }
+        first = end;
+    }
+    return tree;
+}
+
+sim::Tree bush()
+{
+    sim::Tree tree = sim::Tree::ofTrunk(100.0);
+    tree.sprout(0, -30.0, 0.8);
+    tree.sprout(0, 30.0, 0.7);
+    return tree;
+}
+
+sim::Scene branchesOf(const sim::Tree &tree)
+{
+    const int branches = tree.branches();
+    sim::Scene scene;
+    scene.start = sim::State::ofPoints(branches);
+    scene.start.angle = Eigen::Map<const Eigen::ArrayXd>(tree.rest.data(), branches);
+    scene.names.reserve(tree.rest.size());
+    for (int i = 0; i < branches; ++i)
+        scene.names.push_back(SIM_TEXT("branch") + std::to_string(i));
+    scene.groups = {{SIM_TEXT("branches"), {0, branches}, sim::Inertia::none}};
+    return scene;
+}
+
+sim::Scene standingTree(const sim::Tree &tree, sim::Vec2 root, sim::TreeFormula formula)
+{
+    sim::Scene scene = branchesOf(tree);
+    scene.start.place(0, root);
+    sim::fromTheTrunk(tree, scene.start, sim::degreesOf(formula), [](int) {});
+    return scene;
+}
+
+void letSwing(sim::Scene &scene)
+{
+    scene.start.spin.setZero(scene.start.points());
+    scene.groups.front().inertia = sim::Inertia::some;
+}
+
+void addSway(sim::Scene &scene, const sim::TreePtr &tree, const Sway &sway)
+{
+    const sim::Limbs limbs = sim::limbsOf(*tree, sway.k);
+    add<sim::GustFront>(scene, sway.front);
+    add<sim::Torsion>(scene, tree, limbs);
+    add<sim::WindTorque>(scene, tree, limbs.inertia, sway.wind, sway.gusts);
+    add<sim::SpinDamping>(scene, sway.damp);
+    add<sim::Joints>(scene, tree, sim::degreesPerRadian);
+}
+
+}
