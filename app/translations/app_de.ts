@@ -8360,6 +8360,10 @@ auf dem Schirm (30 pro Sekunde)</translation>
         <source>bodies</source>
         <translation>Körper</translation>
     </message>
+    <message>
+        <source>branch</source>
+        <translation>Zweig</translation>
+    </message>
 </context>
 <context>
     <name>sim::Keys</name>
