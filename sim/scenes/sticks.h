@@ -14,8 +14,8 @@ std::vector<sim::Stick> chainOfSticks(int links, double length);
 /// Points joined by sticks.
 struct StickFigure
 {
-    std::vector<sim::Vec2> places; ///< px
-    std::vector<sim::Stick> sticks;
+    std::vector<sim::Vec2> places = {}; ///< px
+    std::vector<sim::Stick> sticks = {};
     std::vector<int> pinned = {}; ///< the points that are handles
     double gravity = 0.5;         ///< px/frame^2
     double damp = 1.0;            ///< the share of a velocity that is left after each frame

@@ -5,7 +5,6 @@
 #include "support.h"
 
 #include "sim/effects/drags/damping.h"
-#include "sim/effects/springs/radial_spring.h"
 #include "sim/methods/methods.h"
 
 #include <benchmark/benchmark.h>
@@ -16,12 +15,11 @@ using namespace bench;
 
 sim::Scene scene()
 {
-    sim::Scene creature = support::pointsOf(air::feet);
+    sim::Scene creature = scenes::springCreature(air::feet, air::k, air::radius);
     const air::Row<double> start = air::start();
     for (int i = 0; i < air::points; ++i)
         creature.start.place(i, {start[std::size_t(i)], start[std::size_t(air::points + i)]});
-    creature.effects = {std::make_shared<sim::RadialSpring>(support::legs(air::feet), air::k, air::radius),
-                        std::make_shared<sim::Damping>(air::damp)};
+    scenes::add<sim::Damping>(creature, air::damp);
     return creature;
 }
 

@@ -1,13 +1,13 @@
 // A frame of a soft cloth by an explicit step. And the matrix of a stiff cloth's step, solved by our conjugate gradients, spring by spring, and by Eigen's with a matrix
 // put together; both from the same slopes to the same tolerance, with the same division by the diagonal.
 
-#include "cloth.h"
 #include "support.h"
 
 #include "sim/methods/flow.h"
 #include "sim/methods/implicit/solvers/conjugate_gradients.h"
 #include "sim/methods/methods.h"
 #include "sim/pipeline/run_step.h"
+#include "sim/scenes/cloth.h"
 
 #include <benchmark/benchmark.h>
 
@@ -15,6 +15,8 @@
 #include <Eigen/SparseCholesky>
 
 namespace {
+
+namespace cloth = scenes::cloth;
 
 constexpr int side = 64;
 constexpr double k = 1e6;

@@ -2,13 +2,15 @@
 // compared with what the pipeline computes: a limit that does something else is none.
 
 #include "by_hand.h"
-#include "cloth.h"
 #include "support.h"
 #include "tree_scenes.h"
+
+#include "sim/scenes/cloth.h"
 
 namespace {
 
 using namespace bench;
+namespace cloth = scenes::cloth;
 
 constexpr int soon = 5; ///< frames
 

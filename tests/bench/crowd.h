@@ -2,10 +2,7 @@
 
 #include "crowd_numbers.h"
 
-#include "sim/effects/pairs/links.h"
 #include "sim/scene/scene.h"
-
-#include <vector>
 
 /// Many creatures of the lesson gravity_walls in one room: a body and five feet each, radial springs both ways,
 /// gravity, damping, walls. They pass through each other. What the limits and the peers compute, too.
@@ -17,9 +14,6 @@ constexpr int pointOf(int creatures, int creature, int foot)
 {
     return (foot + 1) * creatures + creature;
 }
-
-/// The springs, foot by foot: to each foot of all creatures from their bodies, then the other way.
-std::vector<sim::Link> springs(int creatures);
 
 /// Scattered over the room, at rest.
 sim::Scene inTheRoom(int creatures);

@@ -2,8 +2,6 @@
 
 #include "support.h"
 
-#include "sim/effects/springs/radial_spring.h"
-
 /// Scenes of the suites of energy and momentum.
 namespace energy_bench {
 
@@ -12,23 +10,18 @@ using namespace sim;
 /// A point of mass `mass` at (100, 50), at rest.
 inline Scene lone(double mass)
 {
-    Scene scene;
-    scene.start = State::ofPoints(1);
-    scene.start.place(0, {100.0, 50.0});
+    Scene scene = scenes::onePoint("foot", {100.0, 50.0});
     scene.start.inverseMass[0] = 1.0 / mass;
-    scene.names = {"foot"};
-    scene.groups = {{"foot", {0, 1}}};
     return scene;
 }
 
 /// Two points that move one after the other in `published`, 60 px apart, on a spring of 50 px and stiffness k.
 inline Scene pairOf(double k)
 {
-    Scene scene = support::pointsOf(1);
+    Scene scene = scenes::springCreature(1, k, 50.0);
     scene.start.place(0, {240.0, 200.0});
     scene.start.place(1, {300.0, 210.0});
     scene.start.push(0, {1.0, -2.0});
-    scene.effects = {std::make_shared<RadialSpring>(std::vector<Link>{{0, 1}, {1, 0}}, k, 50.0)};
     return scene;
 }
 

@@ -4,14 +4,13 @@
 
 #include "sim/effects/drags/damping.h"
 #include "sim/effects/drivers/gait_clock.h"
-#include "sim/effects/drivers/gust.h"
 #include "sim/effects/fields/gravity.h"
 #include "sim/effects/springs/leg_spring.h"
 #include "sim/effects/springs/point_spring.h"
 #include "sim/effects/springs/radial_spring.h"
 #include "sim/effects/tree/joints.h"
 #include "sim/effects/tree/torsion.h"
-#include "sim/effects/tree/wind_torque.h"
+#include "sim/scenes/trees.h"
 
 #include <complex>
 
@@ -112,24 +111,25 @@ sim::TreePtr smallTree()
     return make_shared<const sim::Tree>(tree);
 }
 
+/// The branches of smallTree(), bent.
+sim::Scene bentBranches()
+{
+    sim::Scene scene = scenes::branchesOf(*smallTree());
+    scenes::letSwing(scene);
+    scene.start.place(0, {270, 380});
+    for (int i = 0; i < scene.start.points(); ++i)
+        scene.start.angle[i] += 5.0 + 3.0 * i;
+    return scene;
+}
+
 /// A bent tree of springs, without wind.
 sim::Scene bentTree(double damp)
 {
     const sim::TreePtr tree = smallTree();
-    const int branches = tree->branches();
-    sim::Scene scene;
-    scene.start = sim::State::ofPoints(branches);
-    scene.start.place(0, {270, 380});
-    scene.start.spin.setZero(branches);
-    scene.start.angle.resize(branches);
-    for (int i = 0; i < branches; ++i) {
-        scene.start.angle[i] = tree->rest[std::size_t(i)] + 5.0 + 3.0 * i;
-        scene.names.push_back("branch" + std::to_string(i));
-    }
-    scene.groups = {{"branches", {0, branches}}};
-    scene.effects = {make_shared<sim::Torsion>(tree, sim::limbsOf(*tree, k)),
-                     make_shared<sim::SpinDamping>(damp),
-                     make_shared<sim::Joints>(tree, sim::degreesPerRadian)};
+    sim::Scene scene = bentBranches();
+    scenes::add<sim::Torsion>(scene, tree, sim::limbsOf(*tree, k));
+    scenes::add<sim::SpinDamping>(scene, damp);
+    scenes::add<sim::Joints>(scene, tree, sim::degreesPerRadian);
     return scene;
 }
 
@@ -197,33 +197,27 @@ const std::vector<SmoothScene> &smoothScenes()
 
 sim::Scene oscillator(double stiffness, double damp)
 {
-    sim::Scene scene;
-    scene.start = sim::State::ofPoints(1);
-    scene.start.place(0, {100.0, -40.0});
+    sim::Scene scene = scenes::oscillator({100.0, -40.0}, {}, stiffness, damp);
     scene.start.push(0, {3.0, 8.0});
-    scene.names = {"foot"};
-    scene.groups = {{"foot", {0, 1}}};
-    scene.effects = {make_shared<sim::PointSpring>(0, Vec2{0, 0}, stiffness),
-                     make_shared<sim::Damping>(damp)};
     return scene;
 }
 
 sim::Scene creature(int feet, double damp)
 {
-    sim::Scene scene = support::pointsOf(feet);
+    sim::Scene scene = scenes::springCreature(feet, k, radius);
     for (int i = 0; i < feet; ++i) { // so spread that none comes near the body soon
         const double angle = 0.4 + 2.0 * i, far = 70.0 + 5.0 * (i % 8);
         scene.start.place(i, {270.0 + far * std::cos(angle), 200.0 + far * std::sin(angle)});
         scene.start.push(i, {2.0 - i % 4, 1.0 - i % 3});
     }
-    scene.effects = {make_shared<sim::RadialSpring>(support::legs(feet), k, radius),
-                     make_shared<sim::Gravity>(gravity), make_shared<sim::Damping>(damp)};
+    scenes::add<sim::Gravity>(scene, gravity);
+    scenes::add<sim::Damping>(scene, damp);
     return scene;
 }
 
 sim::Scene walker(double damp)
 {
-    sim::Scene scene = support::pointsOf(2);
+    sim::Scene scene = scenes::creature(2);
     scene.start.place(0, {230.0, 240.0});
     scene.start.place(1, {320.0, 270.0});
     scene.start.gait.setZero(1);
@@ -237,14 +231,10 @@ sim::Scene walker(double damp)
 
 sim::Scene hanging(double stiffness, double damp)
 {
-    sim::Scene scene;
-    scene.start = sim::State::ofPoints(6);
-    const Vec2 places[] = {{290, 230}, {230, 160}, {90, 260}, {180, 260}, {200, 200}, {300, 100}};
-    for (int i = 0; i < 6; ++i)
-        scene.start.place(i, places[i]);
+    sim::Scene scene =
+        scenes::pointsAt({{290, 230}, {230, 160}, {90, 260}, {180, 260}, {200, 200}, {300, 100}});
     scene.start.inverseMass.tail(2).setZero();
-    scene.names = {"foot0", "foot1", "foot2", "foot3", "hook0", "hook1"};
-    scene.groups = {{"feet", {0, 4}}};
+    scene.groups.front().points = {0, 4};
     const std::vector<sim::Link> links = {{0, 4}, {1, 5}, {1, 3}, {3, 1}};
     scene.effects = {make_shared<sim::RadialSpring>(links, stiffness, radius),
                      make_shared<sim::PointSpring>(2, Vec2{120.0, 150.0}, stiffness),
@@ -254,14 +244,11 @@ sim::Scene hanging(double stiffness, double damp)
 
 sim::Scene windyTree()
 {
-    sim::Scene scene = bentTree(0.95);
-    const sim::TreePtr tree = smallTree();
+    sim::Scene scene = bentBranches();
     scene.start.outside.pointer = Vec2{150.0, 250.0};
     scene.start.outside.pointerDown = true;
     scene.start.gale = {500.0, 0.0};
-    scene.effects.insert(scene.effects.begin(), make_shared<sim::GustFront>(12.0));
-    scene.effects.insert(scene.effects.begin() + 2,
-                         make_shared<sim::WindTorque>(tree, sim::limbsOf(*tree, k).inertia, 8.0, 0.4));
+    scenes::addSway(scene, smallTree(), {.k = k, .damp = 0.95, .front = 12.0, .wind = 8.0, .gusts = 0.4});
     return scene;
 }
 

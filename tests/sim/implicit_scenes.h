@@ -36,8 +36,7 @@ sim::Scene oscillator(double k, double damp);
 sim::Scene creature(int feet, double damp);
 /// A body and two legs that swing with a gait clock, in the air.
 sim::Scene walker(double damp);
-/// What hangs on springs: foot0 on a hook at (200, 200); foot1, which is on another hook, and foot3 on foot1; foot2 on
-/// (120, 150).
+/// Four points that hang on springs: p0 on a hook, p4; p1 on another hook, p5; p3 on p1; p2 on the place (120, 150).
 sim::Scene hanging(double k, double damp);
 /// A small tree of springs in a gust that has come by.
 sim::Scene windyTree();

@@ -15,6 +15,7 @@
 #include "sim/methods/methods.h"
 #include "sim/run/sleeping/awake.h"
 #include "sim/run/sleeping/sleep.h"
+#include "sim/scenes/trees.h"
 #include "support.h"
 
 /// What suites of sleeping runs share.
@@ -29,10 +30,10 @@ inline constexpr std::size_t budget = std::size_t{1} << 24;
 /// A point that a spring pulls home, to a place that a parameter decides, and one that hangs on it.
 inline Scene homing(const Values &values)
 {
-    Scene scene = support::pointsOf(1);
+    Scene scene = scenes::creature(1);
     scene.start.place(0, {100.0, 90.0});
     scene.effects = {make_shared<PointSpring>(0, Vec2{260.0 + 100.0 * values["k"], 200.0}, 0.2),
-                     make_shared<RadialSpring>(support::legs(1), values["k"], 50.0),
+                     make_shared<RadialSpring>(scenes::legs(1), values["k"], 50.0),
                      make_shared<Damping>(0.5)};
     return scene;
 }
@@ -40,7 +41,7 @@ inline Scene homing(const Values &values)
 /// Legs that a key may set in motion, a point that follows the target, and one that follows the pointer.
 inline Scene waiting(const Values &)
 {
-    Scene scene = support::pointsOf(3);
+    Scene scene = scenes::creature(3);
     scene.start.gait.setConstant(1, 0.3);
     scene.start.gaitSpeed.setConstant(1, 0.0);
     scene.start.outside.target = {100.0, 100.0};
@@ -55,23 +56,11 @@ inline Scene waiting(const Values &)
     return scene;
 }
 
-inline TreePtr bush()
-{
-    auto tree = make_shared<Tree>(Tree::ofTrunk(100.0));
-    tree->sprout(0, -30.0, 0.8);
-    tree->sprout(0, 30.0, 0.7);
-    return tree;
-}
-
 /// A tree in wind whose turbulence is random.
 inline Scene windy(const Values &)
 {
-    Scene scene;
-    const TreePtr tree = bush();
-    scene.start = State::ofPoints(tree->branches());
-    scene.start.angle = Eigen::Map<const Eigen::ArrayXd>(tree->rest.data(), tree->branches());
-    scene.names = {"trunk", "left", "right"};
-    scene.groups = {{"branches", {0, tree->branches()}, Inertia::none}};
+    const TreePtr tree = make_shared<const Tree>(scenes::bush());
+    Scene scene = scenes::branchesOf(*tree);
     scene.effects = {make_shared<TreeWind>(tree, TreeFormula::corrected, Resistance{}, Turbulence{20.0, 7})};
     return scene;
 }

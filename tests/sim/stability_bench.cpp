@@ -5,9 +5,9 @@
 #include "sim/effects/drags/damping.h"
 #include "sim/effects/springs/body_spring.h"
 #include "sim/effects/springs/point_spring.h"
-#include "sim/effects/springs/radial_spring.h"
 #include "sim/effects/tree/torsion.h"
 #include "sim/methods/methods.h"
+#include "sim/scenes/trees.h"
 
 #include <cmath>
 
@@ -16,6 +16,7 @@ namespace stability_bench {
 namespace {
 
 using namespace sim;
+using scenes::centre;
 using std::make_shared;
 
 constexpr double radius = 50.0;      // px
@@ -39,33 +40,19 @@ double awayFrom(const State &state, int point, Vec2 place)
     return 0.5 * off * off;
 }
 
-Scene points(int count)
-{
-    return support::pointsOf(count - 1);
-}
-
 }
 
 Swinging onePoint(double k, double damp)
 {
-    const Vec2 centre = {270.0, 200.0};
-    Scene scene = points(1);
-    scene.groups = {{"body", {0, 1}}};
-    scene.effects = {make_shared<PointSpring>(0, centre, k), make_shared<Damping>(damp)};
-    return {scene, [=](const State &state) { return moving(state) + k * awayFrom(state, 0, centre); }};
+    return {scenes::oscillator(centre, centre, k, damp),
+            [=](const State &state) { return moving(state) + k * awayFrom(state, 0, centre); }};
 }
 
 Swinging chain(int count, double k, double damp)
 {
-    Scene scene = points(count);
-    std::vector<Link> links;
-    for (int i = 0; i + 1 < count; ++i) {
-        links.push_back({i, i + 1});
-        links.push_back({i + 1, i});
-    }
-    const Vec2 centre = {270.0, 200.0}; // all springs are slack there
+    Scene scene = scenes::creature(count - 1); // all springs are slack there
     scene.effects = {make_shared<PointSpring>(0, centre, k), make_shared<PointSpring>(count - 1, centre, k),
-                     make_shared<BodySpring>(links, k), make_shared<Damping>(damp)};
+                     make_shared<BodySpring>(scenes::chainLinks(count), k), make_shared<Damping>(damp)};
     return {scene, [=](const State &state) {
                 double sum = awayFrom(state, 0, centre) + awayFrom(state, count - 1, centre);
                 for (int i = 0; i + 1 < count; ++i)
@@ -76,12 +63,12 @@ Swinging chain(int count, double k, double damp)
 
 Swinging creature(int feet, double k, double damp)
 {
-    Scene scene = points(feet + 1);
+    Scene scene = scenes::springCreature(feet, k, radius);
     for (int i = 0; i < feet; ++i) {
         const double angle = 6.283185307179586 * (i + 0.3) / feet;
-        scene.start.place(i, Vec2{270.0, 200.0} + radius * Vec2{std::cos(angle), std::sin(angle)});
+        scene.start.place(i, centre + radius * Vec2{std::cos(angle), std::sin(angle)});
     }
-    scene.effects = {make_shared<RadialSpring>(support::legs(feet), k, radius), make_shared<Damping>(damp)};
+    scenes::add<Damping>(scene, damp);
     return {scene, [=](const State &state) {
                 double sum = 0.0;
                 for (int i = 0; i < feet; ++i)
@@ -92,8 +79,8 @@ Swinging creature(int feet, double k, double damp)
 
 Swinging bundle(int feet, double k, double damp)
 {
-    Scene scene = points(feet + 1);
-    scene.effects = {make_shared<BodySpring>(support::legs(feet), k), make_shared<Damping>(damp)};
+    Scene scene = scenes::linearCreature(feet, k);
+    scenes::add<Damping>(scene, damp);
     return {scene, [=](const State &state) {
                 double sum = 0.0;
                 for (int i = 0; i < feet; ++i)
@@ -126,16 +113,8 @@ Swinging tree(double k, double damp)
     grown.sprout(0, -55.0, 0.8);
     grown.sprout(1, -150.0, 0.5);
     const auto shared = make_shared<const Tree>(grown);
-    Scene scene;
-    const int branches = grown.branches();
-    scene.start = State::ofPoints(branches);
-    scene.start.spin.setZero(branches);
-    scene.start.angle.resize(branches);
-    for (int i = 0; i < branches; ++i) {
-        scene.start.angle[i] = grown.rest[std::size_t(i)];
-        scene.names.push_back(std::string("branch").append(std::to_string(i)));
-    }
-    scene.groups = {{"branches", {0, branches}}};
+    Scene scene = scenes::branchesOf(grown);
+    scenes::letSwing(scene);
     scene.effects = {make_shared<Torsion>(shared, limbsOf(grown, k)), make_shared<SpinDamping>(damp)};
     const Eigen::ArrayXd rest = scene.start.angle;
     return {scene, [rest](const State &state) {

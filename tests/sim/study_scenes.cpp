@@ -1,8 +1,5 @@
 #include "study_scenes.h"
 
-#include "sim/effects/drags/damping.h"
-#include "sim/effects/springs/point_spring.h"
-
 #include <cmath>
 
 namespace support {
@@ -44,21 +41,10 @@ std::string nameOf(const AccuracyRow &row)
     return row.way.method->id() + " " + std::to_string(step.adaptive() ? step.tolerance : step.h);
 }
 
-Scene oneBall(Vec2 x, Vec2 v)
-{
-    Scene scene;
-    scene.start = State::ofPoints(1);
-    scene.start.place(0, x);
-    scene.start.push(0, v);
-    scene.names = {"ball"};
-    scene.groups = {{"ball", {0, 1}}};
-    return scene;
-}
-
 Scene dampedSpring()
 {
-    Scene scene = oneBall(ballX, ballV);
-    scene.effects = {std::make_shared<PointSpring>(0, spot, stiffness), std::make_shared<Damping>(keep)};
+    Scene scene = scenes::oscillator(ballX, spot, stiffness, keep);
+    scene.start.push(0, ballV);
     return scene;
 }
 

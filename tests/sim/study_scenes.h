@@ -19,8 +19,6 @@ sim::Script scriptOf(const sim::Scene &scene);
 /// For messages.
 std::string nameOf(const sim::AccuracyRow &row);
 
-sim::Scene oneBall(sim::Vec2 x, sim::Vec2 v);
-
 /// A damped spring, and where its ball is after t frames: x'' = -k x - c x' has the roots -c/2 +- i w.
 inline constexpr sim::Vec2 spot = {270.0, 200.0};
 sim::Scene dampedSpring();

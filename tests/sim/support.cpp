@@ -3,17 +3,15 @@
 #include "sim/base/error.h"
 #include "sim/effects/contacts/ground.h"
 #include "sim/effects/contacts/ramp.h"
+#include "sim/effects/contacts/walls.h"
 #include "sim/effects/drags/damping.h"
 #include "sim/effects/drivers/gait_clock.h"
 #include "sim/effects/drivers/steering.h"
 #include "sim/effects/drivers/turn_round.h"
 #include "sim/effects/fields/gravity.h"
-#include "sim/effects/springs/body_spring.h"
 #include "sim/effects/springs/leg_spring.h"
 #include "sim/effects/springs/offset_spring.h"
-#include "sim/effects/springs/point_spring.h"
 #include "sim/effects/springs/push.h"
-#include "sim/effects/springs/radial_spring.h"
 #include "sim/methods/methods.h"
 #include "sim/simd/flush.h"
 
@@ -36,47 +34,35 @@ Values values(std::initializer_list<std::pair<const char *, double>> numbers)
 
 sim::Scene springToPoint(const Values &v)
 {
-    sim::Scene scene;
-    scene.start = sim::State::ofPoints(1);
-    scene.start.place(0, {90.0, -30.0});
-    scene.names = {"foot"};
-    scene.groups = {{"foot", {0, 1}}};
-    scene.effects = {make_shared<sim::PointSpring>(0, sim::Vec2{270.0, 200.0}, v["k"]),
-                     make_shared<sim::Damping>(v["damp"])};
-    return scene;
+    return scenes::oscillator({90.0, -30.0}, scenes::centre, v["k"], v["damp"]);
 }
 
 sim::Scene beside(const Values &v)
 {
-    sim::Scene scene = pointsOf(1);
+    sim::Scene scene = scenes::creatureOnHandle(1);
     scatter(scene.start, 3, 150.0);
-    scene.start.inverseMass[1] = 0.0; // a handle
-    scene.groups.pop_back();
-    scene.effects = {make_shared<sim::OffsetSpring>(std::vector<sim::Link>{{0, 1}}, v["k"], v["offset"]),
-                     make_shared<sim::Damping>(v["damp"])};
+    scenes::add<sim::OffsetSpring>(scene, std::vector<sim::Link>{{0, 1}}, v["k"], v["offset"]);
+    scenes::add<sim::Damping>(scene, v["damp"]);
     return scene;
 }
 
 sim::Scene creature(const Values &v)
 {
-    const int feet = v.whole("feet");
-    sim::Scene scene = pointsOf(feet);
+    sim::Scene scene = scenes::springCreature(v.whole("feet"), v["k"], v["radius"]);
     if (v["spread"] > 0.0)
         scatter(scene.start, v.seed, v["spread"]);
-    Eigen::ArrayXd half = Eigen::ArrayXd::Constant(feet + 1, 5.0);
-    half[feet] = 15.0;
-    scene.effects = {make_shared<sim::RadialSpring>(legs(feet), v["k"], v["radius"]),
-                     make_shared<sim::Gravity>(v["gravity"]), make_shared<sim::Damping>(v["damp"]),
-                     make_shared<sim::Walls>(sim::Room{20.0, 520.0, 380.0, 1.0}, half)};
+    scenes::add<sim::Gravity>(scene, v["gravity"]);
+    scenes::add<sim::Damping>(scene, v["damp"]);
+    scenes::add<sim::Walls>(scene, sim::Room{20.0, 520.0, 380.0, 1.0}, scenes::halfWidths(scene));
     return scene;
 }
 
 sim::Scene heavyPair(const Values &v)
 {
-    sim::Scene scene = pointsOf(1);
+    sim::Scene scene = scenes::linearCreature(1, v["k"]);
     scatter(scene.start, 11, 200.0);
     scene.start.inverseMass << 0.5, 0.1;
-    scene.effects = {make_shared<sim::BodySpring>(legs(1), v["k"]), make_shared<sim::Damping>(v["damp"])};
+    scenes::add<sim::Damping>(scene, v["damp"]);
     return scene;
 }
 
@@ -92,14 +78,12 @@ sim::Scene onRamp(const Values &v)
 /// Two creatures that walk into each other and into walls; the first can be steered.
 sim::Scene walkers(const Values &v)
 {
-    sim::Scene scene;
-    scene.start = sim::State::ofPoints(6);
+    sim::Scene scene = scenes::crowd(2, 2);
+    scene.names = {"foot0", "foot1", "body", "foot2", "foot3", "other"};
     scatter(scene.start, v.seed, 200.0);
     scene.start.gait.setZero(2);
     scene.start.gaitSpeed.resize(2);
     scene.start.gaitSpeed << v["speed"], -v["speed"];
-    scene.names = {"foot0", "foot1", "body", "foot2", "foot3", "other"};
-    scene.groups = {{"feet", {0, 2}}, {"body", {2, 1}}, {"feet", {3, 2}}, {"body", {5, 1}}};
     const sim::LegRule rule{v["k"], 50.0, 50.0, sim::Aim::swing, sim::Reaction::equal};
     const std::vector<sim::Leg> legs = {{0, 2, 0.0, 0}, {1, 2, 3.0, 0}, {3, 5, 0.5, 1}, {4, 5, 3.5, 1}};
     const sim::Room room{220.0, 320.0, 1e9, 0.5};
@@ -193,29 +177,6 @@ sim::Script script(const Sample &sample, const std::string &method, double h)
 sim::Script script(const sim::Scene &scene, const std::string &method, double h)
 {
     return script(Sample{{}, [scene](const Values &) { return scene; }, {}}, method, h);
-}
-
-sim::Scene pointsOf(int feet)
-{
-    sim::Scene scene;
-    scene.start = sim::State::ofPoints(feet + 1);
-    scene.start.position.col(0) = 270.0;
-    scene.start.position.col(1) = 200.0;
-    for (int i = 0; i < feet; ++i)
-        scene.names.push_back("foot" + std::to_string(i));
-    scene.names.push_back("body");
-    scene.groups = {{"feet", {0, feet}}, {"body", {feet, 1}}};
-    return scene;
-}
-
-std::vector<sim::Link> legs(int feet)
-{
-    std::vector<sim::Link> links;
-    for (int i = 0; i < feet; ++i)
-        links.push_back({i, feet});
-    for (int i = 0; i < feet; ++i)
-        links.push_back({feet, i});
-    return links;
 }
 
 void scatter(sim::State &state, std::uint64_t seed, double side)

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "sim/effects/pairs/links.h"
 #include "sim/run/timeline.h"
+#include "sim/scenes/creatures.h"
 
 #include <cstdint>
 #include <functional>
@@ -34,10 +34,6 @@ sim::Script script(const Sample &sample, const std::string &method, double h = 1
 /// A script for a scene that has no parameters.
 sim::Script script(const sim::Scene &scene, const std::string &method, double h = 1.0);
 
-/// Points "foot0"... and "body", all at rest at (270, 200); the feet move before the body. No effects yet.
-sim::Scene pointsOf(int feet);
-/// The directed links of a creature's feet to its body, then of its body to each foot.
-std::vector<sim::Link> legs(int feet);
 /// Puts every point somewhere in a square of `side` px around (270, 200).
 void scatter(sim::State &state, std::uint64_t seed, double side);
 

@@ -25,12 +25,7 @@ namespace {
 
 Scene onePoint(Vec2 x, Vec2 v, std::vector<EffectPtr> effects)
 {
-    Scene scene;
-    scene.start = State::ofPoints(1);
-    scene.start.place(0, x);
-    scene.start.push(0, v);
-    scene.names = {"ball"};
-    scene.groups = {{"ball", {0, 1}}};
+    Scene scene = scenes::onePoint("ball", x, v);
     scene.effects = std::move(effects);
     return scene;
 }
@@ -189,12 +184,10 @@ private slots:
 
     void nystromTakesOneDampingForAllThatMoves()
     {
-        Scene scene;
-        scene.start = State::ofPoints(3);
+        Scene scene = scenes::pointsAt({{}, {}, {}}); // the last one is a handle
         scene.start.push(0, {3, 8});
         scene.start.push(1, {-2, 5});
-        scene.names = {"a", "b", "handle"};
-        scene.groups = {{"both", {0, 2}}};
+        scene.groups.front().points = {0, 2};
         const EffectPtr first = std::make_shared<Damping>(0.9, Points{0, 1});
         scene.effects = {first, std::make_shared<Damping>(0.5, Points{1, 1})};
         const MethodPtr rule = findMethod("rkn86");
@@ -252,14 +245,11 @@ private slots:
     {
         QFETCH(QString, method);
         // A foot on a spring whose other end goes round: it lands, stands dead still, and is pulled off again.
-        Scene scene;
-        scene.start = State::ofPoints(2);
+        Scene scene = scenes::pairOnHandle();
         scene.start.place(0, {0, 40});
-        scene.start.inverseMass[1] = 0.0;
+        scene.start.place(1, {0, 0});
         scene.start.gait.setZero(1);
         scene.start.gaitSpeed.setConstant(1, 0.05);
-        scene.names = {"foot", "body"};
-        scene.groups = {{"foot", {0, 1}}};
         scene.effects = {std::make_shared<LegSpring>(std::vector<Leg>{{0, 1, 0.0, 0}},
                                                      LegRule{0.1, 50.0, 0.0, Aim::swing, Reaction::none}),
                          std::make_shared<Damping>(0.9),

@@ -43,10 +43,7 @@ const std::vector<Creature> company = {
 Scene roomOf(const std::vector<Creature> &creatures, double bounce)
 {
     const int count = static_cast<int>(creatures.size());
-    Scene scene;
-    scene.start = State::ofPoints(each * count);
-    scene.names.resize(static_cast<std::size_t>(each * count));
-    std::vector<Link> links;
+    Scene scene = scenes::crowdByParts(count, each - 1);
     for (int part = 0; part < each; ++part) {
         for (int i = 0; i < count; ++i) {
             const Creature &one = creatures[static_cast<std::size_t>(i)];
@@ -56,15 +53,12 @@ Scene roomOf(const std::vector<Creature> &creatures, double bounce)
             scene.start.inverseMass[point] = 1.0 / (1.0 + part);
             scene.names[static_cast<std::size_t>(point)] =
                 (part == 0 ? "body" : "foot" + std::to_string(part)) + std::to_string(one.number);
-            if (part == 0)
-                continue;
-            links.push_back({point, i});
-            links.push_back({i, point});
         }
     }
     scene.groups = {{"all", {0, each * count}}};
     scene.effects = {
-        make_shared<RadialSpring>(links, 0.2, 50.0), make_shared<Gravity>(0.5), make_shared<Damping>(0.97),
+        make_shared<RadialSpring>(scenes::legsByParts(count, each - 1), 0.2, 50.0), make_shared<Gravity>(0.5),
+        make_shared<Damping>(0.97),
         make_shared<Walls>(Room{0.0, 1000.0, 380.0, bounce}, Eigen::ArrayXd::Constant(each * count, 5.0))};
     return scene;
 }
@@ -94,15 +88,11 @@ bool samePoint(const State &a, int inA, const State &b, int inB)
 /// Points in the air on springs of stiffness `k` to where each can rest, too far from each other to meet.
 Scene swings(const std::vector<double> &k)
 {
-    const int count = static_cast<int>(k.size());
-    Scene scene;
-    scene.start = State::ofPoints(count);
-    scene.groups = {{"all", {0, count}}};
-    for (int i = 0; i < count; ++i) {
+    Scene scene = scenes::pointsAt(std::vector<Vec2>(k.size()));
+    for (int i = 0; i < scene.start.points(); ++i) {
         const Vec2 centre = {1000.0 * i, 0.0};
-        scene.names.push_back("ball" + std::to_string(i));
         scene.start.place(i, centre + Vec2{100.0, -40.0});
-        scene.effects.push_back(make_shared<PointSpring>(i, centre, k[static_cast<std::size_t>(i)]));
+        scenes::add<PointSpring>(scene, i, centre, k[static_cast<std::size_t>(i)]);
     }
     return scene;
 }
@@ -279,7 +269,7 @@ private slots:
         track.seek({5, 0});
         QVERIFY(track.stop());
         QVERIFY(track.stop()->reason == StopReason::tooManySteps);
-        QCOMPARE(track.stop()->body, std::string("ball2"));
+        QCOMPARE(track.stop()->body, std::string("p2"));
         QVERIFY(sameBits(track.now(), Track(script, 0).now())); // as it was before the frame
     }
 
@@ -321,11 +311,10 @@ private slots:
     /// A clock is one for all: what is driven stays together.
     void whatAClockDrivesGoesByCommonSteps()
     {
-        Scene scene;
-        scene.start = State::ofPoints(4);
+        Scene scene = scenes::crowd(2, 1);
+        scene.start.position.setZero();
         scene.start.gait.setZero(1);
         scene.start.gaitSpeed.setConstant(1, 0.05);
-        scene.names = {"foot0", "body0", "foot1", "body1"};
         scene.groups = {{"all", {0, 4}}};
         scene.effects = {make_shared<LegSpring>(std::vector<Leg>{{0, 1, 0.0, 0}, {2, 3, 0.0, 0}},
                                                 LegRule{0.1, 50.0, 0.0, Aim::swing, Reaction::none}),

@@ -27,7 +27,7 @@ Script rounds()
     sample.values.set("points", 2.0);
     sample.build = [](const Values &values) {
         const int points = values.whole("points");
-        Scene scene = support::pointsOf(points - 1);
+        Scene scene = scenes::creature(points - 1);
         for (int i = 0; i < points; ++i) {
             scene.start.place(i, {100.0 + 16.0 * i, 200.0});
             scene.effects.push_back(std::make_shared<PointSpring>(i, Vec2{100.0, 200.0}, values["k"]));

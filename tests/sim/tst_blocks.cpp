@@ -3,7 +3,6 @@
 #include "tests/bench/crowd.h"
 
 #include "sim/base/error.h"
-#include "sim/effects/constraints/sticks.h"
 #include "sim/effects/contacts/ground.h"
 #include "sim/effects/contacts/room_limits.h"
 #include "sim/effects/drags/damping.h"
@@ -14,10 +13,10 @@
 #include "sim/effects/springs/leg_spring.h"
 #include "sim/effects/springs/point_spring.h"
 #include "sim/effects/springs/push.h"
-#include "sim/effects/springs/radial_spring.h"
 #include "sim/methods/methods.h"
 #include "sim/pipeline/run_step.h"
 #include "sim/scene/islands.h"
+#include "sim/scenes/sticks.h"
 
 #include <QTest>
 
@@ -66,10 +65,8 @@ sim::Scene mixed(int each)
 /// Single points in a room that rubs.
 sim::Scene loose(int points)
 {
-    sim::Scene scene;
-    scene.start = sim::State::ofPoints(points);
+    sim::Scene scene = scenes::pointsAt(std::vector<sim::Vec2>(static_cast<std::size_t>(points)));
     support::scatter(scene.start, 8, 400.0);
-    scene.groups = {{"all", {0, points}}};
     const Eigen::ArrayXd half = Eigen::ArrayXd::Constant(points, 5.0);
     scene.effects = {make_shared<sim::Gravity>(0.5), make_shared<sim::Damping>(0.98),
                      make_shared<sim::RoomLimits>(sim::Room{200.0, 350.0, 300.0, 0.0}, half, 0.4)};
@@ -79,17 +76,14 @@ sim::Scene loose(int points)
 /// Triangles of sticks, one after the other. The sticks are listed in another order.
 sim::Scene triangles(int count)
 {
-    sim::Scene scene;
-    scene.start = sim::State::ofPoints(3 * count);
-    support::scatter(scene.start, 6, 300.0);
-    scene.groups = {{"all", {0, 3 * count}}};
-    std::vector<sim::Stick> sticks;
+    scenes::StickFigure all{.gravity = 0.5, .damp = 0.98, .passes = 4};
+    all.places.resize(static_cast<std::size_t>(3 * count));
     for (int side = 0; side < 3; ++side) {
         for (int i = count - 1; i >= 0; --i)
-            sticks.push_back({3 * i + (side + 1) % 3, 3 * i + side, 40.0 + side, 0.3});
+            all.sticks.push_back({3 * i + (side + 1) % 3, 3 * i + side, 40.0 + side, 0.3});
     }
-    scene.effects = {make_shared<sim::Gravity>(0.5), make_shared<sim::Damping>(0.98),
-                     make_shared<sim::Sticks>(sticks, 3 * count, 4)};
+    sim::Scene scene = scenes::fallingSticks(all);
+    support::scatter(scene.start, 6, 300.0);
     return scene;
 }
 

@@ -30,15 +30,8 @@ Eigen::ArrayXd chargesOf(std::initializer_list<double> charges)
 /// A scene of these points, with those charges and nothing else.
 Scene sceneOf(const std::vector<Vec2> &places, const Eigen::ArrayXd &charge, double softening = soft)
 {
-    Scene scene;
-    const int count = static_cast<int>(places.size());
-    scene.start = State::ofPoints(count);
-    for (int i = 0; i < count; ++i) {
-        scene.start.place(i, places[static_cast<std::size_t>(i)]);
-        scene.names.push_back(std::to_string(i));
-    }
-    scene.groups = {{"points", {0, count}}};
-    scene.effects = {std::make_shared<Charges>(charge, strength, softening)};
+    Scene scene = scenes::pointsAt(places);
+    scenes::add<Charges>(scene, charge, strength, softening);
     return scene;
 }
 

@@ -8,10 +8,9 @@
 #include "sim/effects/constraints/soft_sticks.h"
 #include "sim/effects/constraints/sticks.h"
 #include "sim/effects/contacts/room_limits.h"
-#include "sim/effects/drags/damping.h"
-#include "sim/effects/fields/gravity.h"
 #include "sim/methods/methods.h"
 #include "sim/run/track.h"
+#include "sim/scenes/sticks.h"
 
 #include <QTest>
 
@@ -37,30 +36,20 @@ Points all(const State &state)
 Scene hanging(std::vector<Vec2> places, std::vector<Stick> sticks, const std::vector<int> &pinned,
               int iterations)
 {
-    Scene scene;
-    const int count = static_cast<int>(places.size());
-    scene.start = State::ofPoints(count);
-    for (int i = 0; i < count; ++i) {
-        scene.start.place(i, places[static_cast<std::size_t>(i)]);
-        scene.names.push_back(std::string("p").append(std::to_string(i)));
-    }
-    for (const int point : pinned)
-        scene.start.inverseMass[point] = 0.0;
-    scene.groups = {{"points", {0, count}}};
-    scene.effects = {std::make_shared<Gravity>(0.5), std::make_shared<Damping>(0.99),
-                     std::make_shared<Sticks>(std::move(sticks), count, iterations)};
-    return scene;
+    return scenes::fallingSticks({.places = std::move(places),
+                                  .sticks = std::move(sticks),
+                                  .pinned = pinned,
+                                  .gravity = 0.5,
+                                  .damp = 0.99,
+                                  .passes = iterations});
 }
 
 Scene longChain()
 {
     std::vector<Vec2> places;
-    std::vector<Stick> sticks;
     for (int i = 0; i <= 1000; ++i)
         places.push_back({0.5 * i, 100});
-    for (int i = 1; i <= 1000; ++i)
-        sticks.push_back({i - 1, i, 0.5, 0.5});
-    return hanging(places, sticks, {0, 1000}, 10);
+    return hanging(places, scenes::chainOfSticks(1000, 0.5), {0, 1000}, 10);
 }
 
 double angleAt(const State &state, const AngleLimit &limit)

@@ -111,7 +111,7 @@ private:
 
 sim::Scene slowScene(Time &time)
 {
-    sim::Scene scene = support::pointsOf(2);
+    sim::Scene scene = scenes::creature(2);
     scene.effects = {std::make_shared<SlowForce>("slow", 40, time),
                      std::make_shared<SlowForce>("slower", 300, time)};
     return scene;
@@ -221,7 +221,7 @@ private slots:
 
     void anIdleEffectIsNotAmongThem()
     {
-        sim::Scene scene = support::pointsOf(1);
+        sim::Scene scene = scenes::creature(1);
         const auto acting = std::make_shared<sim::Gravity>(0.5);
         scene.effects = {std::make_shared<Idle>(), acting};
         const sim::Script script = support::script(scene, "semi_implicit_euler");
@@ -272,7 +272,7 @@ private slots:
     /// A run that stops being finite is measured as far as it goes.
     void aRunThatEndsSoonIsMeasured()
     {
-        sim::Scene scene = support::pointsOf(0);
+        sim::Scene scene = scenes::creature(0);
         scene.effects = {std::make_shared<sim::Gravity>(1e308)};
         sim::CostMeter meter = meterOf(support::script(scene, "semi_implicit_euler"));
         QVERIFY(meter.round());

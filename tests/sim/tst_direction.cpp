@@ -3,7 +3,6 @@
 #include "support.h"
 
 #include "sim/effects/drags/damping.h"
-#include "sim/effects/springs/radial_spring.h"
 
 #include <QTest>
 
@@ -25,9 +24,8 @@ double nearestTwo(const State &state)
 /// A creature whose points all start in one place, pushed by springs of 50 px both ways.
 Scene crowd(int points)
 {
-    Scene scene = support::pointsOf(points - 1);
-    scene.effects = {std::make_shared<RadialSpring>(support::legs(points - 1), 0.2, 50.0),
-                     std::make_shared<Damping>(0.9)};
+    Scene scene = scenes::springCreature(points - 1, 0.2, 50.0);
+    scenes::add<Damping>(scene, 0.9);
     return scene;
 }
 

@@ -69,9 +69,9 @@ private:
         const std::vector<std::pair<const char *, ForcePtr>> forces = {
             {"spring to a point", std::make_shared<PointSpring>(1, Vec2{270, 200}, k)},
             {"spring to a body", std::make_shared<BodySpring>(std::vector<Link>{{0, feet}}, k)},
-            {"springs to every foot", std::make_shared<BodySpring>(support::legs(feet), k)},
-            {"spring with an offset", std::make_shared<OffsetSpring>(support::legs(feet), k, 50)},
-            {"radial springs", std::make_shared<RadialSpring>(support::legs(feet), k, 50)},
+            {"springs to every foot", std::make_shared<BodySpring>(scenes::legs(feet), k)},
+            {"spring with an offset", std::make_shared<OffsetSpring>(scenes::legs(feet), k, 50)},
+            {"radial springs", std::make_shared<RadialSpring>(scenes::legs(feet), k, 50)},
             {"radial spring without a length",
              std::make_shared<RadialSpring>(std::vector<Link>{{2, 1}}, k, 0)},
             {"gravity", std::make_shared<Gravity>(0.5)},
@@ -142,7 +142,7 @@ private slots:
     void radialPullIsTheSameFromEitherDirection()
     {
         Dice dice(3);
-        const RadialSpring force(support::legs(feet), k, 50);
+        const RadialSpring force(scenes::legs(feet), k, 50);
         for (int run = 0; run < 5000; ++run) {
             const State state = randomState(dice);
             const Eigen::ArrayX2d a = added(force, state, 1.0, Directions::apart);

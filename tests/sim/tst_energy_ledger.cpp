@@ -198,7 +198,7 @@ private slots:
     void sticksThatPutThingsStraightAreAnAccountOfTheirOwn()
     {
         QFETCH(QString, method);
-        Scene scene = support::pointsOf(1);
+        Scene scene = scenes::creature(1);
         scene.start.place(0, {250.0, 200.0});
         scene.start.push(0, {1.0, 4.0});
         scene.effects = {make_shared<Sticks>(std::vector<Stick>{{0, 1, 20.0, 0.5}}, 2)};

@@ -33,8 +33,7 @@ private slots:
         QFETCH(QString, method);
         constexpr double k = 0.05, u = 2.0;
         constexpr int frames = 20;
-        Scene scene = support::pointsOf(1);
-        scene.effects = {make_shared<BodySpring>(std::vector<Link>{{0, 1}, {1, 0}}, k)};
+        const Scene scene = scenes::linearCreature(1, k);
         const MethodPtr rule = findMethod(method.toStdString());
         const bool adapts = rule->stepping() == Stepping::adaptive;
         Script script = scriptOf(scene, rule->id(), adapts ? 1e-6 : 1.0 / 64);
@@ -77,7 +76,7 @@ private slots:
     void whatPullsOnAHeldBodyIsTheHandsPush()
     {
         QFETCH(QString, method);
-        Scene scene = support::pointsOf(1);
+        Scene scene = scenes::creature(1);
         scene.start.place(0, {200.0, 260.0});
         const LegRule rule{0.1, 40.0, 0.0, Aim::bone, Reaction::equal};
         scene.effects = {make_shared<LegSpring>(std::vector<sim::Leg>{{0, 1, 0.0, 0}}, rule)};
@@ -113,7 +112,7 @@ private slots:
         QFETCH(QString, method);
         if (method == "backward_euler")
             return; // a whole step by itself
-        Scene scene = support::pointsOf(3);
+        Scene scene = scenes::creature(3);
         support::scatter(scene.start, 5, 200.0);
         scene.start.inverseMass << 1.0, 0.5, 2.0, 1.0;
         const std::vector<Link> chase = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};

@@ -29,7 +29,7 @@ bool countsTiny()
 /// A point that only slows down: its velocity halves each frame.
 Script slowing()
 {
-    Scene scene = support::pointsOf(1);
+    Scene scene = scenes::creature(1);
     scene.start.push(1, {1.0, -1.0});
     scene.effects = {std::make_shared<Damping>(0.5)};
     return support::script(scene, "semi_implicit_euler");

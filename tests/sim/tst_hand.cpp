@@ -17,7 +17,7 @@ namespace {
 /// One foot and a body that only move on: x += v. The foot starts at (100, 100) with the velocity (3, 1).
 Scene drifting()
 {
-    Scene scene = support::pointsOf(1);
+    Scene scene = scenes::creature(1);
     scene.start.place(0, {100, 100});
     scene.start.push(0, {3, 1});
     return scene;

@@ -20,6 +20,7 @@
 #include "sim/effects/tree/torsion.h"
 #include "sim/effects/tree/wind_torque.h"
 #include "sim/methods/methods.h"
+#include "sim/scenes/trees.h"
 
 #include <QTest>
 
@@ -61,16 +62,13 @@ std::pair<EffectPtr, EffectPtr> both(Rest... rest)
 
 TreePtr smallTree()
 {
-    auto tree = make_shared<Tree>(Tree::ofTrunk(100.0));
-    tree->sprout(0, -30.0, 0.8);
-    tree->sprout(0, 30.0, 0.7);
-    return tree;
+    return make_shared<const Tree>(scenes::bush());
 }
 
 /// What hangs on the state of a walker: its gait clock is number 0.
 std::vector<Case> cases()
 {
-    const std::vector<Link> links = support::legs(feet);
+    const std::vector<Link> links = scenes::legs(feet);
     const std::vector<Link> oneWay = {{0, feet}, {1, feet}};
     const Eigen::ArrayXd half = Eigen::ArrayXd::Constant(feet + 1, 5.0);
     const std::vector<Leg> legs = {{0, feet, 0.3, 0}, {1, feet, 3.0, 0}};
@@ -119,23 +117,20 @@ Scene sceneOf(const Case &one)
 {
     Scene scene;
     if (one.inTree) {
-        const TreePtr tree = smallTree();
-        scene.start = State::ofPoints(tree->branches());
-        scene.start.angle = Eigen::Map<const Eigen::ArrayXd>(tree->rest.data(), tree->branches());
-        scene.start.spin = Eigen::ArrayXd::LinSpaced(tree->branches(), -1.0, 2.0);
+        scene = scenes::branchesOf(*smallTree());
+        scenes::letSwing(scene);
+        scene.start.spin.setLinSpaced(-1.0, 2.0);
         scene.start.outside.pointer = Vec2{100.0, 50.0};
         scene.start.gale.front = 500.0;
-        scene.names = {"trunk", "left", "right"};
-        scene.groups = {{"branches", {0, tree->branches()}}};
-        scene.effects = {make_shared<SpinDamping>(0.95)};
+        scenes::add<SpinDamping>(scene, 0.95);
     } else {
-        scene = support::pointsOf(feet);
+        scene = scenes::springCreature(feet, 0.2, 40.0);
         support::scatter(scene.start, 5, 200.0);
         scene.start.velocity.col(0).setLinSpaced(-1.0, 2.0);
         scene.start.gait.setConstant(1, 0.2);
         scene.start.gaitSpeed.setConstant(1, 0.1);
-        scene.effects = {make_shared<RadialSpring>(support::legs(feet), 0.2, 40.0), make_shared<Gravity>(0.5),
-                         make_shared<Damping>(0.9)};
+        scenes::add<Gravity>(scene, 0.5);
+        scenes::add<Damping>(scene, 0.9);
     }
     return scene;
 }
@@ -232,7 +227,7 @@ private slots:
     void aMethodMeetsNoneOfThem()
     {
         // A contact that cannot be met does not keep a method away that knows no contacts.
-        Scene scene = support::pointsOf(feet);
+        Scene scene = scenes::creature(feet);
         scene.effects = {make_shared<Gravity>(0.5)};
         const Eigen::ArrayXd half = Eigen::ArrayXd::Constant(feet + 1, 5.0);
         int kept = 0;
@@ -252,7 +247,7 @@ private slots:
         // the body falls 0.5 (1 + 2 + ... + n) px in n frames.
         support::Sample sample{"fall",
                                [](const Values &values) {
-                                   Scene scene = support::pointsOf(1);
+                                   Scene scene = scenes::creature(1);
                                    scene.effects = {make_shared<Gravity>(values["gravity"])};
                                    return scene;
                                },

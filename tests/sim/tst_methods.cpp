@@ -5,8 +5,6 @@
 #include "sim/effects/constraints/sticks.h"
 #include "sim/effects/drags/damping.h"
 #include "sim/effects/fields/gravity.h"
-#include "sim/effects/springs/point_spring.h"
-#include "sim/effects/springs/radial_spring.h"
 #include "sim/methods/methods.h"
 
 #include <QTest>
@@ -32,22 +30,17 @@ double distance(const State &a, const State &b)
 /// A body with five feet in the air: nothing in it jumps, so all methods have their order.
 Scene smoothScene()
 {
-    Scene scene = support::pointsOf(5);
+    Scene scene = scenes::springCreature(5, 0.1, 50.0);
     support::scatter(scene.start, 42, 400.0);
-    scene.effects = {std::make_shared<RadialSpring>(support::legs(5), 0.1, 50.0),
-                     std::make_shared<Gravity>(0.5), std::make_shared<Damping>(0.9)};
+    scenes::add<Gravity>(scene, 0.5);
+    scenes::add<Damping>(scene, 0.9);
     return scene;
 }
 
 Scene oscillator(double k, double damp)
 {
-    Scene scene;
-    scene.start = State::ofPoints(1);
-    scene.start.place(0, {100.0, -40.0});
+    Scene scene = scenes::oscillator({100.0, -40.0}, {}, k, damp);
     scene.start.push(0, {3.0, 8.0});
-    scene.names = {"foot"};
-    scene.groups = {{"foot", {0, 1}}};
-    scene.effects = {std::make_shared<PointSpring>(0, Vec2{0, 0}, k), std::make_shared<Damping>(damp)};
     return scene;
 }
 
@@ -243,7 +236,7 @@ private slots:
     void semiImplicitKeepsTheMomentumOfACreature()
     {
         Scene scene = smoothScene();
-        scene.effects = {std::make_shared<RadialSpring>(support::legs(5), 0.1, 50.0)};
+        scene.effects.resize(1); // the springs
         for (int i = 0; i < scene.start.points(); ++i)
             scene.start.push(i, {1.0 + i, -0.5 * i});
         const State end = support::plainRun(scene, "semi_implicit_euler", 1.0, 10'000);
@@ -260,12 +253,9 @@ private slots:
     {
         // Two points on a stick that turns as it falls: its middle falls freely, whatever constraints do to its ends.
         QFETCH(QString, method);
-        Scene scene = support::pointsOf(1);
-        scene.start.place(0, {240, 200});
-        scene.start.place(1, {300, 200});
+        Scene scene = scenes::pointsAt({{240, 200}, {300, 200}});
         scene.start.push(0, {0, 1});
         scene.start.push(1, {0, -1});
-        scene.groups = {{"points", {0, 2}}};
         scene.effects = {std::make_shared<Gravity>(0.5),
                          std::make_shared<Sticks>(std::vector<Stick>{{0, 1, 60.0, 0.5}}, 2)};
         if (!support::fits(scene, *findMethod(method.toStdString())))
@@ -282,10 +272,9 @@ private slots:
     void publishedPairPropelsItself()
     {
         // Known of the published order: at k = 0.3, damp = 0.9 the pair flies off, all at once it stays.
-        Scene scene = support::pointsOf(1);
+        Scene scene = scenes::springCreature(1, 0.3, 50.0);
         scene.start.place(0, {300, 230});
-        scene.effects = {std::make_shared<RadialSpring>(support::legs(1), 0.3, 50.0),
-                         std::make_shared<Damping>(0.9)};
+        scenes::add<Damping>(scene, 0.9);
         QVERIFY(support::plainRun(scene, "published", 1.0, 2000).velocity.matrix().norm() > 10.0);
         QVERIFY(support::plainRun(scene, "semi_implicit_euler", 1.0, 2000).velocity.matrix().norm() < 1e-6);
     }

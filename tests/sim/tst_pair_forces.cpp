@@ -26,39 +26,6 @@ struct Layout
     std::vector<Link> links;
 };
 
-/// Creatures laid out foot by foot: all bodies, all first feet, and so on.
-std::vector<Link> crowd(int creatures, int feet)
-{
-    std::vector<Link> links;
-    for (int foot = 1; foot <= feet; ++foot) {
-        for (int creature = 0; creature < creatures; ++creature)
-            links.insert(links.end(),
-                         {{foot * creatures + creature, creature}, {creature, foot * creatures + creature}});
-    }
-    return links;
-}
-
-std::vector<Link> chain(int points)
-{
-    std::vector<Link> links;
-    for (int i = 1; i < points; ++i)
-        links.insert(links.end(), {{i - 1, i}, {i, i - 1}});
-    return links;
-}
-
-std::vector<Link> grid(int side)
-{
-    std::vector<Link> links;
-    for (int i = 0; i < side * side; ++i) {
-        if (i % side + 1 < side)
-            links.insert(links.end(), {{i, i + 1}, {i + 1, i}});
-        if (i + side < side * side)
-            links.insert(links.end(), {{i, i + side}, {i + side, i}});
-    }
-    return links;
-}
-
-/// Any two points; some links twice, some answered and some not.
 std::vector<Link> anyhow(int points, int count, std::uint64_t seed)
 {
     Dice dice(seed);
@@ -78,13 +45,13 @@ std::vector<Link> anyhow(int points, int count, std::uint64_t seed)
 
 std::vector<Layout> layouts()
 {
-    return {{"one creature", 6, support::legs(5)},
-            {"a creature of three hundred feet", 301, support::legs(300)},
-            {"one creature foot by foot", 6, crowd(1, 5)},
-            {"two creatures foot by foot", 12, crowd(2, 5)},
-            {"six hundred creatures foot by foot", 3600, crowd(600, 5)},
-            {"a chain", 50, chain(50)},
-            {"a grid", 400, grid(20)},
+    return {{"one creature", 6, scenes::legs(5)},
+            {"a creature of three hundred feet", 301, scenes::legs(300)},
+            {"one creature foot by foot", 6, scenes::legsByParts(1, 5)},
+            {"two creatures foot by foot", 12, scenes::legsByParts(2, 5)},
+            {"six hundred creatures foot by foot", 3600, scenes::legsByParts(600, 5)},
+            {"a chain", 50, scenes::chainLinks(50)},
+            {"a grid", 400, scenes::gridLinks(20)},
             {"few links anyhow", 10, anyhow(10, 12, 1)},
             {"many links anyhow", 40, anyhow(40, 500, 2)},
             {"no links", 5, {}}};
@@ -272,7 +239,7 @@ private slots:
     void islandsByThemselvesHaveTheSameBits()
     {
         const int creatures = 40;
-        const std::vector<Link> links = crowd(creatures, 5);
+        const std::vector<Link> links = scenes::legsByParts(creatures, 5);
         const RadialSpring radial(links, k, rest);
         const State state = stateOf(6 * creatures, 3);
         Eigen::ArrayX2d whole = state.acceleration, parts = state.acceleration;

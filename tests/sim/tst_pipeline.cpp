@@ -31,7 +31,7 @@ std::vector<EffectPtr> oneOfEach()
         std::make_shared<PointSpring>(feet, Vec2{250, 150}, 0.1),
         std::make_shared<BodySpring>(std::vector<Link>{{0, 1}}, 0.1),
         std::make_shared<OffsetSpring>(std::vector<Link>{{1, feet}}, 0.1, 50.0),
-        std::make_shared<RadialSpring>(support::legs(feet), 0.2, 50.0),
+        std::make_shared<RadialSpring>(scenes::legs(feet), 0.2, 50.0),
         std::make_shared<Gravity>(0.5),
         std::make_shared<Damping>(0.85),
         std::make_shared<Walls>(Room{20, 520, 380, 0.5}, Eigen::ArrayXd::Constant(feet + 1, 5.0)),
@@ -76,7 +76,7 @@ std::vector<EffectPtr> computed(const Scene &scene, const Method &method)
 
 Scene roomScene()
 {
-    Scene scene = support::pointsOf(feet);
+    Scene scene = scenes::creature(feet);
     scene.effects = {oneOfEach()[3], oneOfEach()[4], oneOfEach()[5], oneOfEach()[6]};
     return scene;
 }
@@ -125,14 +125,14 @@ private slots:
 
     void effectsThatConcernOneGroupMakeOnePhase()
     {
-        Scene scene = support::pointsOf(feet);
+        Scene scene = scenes::creature(feet);
         scene.effects = {std::make_shared<BodySpring>(std::vector<Link>{{0, 2}, {1, 2}}, 0.2)};
         QCOMPARE(ids(scene, "published"), std::string("body_spring:feet move:feet move:body"));
     }
 
     void aHandleHasNoPhasesOfItsOwn()
     {
-        Scene scene = support::pointsOf(1);
+        Scene scene = scenes::creature(1);
         scene.start.inverseMass[1] = 0.0;
         scene.effects = {std::make_shared<Gravity>(0.5), std::make_shared<Damping>(0.9)};
         QCOMPARE(ids(scene, "published"), std::string("gravity:feet damping:feet move:feet"));
@@ -140,7 +140,7 @@ private slots:
 
     void aSceneInWhichNothingMovesIsRefused()
     {
-        Scene scene = support::pointsOf(1);
+        Scene scene = scenes::creature(1);
         scene.start.inverseMass.setZero();
         scene.effects = {std::make_shared<Gravity>(0.5)};
         for (const MethodPtr &method : allMethods())
@@ -251,7 +251,7 @@ private slots:
         QFETCH(double, h);
         const std::vector<EffectPtr> effects = oneOfEach();
         for (unsigned subset = 0; subset < 1u << effects.size(); ++subset) {
-            Scene scene = support::pointsOf(feet);
+            Scene scene = scenes::creature(feet);
             support::scatter(scene.start, subset, 200.0);
             std::string expected;
             for (std::size_t i = 0; i < effects.size(); ++i) {

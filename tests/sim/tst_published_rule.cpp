@@ -5,7 +5,6 @@
 #include "sim/effects/contacts/walls.h"
 #include "sim/effects/drags/damping.h"
 #include "sim/effects/fields/gravity.h"
-#include "sim/effects/springs/radial_spring.h"
 
 #include <QTest>
 
@@ -81,14 +80,12 @@ Numbers randomNumbers(Dice &dice)
 
 Scene sceneWith(const Numbers &n, std::uint64_t seed, bool onePlace)
 {
-    Scene scene = support::pointsOf(n.feet);
+    Scene scene = scenes::springCreature(n.feet, n.k, n.radius);
     if (!onePlace)
         support::scatter(scene.start, seed, 600.0);
-    Eigen::ArrayXd half = Eigen::ArrayXd::Constant(n.feet + 1, 5.0);
-    half[n.feet] = 15.0;
-    scene.effects = {std::make_shared<RadialSpring>(support::legs(n.feet), n.k, n.radius),
-                     std::make_shared<Gravity>(n.gravity), std::make_shared<Damping>(n.damp),
-                     std::make_shared<Walls>(Room{20, 520, 380, n.bounce}, half)};
+    scenes::add<Gravity>(scene, n.gravity);
+    scenes::add<Damping>(scene, n.damp);
+    scenes::add<Walls>(scene, Room{20, 520, 380, n.bounce}, scenes::halfWidths(scene));
     return scene;
 }
 

@@ -22,12 +22,7 @@ constexpr double gravity = 0.5; ///< px/frame^2
 Scene ballOn(double angle, double bounce, double above, Vec2 v)
 {
     const Incline edge = inclineOf({0.0, 0.0}, angle, bounce);
-    Scene scene;
-    scene.start = State::ofPoints(1);
-    scene.start.place(0, (5.0 + above) * edge.normal);
-    scene.start.push(0, v);
-    scene.names = {"ball"};
-    scene.groups = {{"ball", {0, 1}}};
+    Scene scene = scenes::onePoint("ball", (5.0 + above) * edge.normal, v);
     scene.effects = {std::make_shared<Gravity>(gravity),
                      std::make_shared<Ramp>(edge, Eigen::ArrayXd::Constant(1, 5.0))};
     return scene;

@@ -119,7 +119,7 @@ private slots:
     void aRoundOfAFewStatesSleepsTooButIsNotOver()
     {
         // x' = x + v', v' = v - x: with k = 1 and h = 1 semi-implicit Euler comes back after 6 frames, exactly.
-        Scene scene = support::pointsOf(1);
+        Scene scene = scenes::creature(1);
         scene.start.place(0, {16.0, 0.0});
         scene.start.place(1, {0.0, 0.0});
         scene.effects = {make_shared<PointSpring>(0, Vec2{0.0, 0.0}, 1.0)};

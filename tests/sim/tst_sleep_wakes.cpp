@@ -141,7 +141,7 @@ private slots:
         sample.values.set("k", 1.0);
         sample.values.set("more", 0.0);
         sample.build = [](const Values &values) {
-            Scene scene = support::pointsOf(1 + values.whole("more"));
+            Scene scene = scenes::creature(1 + values.whole("more"));
             scene.start.place(0, {16.0, 0.0});
             scene.effects = {make_shared<PointSpring>(0, Vec2{0.0, 0.0}, values["k"])};
             return scene;

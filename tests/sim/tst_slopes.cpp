@@ -160,10 +160,10 @@ private:
         const std::vector<std::pair<const char *, ForcePtr>> forces = {
             {"spring to a point", std::make_shared<PointSpring>(1, Vec2{27, 20}, k)},
             {"spring to a body", std::make_shared<BodySpring>(std::vector<Link>{{0, feet}}, k)},
-            {"springs to every foot", std::make_shared<BodySpring>(support::legs(feet), k)},
-            {"springs with an offset", std::make_shared<OffsetSpring>(support::legs(feet), k, 50)},
-            {"radial springs", std::make_shared<RadialSpring>(support::legs(feet), k, 50)},
-            {"radial spring without a length", std::make_shared<RadialSpring>(support::legs(1), k, 0)},
+            {"springs to every foot", std::make_shared<BodySpring>(scenes::legs(feet), k)},
+            {"springs with an offset", std::make_shared<OffsetSpring>(scenes::legs(feet), k, 50)},
+            {"radial springs", std::make_shared<RadialSpring>(scenes::legs(feet), k, 50)},
+            {"radial spring without a length", std::make_shared<RadialSpring>(scenes::legs(1), k, 0)},
             {"gravity", std::make_shared<Gravity>(0.5)},
             {"legs", legSpring(Aim::bone, Reaction::none)},
             {"swinging legs that the body feels", legSpring(Aim::swing, Reaction::equal)},
@@ -299,7 +299,7 @@ private slots:
 
     void aForceWithoutSlopesIsRefusedByMethodsThatNeedThem()
     {
-        Scene scene = support::pointsOf(feet);
+        Scene scene = scenes::creature(feet);
         scene.effects = {std::make_shared<Gravity>(0.5), std::make_shared<Steady>()};
         int refused = 0;
         for (const MethodPtr &method : allMethods()) {

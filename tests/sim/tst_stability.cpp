@@ -80,7 +80,7 @@ void TestStability::everyMethodSaysWhatBoundsIt()
 
 void TestStability::nothingSwingsWithoutSprings()
 {
-    Scene scene = support::pointsOf(2);
+    Scene scene = scenes::creature(2);
     scene.effects = {make_shared<Gravity>(0.5), make_shared<Damping>(0.9)};
     QCOMPARE(predicted(scene, "explicit_euler").bound, Bound::noSprings);
     QCOMPARE(growthOf(scene, scene.start, *findMethod("published"), 1.0), 1.0);

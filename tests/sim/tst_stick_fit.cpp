@@ -4,10 +4,8 @@
 
 #include "sim/analysis/stability/remedies/stick_fit.h"
 #include "sim/catalogue/scenes.h"
-#include "sim/effects/constraints/sticks.h"
-#include "sim/effects/drags/damping.h"
-#include "sim/effects/fields/gravity.h"
 #include "sim/methods/methods.h"
+#include "sim/scenes/sticks.h"
 
 #include <QTest>
 
@@ -28,14 +26,12 @@ Script twoSticks(double gravity, double h, int count)
     sample.values.set("gravity", gravity);
     sample.values.set("passes", count);
     sample.build = [](const Values &values) {
-        Scene scene = support::pointsOf(2);
-        for (int i = 0; i < 3; ++i)
-            scene.start.place(i, {270.0, 100.0 + 50.0 * i});
-        scene.start.inverseMass[0] = 0.0;
-        const std::vector<Stick> sticks = {{0, 1, 50.0}, {1, 2, 50.0}};
-        scene.effects = {std::make_shared<Gravity>(values["gravity"]), std::make_shared<Damping>(damp),
-                         std::make_shared<Sticks>(sticks, 3, values.whole("passes"))};
-        return scene;
+        return scenes::fallingSticks({.places = {{270.0, 100.0}, {270.0, 150.0}, {270.0, 200.0}},
+                                      .sticks = scenes::chainOfSticks(2, 50.0),
+                                      .pinned = {0},
+                                      .gravity = values["gravity"],
+                                      .damp = damp,
+                                      .passes = values.whole("passes")});
     };
     Script script = support::script(sample, "semi_implicit_euler");
     script.step = StepSize::of(h);

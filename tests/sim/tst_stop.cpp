@@ -2,7 +2,6 @@
 
 #include "support.h"
 
-#include "sim/effects/springs/body_spring.h"
 #include "sim/methods/methods.h"
 
 #include <QTest>
@@ -17,9 +16,8 @@ support::Sample explosive()
     support::Sample sample;
     sample.values.set("k", 5000.0);
     sample.build = [](const Values &values) {
-        Scene scene = support::pointsOf(1);
+        Scene scene = scenes::linearCreature(1, values["k"]);
         scene.start.place(0, {300, 230});
-        scene.effects = {std::make_shared<BodySpring>(support::legs(1), values["k"])};
         return scene;
     };
     return sample;

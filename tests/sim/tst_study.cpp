@@ -66,12 +66,12 @@ private slots:
         // So stiff that the exact run takes all the steps that a frame may have, and of many points that are tied to each
         // other, so that they take a while: the study is told to stop before its first frame is done.
         std::int64_t asked = 0, askedWhenStopped = 0;
-        Scene scene = support::pointsOf(400);
+        Scene scene = scenes::creature(400);
         support::scatter(scene.start, 7, 300.0);
         scene.effects = {std::make_shared<CountedSpring>(0, spot, 1e12, asked)};
         for (int i = 1; i <= 400; ++i)
             scene.effects.push_back(std::make_shared<PointSpring>(i, spot, 1e12));
-        scene.effects.push_back(std::make_shared<BodySpring>(support::legs(400), 1e-6));
+        scene.effects.push_back(std::make_shared<BodySpring>(scenes::legs(400), 1e-6));
         int calls = 0;
         const auto stop = [&](const Accuracy &, double) {
             askedWhenStopped = asked;

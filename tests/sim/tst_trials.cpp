@@ -5,9 +5,6 @@
 #include "sim/analysis/stability/remedies/trials.h"
 #include "sim/effects/constraints/sticks.h"
 #include "sim/effects/drags/damping.h"
-#include "sim/effects/springs/body_spring.h"
-#include "sim/effects/springs/point_spring.h"
-#include "sim/effects/springs/radial_spring.h"
 #include "sim/methods/methods.h"
 
 #include <QTest>
@@ -26,10 +23,9 @@ Script star(int feet, const char *method = "semi_implicit_euler")
     sample.values.set("k", 0.2);
     sample.values.set("damp", 0.85);
     sample.build = [feet](const Values &values) {
-        Scene scene = support::pointsOf(feet);
+        Scene scene = scenes::linearCreature(feet, values["k"]);
         support::scatter(scene.start, 3, 200.0);
-        scene.effects = {std::make_shared<BodySpring>(support::legs(feet), values["k"]),
-                         std::make_shared<Damping>(values["damp"])};
+        scenes::add<Damping>(scene, values["damp"]);
         return scene;
     };
     return support::script(sample, method);
@@ -123,12 +119,9 @@ private slots:
         // Legs with a length: at 1/32 they stay within some hundred px, and never rest.
         Script script = star(3);
         script.build = [](const Values &values) {
-            Scene scene = support::pointsOf(3);
-            const std::vector<Vec2> places = {{322, 154}, {210, 170}, {265, 272}};
-            for (int i = 0; i < 3; ++i)
-                scene.start.place(i, places[static_cast<std::size_t>(i)]);
-            scene.effects = {std::make_shared<RadialSpring>(support::legs(3), 1000.0, 50.0),
-                             std::make_shared<Damping>(values["damp"])};
+            Scene scene = scenes::springCreature(3, 1000.0, 50.0);
+            scenes::placeFeet(scene, {{322, 154}, {210, 170}, {265, 272}});
+            scenes::add<Damping>(scene, values["damp"]);
             return scene;
         };
         const std::vector<Remedy> found = remediesAfter(script, stopOf(script), &drag, patient);
@@ -145,13 +138,7 @@ private slots:
     {
         Script script = star(1);
         script.build = [](const Values &values) {
-            Scene scene;
-            scene.start = State::ofPoints(1); // at 0, 0
-            scene.names = {"foot"};
-            scene.groups = {{"foot", {0, 1}}};
-            scene.effects = {std::make_shared<PointSpring>(0, Vec2{270, 200}, values["k"]),
-                             std::make_shared<Damping>(values["damp"])};
-            return scene;
+            return scenes::oscillator({0, 0}, {270, 200}, values["k"], values["damp"]);
         };
         script.values.set("k", 20.0);
         const std::vector<Remedy> found = remediesAfter(script, stopOf(script), &drag, patient);
@@ -187,9 +174,8 @@ private slots:
     {
         support::Sample sample;
         sample.build = [](const Values &) {
-            Scene scene = support::pointsOf(1);
+            Scene scene = scenes::linearCreature(1, 8e6);
             scene.start.place(0, {300, 200});
-            scene.effects = {std::make_shared<BodySpring>(support::legs(1), 8e6)};
             return scene;
         };
         Script script = support::script(sample, "dormand_prince");

@@ -9,6 +9,7 @@
 #include "sim/effects/fields/gravity.h"
 #include "sim/effects/springs/point_spring.h"
 #include "sim/methods/methods.h"
+#include "sim/scenes/sticks.h"
 
 #include <QTest>
 
@@ -27,7 +28,7 @@ const Vec2 dropX = {100.0, 200.0}, dropV = {1.5, 0.0};
 
 Scene bouncingBall()
 {
-    Scene scene = oneBall(dropX, dropV);
+    Scene scene = scenes::onePoint("ball", dropX, dropV);
     scene.effects = {
         std::make_shared<Gravity>(fall),
         std::make_shared<Walls>(Room{0.0, 1e6, ground + 5.0, kept}, Eigen::ArrayXd::Constant(1, 5.0))};
@@ -71,13 +72,12 @@ Script restless()
 /// A chain that is thrown: every stick has its length at the start.
 Scene threeSticks()
 {
-    Scene scene = support::pointsOf(3);
+    Scene scene = scenes::creature(3);
     for (int i = 0; i < 4; ++i)
         scene.start.place(i, {200.0 + 36.0 * i, i % 2 == 0 ? 200.0 : 248.0});
     scene.start.push(0, {3.0, -4.0});
-    scene.effects = {
-        std::make_shared<Gravity>(0.5), std::make_shared<Damping>(0.99),
-        std::make_shared<Sticks>(std::vector<Stick>{{0, 1, 60.0}, {1, 2, 60.0}, {2, 3, 60.0}}, 4)};
+    scene.effects = {std::make_shared<Gravity>(0.5), std::make_shared<Damping>(0.99),
+                     std::make_shared<Sticks>(scenes::chainOfSticks(3, 60.0), 4)};
     return scene;
 }
 
