@@ -54,19 +54,6 @@ lessons::Step step(const char *id, const sim::Scene &scene, const lessons::Look 
     return made;
 }
 
-sim::Scene pointsAt(const std::vector<sim::Vec2> &places)
-{
-    sim::Scene scene;
-    const int count = static_cast<int>(places.size());
-    scene.start = sim::State::ofPoints(count);
-    for (int i = 0; i < count; ++i) {
-        scene.start.place(i, places[static_cast<std::size_t>(i)]);
-        scene.names.push_back(std::string("p").append(std::to_string(i)));
-    }
-    scene.groups = {{"points", {0, count}}};
-    return scene;
-}
-
 void letGlide(sim::Scene &scene, sim::Vec2 velocity)
 {
     scene.start.velocity.col(0) = velocity.x;
@@ -84,7 +71,7 @@ Tree tree(int forks)
 {
     const int count = (2 << forks) - 1;
     Tree made;
-    made.scene = pointsAt(std::vector<sim::Vec2>(static_cast<std::size_t>(count), {270.0, 400.0}));
+    made.scene = scenes::pointsAt(std::vector<sim::Vec2>(static_cast<std::size_t>(count), {270.0, 400.0}));
     sim::State &start = made.scene.start;
     start.angle = Eigen::ArrayXd::Constant(count, -90.0);
     lessons::TreeLook branches;

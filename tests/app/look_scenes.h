@@ -1,6 +1,7 @@
 #pragma once
 
 #include "lessons/api/step.h"
+#include "sim/scenes/points.h"
 
 /// Small scenes for what a look can say, each with points that go where a formula puts them.
 namespace look_scenes {
@@ -8,8 +9,6 @@ namespace look_scenes {
 /// A step that has nothing but a scene and a look.
 lessons::Step step(const char *id, const sim::Scene &scene, const lessons::Look &look);
 
-/// Points p0, p1... at rest at these places.
-sim::Scene pointsAt(const std::vector<sim::Vec2> &places);
 /// All points go on by `velocity`, px/frame.
 void letGlide(sim::Scene &scene, sim::Vec2 velocity);
 /// A look with one foot a point.

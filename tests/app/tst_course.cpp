@@ -25,7 +25,7 @@ constexpr double start = 100.0;
 /// Two feet that glide to the right. Foot p0 stands in frames 0 to 9, 20 to 29...; p1 in the others.
 lessons::Step glide()
 {
-    sim::Scene scene = look_scenes::pointsAt({{start, 100}, {start, 150}});
+    sim::Scene scene = scenes::pointsAt({{start, 100}, {start, 150}});
     look_scenes::letGlide(scene, {speed, 0.0});
     lessons::Look look = look_scenes::feetOnly(scene);
     look.feet = {0, 1};
@@ -63,14 +63,14 @@ lessons::Step glide()
 
 lessons::Step plain()
 {
-    const sim::Scene scene = look_scenes::pointsAt({{start, 100}});
+    const sim::Scene scene = scenes::pointsAt({{start, 100}});
     return look_scenes::step("plain", scene, look_scenes::feetOnly(scene));
 }
 
 /// A step that looks at its run as a whole. Its run is exact, so that only the price decides.
 lessons::Step whole()
 {
-    sim::Scene scene = look_scenes::pointsAt({{start, 100}});
+    sim::Scene scene = scenes::pointsAt({{start, 100}});
     look_scenes::letGlide(scene, {speed, 0.0});
     lessons::Step step = look_scenes::step("whole", scene, look_scenes::feetOnly(scene));
     lessons::Measure measure = {"Step", "frames", "The step of the run.", 2, {}};

@@ -278,7 +278,7 @@ void SceneDrawingTest::aDiscThrowsAShadowOnTheFloor()
     QFETCH(int, scheme);
     QFETCH(bool, hasShadow);
     const auto floorUnder = [&](double height) {
-        const sim::Scene scene = look_scenes::pointsAt({{150, 300.0 - height}});
+        const sim::Scene scene = scenes::pointsAt({{150, 300.0 - height}});
         lessons::Look look = look_scenes::feetOnly(scene);
         look.bodies[0].radius = 15.0;
         look.ground = 315.0;
@@ -335,7 +335,7 @@ lessons::Step pressedSpring()
 {
     lessons::Step step = look_scenes::step("pressed", {}, {});
     step.scene = [](const sim::Values &) {
-        sim::Scene scene = look_scenes::pointsAt({{160, 200}, {100, 200}});
+        sim::Scene scene = scenes::pointsAt({{160, 200}, {100, 200}});
         scene.start.inverseMass[1] = 0.0;
         scene.effects.push_back(
             std::make_shared<sim::Springs>(std::vector<sim::Spring>{{0, 1, 0.2, 100.0}}, 2));

@@ -95,7 +95,7 @@ private:
 
 void SceneLooksTest::aLookIsMadeOnce()
 {
-    sim::Scene scene = look_scenes::pointsAt({{200, 200}, {300, 200}});
+    sim::Scene scene = scenes::pointsAt({{200, 200}, {300, 200}});
     look_scenes::letGlide(scene, {1.0, 0.0});
     lessons::Step step = look_scenes::step("once", scene, look_scenes::feetOnly(scene));
     int made = 0;
@@ -127,7 +127,7 @@ void SceneLooksTest::aLegBendsAsItsControlPointSays()
     QFETCH(double, curve);
     const sim::Vec2 body{210, 220};
     const sim::Vec2 foot{330, 260};
-    const sim::Scene scene = look_scenes::pointsAt({body, foot});
+    const sim::Scene scene = scenes::pointsAt({body, foot});
     Look look = withoutGridOrDiscs(scene);
     look.legs.push_back({0, 1, curve});
     SceneBench bench({look_scenes::step("leg", scene, look)});
@@ -142,7 +142,7 @@ void SceneLooksTest::aLegBendsAsItsControlPointSays()
 
 void SceneLooksTest::aGhostsLegBendsToo()
 {
-    sim::Scene scene = look_scenes::pointsAt({{210, 220}, {330, 260}});
+    sim::Scene scene = scenes::pointsAt({{210, 220}, {330, 260}});
     look_scenes::letGlide(scene, {0.0, 1.0});
     Look look = look_scenes::feetOnly(scene);
     look.legs.push_back({0, 1, 80.0});
@@ -185,7 +185,7 @@ void SceneLooksTest::aStickHasTheColourOfItsError()
 {
     QFETCH(double, error);
     QFETCH(QString, expected);
-    const sim::Scene scene = look_scenes::pointsAt({{190, 200}, {350, 200}});
+    const sim::Scene scene = scenes::pointsAt({{190, 200}, {350, 200}});
     Look look = withoutGridOrDiscs(scene);
     look.sticks.push_back({0, 1, 160.0 / (1.0 + error), 6.0});
     SceneBench bench({look_scenes::step("stick", scene, look)});
@@ -200,7 +200,7 @@ void SceneLooksTest::aStickHasTheColourOfItsError()
 void SceneLooksTest::whatIsPulledLongGetsThinner()
 {
     const auto width = [](double error) {
-        const sim::Scene scene = look_scenes::pointsAt({{190, 200}, {350, 200}});
+        const sim::Scene scene = scenes::pointsAt({{190, 200}, {350, 200}});
         Look look = withoutGridOrDiscs(scene);
         look.sticks.push_back({0, 1, 160.0 / (1.0 + error), 6.0});
         SceneBench bench({look_scenes::step("stick", scene, look)});
@@ -224,7 +224,7 @@ struct DrawnSpring
 
 DrawnSpring drawnSpring(double length, double rest)
 {
-    const sim::Scene scene = look_scenes::pointsAt({{150, 200}, {150 + length, 200}});
+    const sim::Scene scene = scenes::pointsAt({{150, 200}, {150 + length, 200}});
     Look look = withoutGridOrDiscs(scene);
     look.springs.push_back({0, 1, rest});
     SceneBench bench({look_scenes::step("spring", scene, look)});
@@ -267,7 +267,7 @@ void SceneLooksTest::aSpringKeepsItsTurnsAndShowsItsStretch()
 
 void SceneLooksTest::aSpringToAPlaceEndsThere()
 {
-    sim::Scene scene = look_scenes::pointsAt({{210, 200}});
+    sim::Scene scene = scenes::pointsAt({{210, 200}});
     look_scenes::letGlide(scene, {0.0, 4.0});
     Look look = withoutGridOrDiscs(scene);
     look.springs.push_back({0, -1, 0.0, {290, 200}});
@@ -295,7 +295,7 @@ void SceneLooksTest::aSpringToAPlaceEndsThere()
 
 void SceneLooksTest::aGhostsSpringToAPlaceIsDrawn()
 {
-    sim::Scene scene = look_scenes::pointsAt({{210, 200}});
+    sim::Scene scene = scenes::pointsAt({{210, 200}});
     look_scenes::letGlide(scene, {0.0, 4.0});
     Look look = withoutGridOrDiscs(scene);
     look.bodies[0].shape = Shape::foot;
@@ -320,7 +320,7 @@ void SceneLooksTest::aGhostsSpringToAPlaceIsDrawn()
 
 void SceneLooksTest::softMatterIsFilledAndFine()
 {
-    const sim::Scene scene = look_scenes::pointsAt({{200, 150}, {340, 150}, {340, 250}, {200, 250}});
+    const sim::Scene scene = scenes::pointsAt({{200, 150}, {340, 150}, {340, 250}, {200, 250}});
     Look look = withoutGridOrDiscs(scene);
     look.sheets.push_back({{0, 1, 2, 3}});
     using Part = lessons::SpringLook::Part;
@@ -338,7 +338,7 @@ void SceneLooksTest::softMatterIsFilledAndFine()
 
 void SceneLooksTest::aLegIsThickAtTheBodyAndThinAtTheFoot()
 {
-    const sim::Scene scene = look_scenes::pointsAt({{190, 200}, {350, 200}});
+    const sim::Scene scene = scenes::pointsAt({{190, 200}, {350, 200}});
     for (const double curve : {0.0, 1.0}) {
         Look look = withoutGridOrDiscs(scene);
         look.legs.push_back({0, 1, curve});
@@ -353,7 +353,7 @@ void SceneLooksTest::aLegIsThickAtTheBodyAndThinAtTheFoot()
 
 void SceneLooksTest::aLimbIsAsWideAsItSays()
 {
-    const sim::Scene scene = look_scenes::pointsAt({{190, 200}, {350, 200}});
+    const sim::Scene scene = scenes::pointsAt({{190, 200}, {350, 200}});
     Look look = withoutGridOrDiscs(scene);
     look.limbs.push_back({0, 1, 20.0});
     SceneBench bench({look_scenes::step("limb", scene, look)});
@@ -370,7 +370,7 @@ void SceneLooksTest::aLimbIsAsWideAsItSays()
 
 void SceneLooksTest::aJointIsAHollowDisc()
 {
-    const sim::Scene scene = look_scenes::pointsAt({{270, 200}, {320, 240}});
+    const sim::Scene scene = scenes::pointsAt({{270, 200}, {320, 240}});
     Look look = withoutGridOrDiscs(scene);
     look.bodies[0] = {Shape::joint, 6.0};
     SceneBench bench({look_scenes::step("joint", scene, look)});
@@ -385,7 +385,7 @@ void SceneLooksTest::aJointIsAHollowDisc()
 
 void SceneLooksTest::whatIsHiddenIsNeitherDrawnNorTaken()
 {
-    const sim::Scene scene = look_scenes::pointsAt({{270, 200}, {320, 240}});
+    const sim::Scene scene = scenes::pointsAt({{270, 200}, {320, 240}});
     Look look = withoutGridOrDiscs(scene);
     look.bodies[1].shape = Shape::foot;
     SceneBench bench({look_scenes::step("hidden", scene, look)});
@@ -415,7 +415,7 @@ void SceneLooksTest::whatIsHiddenIsNeitherDrawnNorTaken()
 void SceneLooksTest::aSkinGoesThroughItsPoints()
 {
     const std::vector<sim::Vec2> corners{{210, 200}, {250, 150}, {320, 170}, {340, 220}, {280, 250}};
-    const sim::Scene scene = look_scenes::pointsAt(corners);
+    const sim::Scene scene = scenes::pointsAt(corners);
     Look look = withoutGridOrDiscs(scene);
     look.skins.push_back({{0, 1, 2, 3, 4}, -1});
     SceneBench bench({look_scenes::step("skin", scene, look)});
@@ -434,7 +434,7 @@ void SceneLooksTest::aSkinGoesThroughItsPoints()
 void SceneLooksTest::aSkinLooksWhereItGoes()
 {
     const auto eyes = [](sim::Vec2 velocity) {
-        sim::Scene scene = look_scenes::pointsAt({{200, 200}, {270, 150}, {340, 200}, {270, 250}});
+        sim::Scene scene = scenes::pointsAt({{200, 200}, {270, 150}, {340, 200}, {270, 250}});
         look_scenes::letGlide(scene, velocity);
         Look look = withoutGridOrDiscs(scene);
         look.skins.push_back({{0, 1, 2, 3}, 2});
@@ -462,8 +462,7 @@ void SceneLooksTest::aSkinLooksWhereItGoes()
 
 void SceneLooksTest::aTentacleGetsThinner()
 {
-    const sim::Scene scene =
-        look_scenes::pointsAt({{190, 200}, {230, 200}, {270, 200}, {310, 200}, {350, 200}});
+    const sim::Scene scene = scenes::pointsAt({{190, 200}, {230, 200}, {270, 200}, {310, 200}, {350, 200}});
     Look look = withoutGridOrDiscs(scene);
     look.chains.push_back({{0, 1, 2, 3, 4}, 16.0});
     SceneBench bench({look_scenes::step("chain", scene, look)});
@@ -482,7 +481,7 @@ void SceneLooksTest::aTentacleGetsThinner()
 
 void SceneLooksTest::windStandsStillWithTime()
 {
-    sim::Scene scene = look_scenes::pointsAt({{100, 100}});
+    sim::Scene scene = scenes::pointsAt({{100, 100}});
     lessons::Step step = look_scenes::step("wind", scene, withoutGridOrDiscs(scene));
     step.guides = [](const sim::Scene &, const sim::State &, const sim::Values &) {
         return std::vector<lessons::Guide>{{lessons::Guide::Shape::wind, {270, 200}, {}, 0.0, {}}};

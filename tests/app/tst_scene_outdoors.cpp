@@ -22,7 +22,7 @@ namespace {
 /// One disc that goes to the right at `speed` px/frame, 40 px above an endless ground.
 lessons::Step walker(double speed, const char *id = "walk")
 {
-    sim::Scene scene = look_scenes::pointsAt({{270, 360}});
+    sim::Scene scene = scenes::pointsAt({{270, 360}});
     look_scenes::letGlide(scene, {speed, 0.0});
     Look look = look_scenes::feetOnly(scene);
     look.bodies[0] = {Shape::body, 15.0};

@@ -31,7 +31,7 @@ public:
 
 lessons::Step stepThatKnows(const char *id, std::vector<Does> does, int pointed = -1, bool isRead = true)
 {
-    sim::Scene scene = look_scenes::pointsAt({{200, 150}, {300, 150}});
+    sim::Scene scene = scenes::pointsAt({{200, 150}, {300, 150}});
     if (isRead)
         scene.effects.push_back(std::make_shared<Reader>());
     lessons::Look look = look_scenes::feetOnly(scene);
