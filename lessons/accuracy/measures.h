@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lessons/api/exact_run.h"
+#include "lessons/api/checks/exact_run.h"
 #include "lessons/api/step.h"
 
 /// What the steps of this lesson measure, and the marks of the exact motion. Those of one step share one ExactRun.

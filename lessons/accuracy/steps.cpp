@@ -1,8 +1,8 @@
 #include "steps.h"
 
-#include "lessons/api/acting.h"
 #include "lessons/api/creature.h"
 #include "lessons/api/parameters.h"
+#include "lessons/api/view/acting.h"
 #include "measures.h"
 #include "scenes.h"
 #include "sim/effects/contacts/walls.h"

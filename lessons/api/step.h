@@ -1,10 +1,10 @@
 #pragma once
 
-#include "lessons/api/budget.h"
-#include "lessons/api/condition.h"
+#include "lessons/api/checks/budget.h"
+#include "lessons/api/checks/condition.h"
 #include "lessons/api/explanation.h"
-#include "lessons/api/look.h"
 #include "lessons/api/parameter.h"
+#include "lessons/api/view/look.h"
 #include "sim/effects/catalogue.h"
 #include "sim/run/timeline.h"
 

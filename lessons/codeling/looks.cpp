@@ -1,6 +1,6 @@
 #include "looks.h"
 
-#include "lessons/api/acting.h"
+#include "lessons/api/view/acting.h"
 #include "sim/effects/drivers/motor.h"
 #include "swimmer.h"
 

@@ -1,7 +1,7 @@
 #include "tries.h"
 
-#include "lessons/api/checks.h"
-#include "lessons/api/hand.h"
+#include "lessons/api/checks/hand.h"
+#include "lessons/api/checks/run_queries.h"
 #include "swimmer.h"
 
 #include <QCoreApplication>

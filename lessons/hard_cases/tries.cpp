@@ -1,8 +1,8 @@
 #include "tries.h"
 
 #include "cases.h"
-#include "lessons/api/checks.h"
-#include "lessons/api/hand.h"
+#include "lessons/api/checks/hand.h"
+#include "lessons/api/checks/run_queries.h"
 #include "marks.h"
 #include "scenes.h"
 

@@ -1,6 +1,6 @@
 #include "tries.h"
 
-#include "lessons/api/checks.h"
+#include "lessons/api/checks/run_queries.h"
 
 #include <QCoreApplication>
 

@@ -1,7 +1,7 @@
 #include "looks.h"
 
 #include "figure.h"
-#include "lessons/api/acting.h"
+#include "lessons/api/view/acting.h"
 #include "sim/effects/contacts/room_limits.h"
 
 #include <QCoreApplication>

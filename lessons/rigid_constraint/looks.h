@@ -1,7 +1,7 @@
 #pragma once
 
-#include "lessons/api/look.h"
 #include "lessons/api/step.h"
+#include "lessons/api/view/look.h"
 
 namespace rigid_constraint {
 

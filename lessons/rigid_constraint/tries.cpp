@@ -1,8 +1,8 @@
 #include "tries.h"
 
 #include "figure.h"
-#include "lessons/api/checks.h"
-#include "lessons/api/hand.h"
+#include "lessons/api/checks/hand.h"
+#include "lessons/api/checks/run_queries.h"
 
 #include <QCoreApplication>
 

@@ -1,6 +1,6 @@
 #include "looks.h"
 
-#include "lessons/api/acting.h"
+#include "lessons/api/view/acting.h"
 #include "plan.h"
 #include "sim/effects/contacts/ground.h"
 #include "sim/effects/contacts/room_limits.h"

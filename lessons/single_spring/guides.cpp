@@ -1,6 +1,6 @@
 #include "guides.h"
 
-#include "lessons/api/acting.h"
+#include "lessons/api/view/acting.h"
 #include "scenes.h"
 #include "sim/base/direction.h"
 #include "sim/effects/pairs/spring.h"

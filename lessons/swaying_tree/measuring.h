@@ -1,7 +1,7 @@
 #pragma once
 
-#include "lessons/api/acting.h"
 #include "lessons/api/step.h"
+#include "lessons/api/view/acting.h"
 #include "sim/effects/tree/torsion.h"
 
 /// What guides, measures and checks read off a tree.

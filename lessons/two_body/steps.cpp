@@ -1,6 +1,6 @@
 #include "steps.h"
 
-#include "lessons/api/checks.h"
+#include "lessons/api/checks/run_queries.h"
 #include "lessons/api/parameters.h"
 #include "scenes.h"
 

@@ -1,7 +1,7 @@
 #include "picture.h"
 
-#include "lessons/api/acting.h"
 #include "lessons/api/creature.h"
+#include "lessons/api/view/acting.h"
 #include "sim/effects/contacts/ground.h"
 #include "sim/effects/contacts/walls.h"
 #include "sim/effects/springs/leg_spring.h"

@@ -1,4 +1,4 @@
-#include "lessons/api/exact_run.h"
+#include "lessons/api/checks/exact_run.h"
 #include "sim/methods/methods.h"
 #include "tests/lessons/accuracy_truths.h"
 #include "tests/lessons/attempts.h"

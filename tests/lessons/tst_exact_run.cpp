@@ -1,7 +1,7 @@
 // The exact run beside a run, and the budgets that it decides: on the lesson `accuracy`, against other solutions.
 
-#include "lessons/api/budget.h"
-#include "lessons/api/exact_run.h"
+#include "lessons/api/checks/budget.h"
+#include "lessons/api/checks/exact_run.h"
 #include "sim/methods/methods.h"
 #include "tests/lessons/accuracy_truths.h"
 #include "tests/lessons/support.h"

@@ -2,7 +2,7 @@
 #include "tests/lessons/published_files.h"
 #include "tests/lessons/tutorial_match.h"
 
-#include "lessons/api/checks.h"
+#include "lessons/api/checks/run_queries.h"
 
 #include <QTest>
 

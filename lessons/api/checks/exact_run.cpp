@@ -1,4 +1,4 @@
-#include "lessons/api/exact_run.h"
+#include "lessons/api/checks/exact_run.h"
 
 #include "sim/analysis/accuracy/run.h"
 #include "sim/base/error.h"

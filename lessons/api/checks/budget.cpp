@@ -1,6 +1,6 @@
-#include "lessons/api/budget.h"
+#include "lessons/api/checks/budget.h"
 
-#include "lessons/api/exact_run.h"
+#include "lessons/api/checks/exact_run.h"
 #include "sim/analysis/accuracy/run.h"
 #include "sim/analysis/accuracy/timing.h"
 

@@ -1,7 +1,7 @@
-#include "lessons/api/condition.h"
+#include "lessons/api/checks/condition.h"
 
-#include "lessons/api/checks.h"
-#include "lessons/api/hand.h"
+#include "lessons/api/checks/hand.h"
+#include "lessons/api/checks/run_queries.h"
 
 #include <QCoreApplication>
 #include <QLocale>

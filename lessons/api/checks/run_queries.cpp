@@ -1,4 +1,4 @@
-#include "lessons/api/checks.h"
+#include "lessons/api/checks/run_queries.h"
 
 #include "sim/simd/flush.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lessons/api/hand.h"
+#include "lessons/api/checks/hand.h"
 #include "sim/run/timeline.h"
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "lessons/api/hand.h"
+#include "lessons/api/checks/hand.h"
 
 #include <algorithm>
 
