@@ -1,12 +1,12 @@
 #include "steps.h"
 
+#include "checks.h"
 #include "lessons/api/creature.h"
 #include "lessons/api/parameters.h"
 #include "lessons/api/view/acting.h"
-#include "measures.h"
 #include "scenes.h"
 #include "sim/effects/contacts/walls.h"
-#include "tries.h"
+#include "view.h"
 
 #include <QCoreApplication>
 

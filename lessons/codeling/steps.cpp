@@ -1,9 +1,9 @@
 #include "steps.h"
 
-#include "looks.h"
+#include "checks.h"
 #include "parameters.h"
 #include "scenes.h"
-#include "tries.h"
+#include "view.h"
 
 #include <QCoreApplication>
 

@@ -1,11 +1,11 @@
 #include "steps.h"
 
 #include "cases.h"
+#include "checks.h"
 #include "lessons/api/creature.h"
 #include "lessons/api/parameters.h"
-#include "marks.h"
 #include "scenes.h"
-#include "tries.h"
+#include "view.h"
 
 #include <QCoreApplication>
 

@@ -1,9 +1,9 @@
 #include "steps.h"
 
+#include "checks.h"
 #include "lessons/api/creature.h"
 #include "lessons/api/parameters.h"
 #include "scenes.h"
-#include "tries.h"
 
 #include <QCoreApplication>
 

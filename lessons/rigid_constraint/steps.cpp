@@ -1,9 +1,9 @@
 #include "steps.h"
 
+#include "checks.h"
 #include "lessons/api/parameters.h"
-#include "looks.h"
 #include "scenes.h"
-#include "tries.h"
+#include "view.h"
 
 #include <QCoreApplication>
 

@@ -2,9 +2,9 @@
 
 #include "examples.h"
 #include "lessons/api/parameters.h"
-#include "looks.h"
 #include "plan.h"
 #include "scenes.h"
+#include "view.h"
 
 #include <QCoreApplication>
 

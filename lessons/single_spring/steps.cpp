@@ -1,10 +1,10 @@
 #include "steps.h"
 
-#include "guides.h"
+#include "checks.h"
 #include "lessons/api/creature.h"
 #include "lessons/api/parameters.h"
 #include "scenes.h"
-#include "tries.h"
+#include "view.h"
 
 #include <QCoreApplication>
 

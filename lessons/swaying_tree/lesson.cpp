@@ -1,6 +1,6 @@
 #include "lessons/api/lesson.h"
+#include "explanations.h"
 #include "steps.h"
-#include "teaching.h"
 
 #include <QObject>
 

@@ -1,10 +1,10 @@
 #include "steps.h"
 
-#include "guides.h"
+#include "checks.h"
 #include "measuring.h"
+#include "parameters.h"
 #include "scenes.h"
-#include "tree_parameters.h"
-#include "tries.h"
+#include "view.h"
 
 #include <QCoreApplication>
 

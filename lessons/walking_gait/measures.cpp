@@ -1,8 +1,8 @@
 #include "measures.h"
 
 #include "lessons/api/creature.h"
-#include "picture.h"
 #include "sim/effects/springs/push.h"
+#include "view.h"
 
 #include <QCoreApplication>
 

@@ -1,11 +1,11 @@
 #include "steps.h"
 
+#include "checks.h"
 #include "lessons/api/parameters.h"
 #include "measures.h"
 #include "parameters.h"
-#include "picture.h"
 #include "scenes.h"
-#include "tries.h"
+#include "view.h"
 
 #include <QCoreApplication>
 

@@ -1,4 +1,4 @@
-#include "picture.h"
+#include "view.h"
 
 #include "lessons/api/creature.h"
 #include "lessons/api/view/acting.h"

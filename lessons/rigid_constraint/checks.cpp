@@ -1,4 +1,4 @@
-#include "tries.h"
+#include "checks.h"
 
 #include "figure.h"
 #include "lessons/api/checks/hand.h"

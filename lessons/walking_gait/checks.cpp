@@ -1,8 +1,8 @@
-#include "tries.h"
+#include "checks.h"
 
 #include "lessons/api/checks/run_queries.h"
 #include "lessons/api/creature.h"
-#include "picture.h"
+#include "view.h"
 
 #include <QCoreApplication>
 

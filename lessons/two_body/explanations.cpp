@@ -1,4 +1,4 @@
-#include "teaching.h"
+#include "explanations.h"
 
 #include <QCoreApplication>
 

@@ -1,4 +1,4 @@
-#include "tree_parameters.h"
+#include "parameters.h"
 
 #include <QCoreApplication>
 

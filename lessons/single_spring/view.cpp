@@ -1,4 +1,4 @@
-#include "guides.h"
+#include "view.h"
 
 #include "lessons/api/view/acting.h"
 #include "scenes.h"

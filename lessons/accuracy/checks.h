@@ -1,7 +1,7 @@
 #pragma once
 
 #include "lessons/api/step.h"
-#include "measures.h"
+#include "view.h"
 
 #include <vector>
 

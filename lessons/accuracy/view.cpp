@@ -1,4 +1,4 @@
-#include "measures.h"
+#include "view.h"
 
 #include "scenes.h"
 

@@ -1,4 +1,4 @@
-#include "looks.h"
+#include "view.h"
 
 #include "lessons/api/view/acting.h"
 #include "sim/effects/drivers/motor.h"

@@ -1,4 +1,4 @@
-#include "tries.h"
+#include "checks.h"
 
 #include "lessons/api/checks/hand.h"
 #include "lessons/api/checks/run_queries.h"

@@ -1,10 +1,10 @@
-#include "tries.h"
+#include "checks.h"
 
 #include "cases.h"
 #include "lessons/api/checks/hand.h"
 #include "lessons/api/checks/run_queries.h"
-#include "marks.h"
 #include "scenes.h"
+#include "view.h"
 
 #include <QCoreApplication>
 #include <QLocale>

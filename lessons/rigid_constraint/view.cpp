@@ -1,4 +1,4 @@
-#include "looks.h"
+#include "view.h"
 
 #include "figure.h"
 #include "lessons/api/view/acting.h"

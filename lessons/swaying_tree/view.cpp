@@ -1,4 +1,4 @@
-#include "guides.h"
+#include "view.h"
 
 #include "measuring.h"
 #include "sim/base/direction.h"

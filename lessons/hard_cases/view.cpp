@@ -1,4 +1,4 @@
-#include "marks.h"
+#include "view.h"
 
 #include "scenes.h"
 
