@@ -1,9 +1,9 @@
 #include "steps.h"
 
 #include "checks.h"
-#include "lessons/api/creature.h"
 #include "lessons/api/parameters.h"
 #include "lessons/api/view/acting.h"
+#include "lessons/api/view/creature_look.h"
 #include "scenes.h"
 #include "sim/effects/contacts/walls.h"
 #include "view.h"

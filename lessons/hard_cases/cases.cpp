@@ -3,6 +3,7 @@
 #include "lessons/api/choice_group.h"
 #include "lessons/api/creature.h"
 #include "lessons/api/parameters.h"
+#include "lessons/api/view/creature_look.h"
 #include "sim/effects/constraints/sticks.h"
 #include "sim/effects/contacts/ground.h"
 #include "sim/effects/contacts/walls.h"

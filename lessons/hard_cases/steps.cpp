@@ -2,8 +2,8 @@
 
 #include "cases.h"
 #include "checks.h"
-#include "lessons/api/creature.h"
 #include "lessons/api/parameters.h"
+#include "lessons/api/view/creature_look.h"
 #include "scenes.h"
 #include "view.h"
 

@@ -1,8 +1,8 @@
 #include "steps.h"
 
 #include "checks.h"
-#include "lessons/api/creature.h"
 #include "lessons/api/parameters.h"
+#include "lessons/api/view/creature_look.h"
 #include "scenes.h"
 
 #include <QCoreApplication>
