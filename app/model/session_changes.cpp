@@ -6,6 +6,7 @@
 #include "lessons/api/choice_group.h"
 #include "sim/base/error.h"
 #include "sim/methods/methods.h"
+#include "sim/run/script/segment.h"
 
 #include <QLocale>
 

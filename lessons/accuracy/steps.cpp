@@ -6,6 +6,7 @@
 #include "lessons/api/view/creature_look.h"
 #include "scenes.h"
 #include "sim/effects/contacts/walls.h"
+#include "sim/run/script/script.h"
 #include "view.h"
 
 #include <QCoreApplication>

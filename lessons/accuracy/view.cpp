@@ -1,6 +1,9 @@
 #include "view.h"
 
+#include "lessons/api/view/look.h"
 #include "scenes.h"
+#include "sim/pipeline/method.h"
+#include "sim/run/script/script.h"
 
 #include <QCoreApplication>
 #include <QLocale>

@@ -47,7 +47,7 @@ Parameter parameterOf(const sim::Setting &setting)
     return parameter;
 }
 
-std::vector<Parameter> settingsOf(sim::Catalogue known)
+std::vector<Parameter> settingsOf(std::span<const sim::Description *const> known)
 {
     std::vector<Parameter> all;
     for (const sim::Description *effect : known) {

@@ -1,6 +1,9 @@
 #include "lessons/api/step.h"
 
+#include "lessons/api/view/look.h"
 #include "sim/methods/methods.h"
+#include "sim/run/script/script.h"
+#include "sim/scene/scene.h"
 
 #include <algorithm>
 

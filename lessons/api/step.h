@@ -1,12 +1,13 @@
 #pragma once
 
-#include "lessons/api/checks/budget.h"
-#include "lessons/api/checks/condition.h"
 #include "lessons/api/explanation.h"
 #include "lessons/api/parameter.h"
-#include "lessons/api/view/look.h"
-#include "sim/effects/catalogue.h"
-#include "sim/run/timeline.h"
+#include "lessons/api/try.h"
+#include "sim/base/vec2.h"
+#include "sim/forward.h"
+#include "sim/scene/region.h"
+
+#include <QString>
 
 #include <cstdint>
 #include <functional>
@@ -16,31 +17,8 @@
 
 namespace lessons {
 
-/// A thing to try, and how the machine sees that it was done.
-struct Try
-{
-    QString text; ///< Markdown, one or two short sentences
-    /// Looked at after each frame and each change; once all hold, the thing is done. They must not do so at the start
-    /// and for a run that nobody touches.
-    Conditions conditions;
-    /// Where there is one, the thing is done only if the run keeps it, too. That is measured only while the conditions
-    /// hold, and not after every frame: it takes some milliseconds.
-    std::optional<Budget> budget = {};
-    /// Markdown, one to three sentences: what to drag, to set or to press. May be empty.
-    QString hint = {};
-    /// Markdown, one or two sentences: what there was to see. Shown when the thing is done; needed where its text asks
-    /// something.
-    QString answer = {};
-    /// Whether the thing is to stop at the right moment: it counts only while the run does not play.
-    bool whileStopped = false;
-
-    /// Whether all conditions hold at the cursor.
-    bool done(const sim::Timeline &run) const { return conditions.hold(run); }
-    /// Returns the same with an answer.
-    Try answered(const QString &said) const;
-    /// Returns the same, but done only while the run stands.
-    Try stopped() const;
-};
+struct Guide;
+struct Look;
 
 /// A number that is measured of every frame, with its course over the last frames.
 struct Measure

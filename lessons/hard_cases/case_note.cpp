@@ -1,6 +1,7 @@
 // What the last step says of a case while it runs.
 
 #include "cases.h"
+#include "sim/run/script/segment.h"
 
 #include "sim/analysis/accuracy/run.h"
 #include "sim/hard_cases/judge.h"

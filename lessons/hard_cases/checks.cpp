@@ -4,6 +4,8 @@
 #include "lessons/api/checks/hand.h"
 #include "lessons/api/checks/run_queries.h"
 #include "scenes.h"
+#include "sim/pipeline/method.h"
+#include "sim/run/timeline.h"
 #include "view.h"
 
 #include <QCoreApplication>

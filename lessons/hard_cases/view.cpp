@@ -1,5 +1,6 @@
 #include "view.h"
 
+#include "lessons/api/view/look.h"
 #include "scenes.h"
 
 #include <QCoreApplication>

@@ -1,6 +1,8 @@
 #include "checks.h"
 
+#include "lessons/api/checks/hand.h"
 #include "lessons/api/checks/run_queries.h"
+#include "sim/run/timeline.h"
 
 #include <QCoreApplication>
 

@@ -3,6 +3,8 @@
 #include "figure.h"
 #include "lessons/api/checks/hand.h"
 #include "lessons/api/checks/run_queries.h"
+#include "sim/run/script/segment.h"
+#include "sim/run/timeline.h"
 
 #include <QCoreApplication>
 

@@ -4,6 +4,8 @@
 #include "lessons/api/parameters.h"
 #include "plan.h"
 #include "scenes.h"
+#include "sim/effects/catalogue.h"
+#include "sim/run/script/script.h"
 #include "view.h"
 
 #include <QCoreApplication>

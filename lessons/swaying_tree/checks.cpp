@@ -2,6 +2,8 @@
 
 #include "lessons/api/checks/run_queries.h"
 #include "measuring.h"
+#include "sim/run/script/segment.h"
+#include "sim/run/timeline.h"
 #include "standing.h"
 
 #include <QCoreApplication>

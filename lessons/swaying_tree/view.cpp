@@ -5,6 +5,7 @@
 #include "sim/effects/drivers/turn_to_pointer.h"
 #include "sim/effects/tree/joints.h"
 #include "sim/effects/tree/tree_wind.h"
+#include "sim/run/script/segment.h"
 #include "standing.h"
 
 #include <QCoreApplication>

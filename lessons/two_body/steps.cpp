@@ -1,8 +1,10 @@
 #include "steps.h"
 
+#include "lessons/api/checks/hand.h"
 #include "lessons/api/checks/run_queries.h"
 #include "lessons/api/parameters.h"
 #include "scenes.h"
+#include "sim/run/timeline.h"
 
 #include <QCoreApplication>
 

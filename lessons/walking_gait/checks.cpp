@@ -1,7 +1,10 @@
 #include "checks.h"
 
+#include "lessons/api/checks/hand.h"
 #include "lessons/api/checks/run_queries.h"
 #include "lessons/api/creature.h"
+#include "sim/run/script/segment.h"
+#include "sim/run/timeline.h"
 #include "view.h"
 
 #include <QCoreApplication>

@@ -2,6 +2,7 @@
 
 #include "lessons/api/creature.h"
 #include "sim/effects/springs/push.h"
+#include "sim/scene/values.h"
 #include "view.h"
 
 #include <QCoreApplication>

@@ -6,6 +6,7 @@
 #include "sim/effects/contacts/ground.h"
 #include "sim/effects/contacts/walls.h"
 #include "sim/effects/springs/leg_spring.h"
+#include "sim/scene/values.h"
 
 #include <QCoreApplication>
 

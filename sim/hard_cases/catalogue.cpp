@@ -1,6 +1,7 @@
 #include "sim/hard_cases/catalogue.h"
 
 #include "sim/hard_cases/families/families.h"
+#include "sim/scene/scene.h"
 
 #include <iterator>
 

@@ -7,6 +7,7 @@
 #include "sim/effects/drags/damping.h"
 #include "sim/effects/fields/gravity.h"
 #include "sim/effects/springs/point_spring.h"
+#include "sim/run/script/segment.h"
 
 #include <QApplication>
 #include <QMouseEvent>

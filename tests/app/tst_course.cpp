@@ -1,5 +1,6 @@
 // What is measured of a run, and how it is shown.
 
+#include "lessons/api/view/look.h"
 #include "look_scenes.h"
 
 #include "app/model/course.h"

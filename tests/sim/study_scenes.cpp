@@ -2,6 +2,8 @@
 
 #include "sim/effects/drags/damping.h"
 #include "sim/effects/springs/point_spring.h"
+#include "sim/pipeline/method.h"
+#include "sim/scene/scene.h"
 
 #include <cmath>
 

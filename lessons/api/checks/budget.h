@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/run/script/script.h"
+#include "sim/forward.h"
 
 #include <cstdint>
 #include <functional>

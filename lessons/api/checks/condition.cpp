@@ -2,6 +2,7 @@
 
 #include "lessons/api/checks/hand.h"
 #include "lessons/api/checks/run_queries.h"
+#include "sim/run/timeline.h"
 
 #include <QCoreApplication>
 #include <QLocale>

@@ -1,12 +1,15 @@
 #pragma once
 
-#include "sim/run/timeline.h"
+#include "sim/forward.h"
 
 #include <QString>
 
+#include <cstdint>
 #include <functional>
 #include <initializer_list>
+#include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace lessons {

@@ -3,8 +3,11 @@
 #include "sim/analysis/accuracy/run.h"
 #include "sim/base/error.h"
 #include "sim/methods/methods.h"
+#include "sim/run/track.h"
 
+#include <algorithm>
 #include <limits>
+#include <memory>
 
 namespace lessons {
 
@@ -20,16 +23,21 @@ bool sameButForMethod(const sim::Script &a, const sim::Script &b)
 
 }
 
+struct ExactRun::Kept
+{
+    sim::Script script;
+    std::unique_ptr<sim::Track> track; ///< null where the scene has none
+};
+
+ExactRun::ExactRun() = default;
+ExactRun::~ExactRun() = default;
+
 sim::Track *ExactRun::trackOf(const sim::Script &script)
 {
     const auto found = std::find_if(m_kept.begin(), m_kept.end(),
                                     [&](const Kept &kept) { return sameButForMethod(kept.script, script); });
-    if (found == m_kept.begin() && found != m_kept.end())
-        return found->track.get();
     if (found != m_kept.end()) {
-        Kept kept = std::move(*found);
-        m_kept.erase(found);
-        m_kept.push_front(std::move(kept));
+        m_kept.splice(m_kept.begin(), m_kept, found);
         return m_kept.front().track.get();
     }
     Kept kept = {sim::scriptFor(script, {sim::findMethod("dop853"), sim::StepSize::within(tolerance)}), {}};

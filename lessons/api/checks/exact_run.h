@@ -1,10 +1,9 @@
 #pragma once
 
-#include "sim/run/track.h"
+#include "sim/forward.h"
 
-#include <deque>
-#include <memory>
-#include <vector>
+#include <cstdint>
+#include <list>
 
 namespace lessons {
 
@@ -14,6 +13,9 @@ namespace lessons {
 class ExactRun
 {
 public:
+    ExactRun();
+    ~ExactRun();
+
     /// Frames that are computed; beyond, errors of the exact run itself might count.
     static constexpr std::int64_t longest = 1200;
     static constexpr double tolerance = 1e-11; ///< px a step
@@ -27,14 +29,10 @@ public:
     double distance(const sim::Script &script, const sim::State &state, std::int64_t frame);
 
 private:
-    struct Kept
-    {
-        sim::Script script;
-        std::unique_ptr<sim::Track> track; ///< null where the scene has none
-    };
+    struct Kept;
     sim::Track *trackOf(const sim::Script &script);
 
-    std::deque<Kept> m_kept; ///< the one asked for last comes first
+    std::list<Kept> m_kept; ///< the one asked for last comes first
 };
 
 }

@@ -1,5 +1,8 @@
 #include "lessons/api/checks/hand.h"
 
+#include "sim/run/script/segment.h"
+#include "sim/run/timeline.h"
+
 #include <algorithm>
 
 namespace lessons {

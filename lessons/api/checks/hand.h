@@ -1,6 +1,7 @@
 #pragma once
 
-#include "sim/run/timeline.h"
+#include "sim/base/vec2.h"
+#include "sim/forward.h"
 
 #include <cstdint>
 #include <optional>

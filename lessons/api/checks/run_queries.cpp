@@ -1,5 +1,8 @@
 #include "lessons/api/checks/run_queries.h"
 
+#include "lessons/api/checks/hand.h"
+#include "sim/run/script/segment.h"
+#include "sim/run/timeline.h"
 #include "sim/simd/flush.h"
 
 #include <algorithm>

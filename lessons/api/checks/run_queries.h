@@ -1,7 +1,7 @@
 #pragma once
 
-#include "lessons/api/checks/hand.h"
-#include "sim/run/timeline.h"
+#include "sim/base/vec2.h"
+#include "sim/forward.h"
 
 #include <cstdint>
 #include <string>
@@ -9,6 +9,8 @@
 /// What the checks of "things to try" are made of. Each looks at the moment of the cursor, and at what was done up
 /// to there; none of them remembers anything.
 namespace lessons {
+
+struct Carry;
 
 /// Where the body called `name` is, in px; NaN when there is none.
 sim::Vec2 placeOf(const sim::Timeline &timeline, const std::string &name);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "lessons/api/view/look.h"
-#include "sim/scene/scene.h"
+#include "sim/forward.h"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "sim/base/vec2.h"
-#include "sim/effects/contacts/walls.h"
+#include "sim/effects/contacts/room.h"
 
 #include <QRectF>
 #include <QString>
