@@ -60,19 +60,18 @@ Look crowdInRoom(const sim::Scene &scene, int count)
 
 Parameter creatures()
 {
-    Parameter parameter = {"creatures",
-                           Text::tr("Creatures"),
-                           {},
-                           {},
-                           Text::tr("How many creatures there are."),
-                           200.0,
-                           1.0,
-                           100'000.0,
-                           1.0,
-                           100'000.0,
-                           0,
-                           {},
-                           true};
+    Parameter parameter = {
+        .id = "creatures",
+        .name = Text::tr("Creatures"),
+        .help = Text::tr("How many creatures there are."),
+        .preset = 200.0,
+        .min = 1.0,
+        .max = 100'000.0,
+        .sliderMin = 1.0,
+        .sliderMax = 100'000.0,
+        .decimals = 0,
+        .whole = true,
+    };
     parameter.scale = Scale::decades;
     return parameter;
 }

@@ -67,54 +67,52 @@ double lastStep(const State &state)
 
 Measure offMeasure(const Exact &exact)
 {
-    Measure measure = {Text::tr("Off by"),
-                       Text::tr("px"),
-                       Text::tr("How far the point that is worst off is from its exact place."),
-                       4,
-                       {}};
-    measure.ofRun = [exact](const Script &script, const Scene &, const State &state, const State *,
-                            const Values &) { return exact->distance(script, state, state.frame); };
-    return measure;
+    return {
+        .name = Text::tr("Off by"),
+        .unit = Text::tr("px"),
+        .help = Text::tr("How far the point that is worst off is from its exact place."),
+        .decimals = 4,
+        .ofRun = [exact](const Script &script, const Scene &, const State &state, const State *,
+                         const Values &) { return exact->distance(script, state, state.frame); },
+    };
 }
 
 Measure driftMeasure(const Exact &exact)
 {
-    Measure measure = {Text::tr("Energy drift"),
-                       Text::tr("%"),
-                       Text::tr("How much more energy there is than in the exact motion at this moment."),
-                       2,
-                       {}};
-    measure.ofRun = [exact](const Script &script, const Scene &scene, const State &state, const State *,
-                            const Values &values) {
-        return energyDrift(*exact, script, scene, state, values);
+    return {
+        .name = Text::tr("Energy drift"),
+        .unit = Text::tr("%"),
+        .help = Text::tr("How much more energy there is than in the exact motion at this moment."),
+        .decimals = 2,
+        .ofRun = [exact](const Script &script, const Scene &scene, const State &state, const State *,
+                         const Values &values) { return energyDrift(*exact, script, scene, state, values); },
     };
-    return measure;
 }
 
 Measure stepMeasure()
 {
-    Measure measure = {Text::tr("Its step"),
-                       Text::tr("frames"),
-                       Text::tr("How much time the method took at once, the last time."),
-                       3,
-                       {}};
-    measure.ofRun = [](const Script &script, const Scene &, const State &state, const State *before,
-                       const Values &) {
-        return !script.step.adaptive() ? script.step.h : before ? lastStep(state) : nothing;
+    return {
+        .name = Text::tr("Its step"),
+        .unit = Text::tr("frames"),
+        .help = Text::tr("How much time the method took at once, the last time."),
+        .decimals = 3,
+        .ofRun =
+            [](const Script &script, const Scene &, const State &state, const State *before, const Values &) {
+                return !script.step.adaptive() ? script.step.h : before ? lastStep(state) : nothing;
+            },
     };
-    return measure;
 }
 
 Measure computationsMeasure()
 {
-    Measure measure = {Text::tr("Computations"),
-                       Text::tr("a frame"),
-                       Text::tr("How often all forces were computed for this frame: that is the work."),
-                       1,
-                       {}};
-    measure.ofRun = [](const Script &script, const Scene &, const State &state, const State *before,
-                       const Values &) { return computations(script, state, before); };
-    return measure;
+    return {
+        .name = Text::tr("Computations"),
+        .unit = Text::tr("a frame"),
+        .help = Text::tr("How often all forces were computed for this frame: that is the work."),
+        .decimals = 1,
+        .ofRun = [](const Script &script, const Scene &, const State &state, const State *before,
+                    const Values &) { return computations(script, state, before); },
+    };
 }
 
 std::vector<Guide> exactMarks(ExactRun &exact, const Look &look, const Script &script, const State &state,
@@ -136,21 +134,17 @@ std::vector<Guide> exactMarks(ExactRun &exact, const Look &look, const Script &s
             farthest = i;
             distance = away;
         }
-        marks.push_back({Guide::Shape::ring,
-                         right->at(i),
-                         {},
-                         look.bodies[static_cast<std::size_t>(i)].radius,
-                         {},
-                         Guide::About::exactMotion});
+        marks.push_back({.shape = Guide::Shape::ring,
+                         .a = right->at(i),
+                         .size = look.bodies[static_cast<std::size_t>(i)].radius,
+                         .about = Guide::About::exactMotion});
     }
     if (farthest >= 0) {
         marks[worst].label = Text::tr("%1 px off").arg(QLocale().toString(distance, 'f', 1));
-        marks.push_back({Guide::Shape::line,
-                         state.at(farthest),
-                         right->at(farthest),
-                         0.0,
-                         {},
-                         Guide::About::exactMotion});
+        marks.push_back({.shape = Guide::Shape::line,
+                         .a = state.at(farthest),
+                         .b = right->at(farthest),
+                         .about = Guide::About::exactMotion});
     }
     return marks;
 }
@@ -158,16 +152,18 @@ std::vector<Guide> exactMarks(ExactRun &exact, const Look &look, const Script &s
 std::vector<Guide> turningPlaces(const Scene &scene, const State &, const Values &)
 {
     const sim::Vec2 start = scene.start.at(foot);
-    return {{Guide::Shape::cross, centre, {}, 0.0, {}},
-            {Guide::Shape::cross, start, {}, 0.0, {}},
-            {Guide::Shape::cross, centre + (centre - start), {}, 0.0, {}}};
+    return {{.shape = Guide::Shape::cross, .a = centre},
+            {.shape = Guide::Shape::cross, .a = start},
+            {.shape = Guide::Shape::cross, .a = centre + (centre - start)}};
 }
 
 std::vector<Guide> turningRings(const Scene &scene, const State &state, const Values &values)
 {
     const sim::Vec2 middle = state.at(1);
-    return {{Guide::Shape::ring, middle, {}, values["radius"], {}},
-            {Guide::Shape::ring, middle, {}, sim::length(scene.start.at(foot) - scene.start.at(1)), {}}};
+    return {{.shape = Guide::Shape::ring, .a = middle, .size = values["radius"]},
+            {.shape = Guide::Shape::ring,
+             .a = middle,
+             .size = sim::length(scene.start.at(foot) - scene.start.at(1))}};
 }
 
 }

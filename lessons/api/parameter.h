@@ -20,19 +20,19 @@ enum class Scale {
 /// read this.
 struct Parameter
 {
-    QString id;     ///< in files and in the shown code
-    QString name;   ///< what a learner calls it
-    QString symbol; ///< as formulas write it; may be empty
-    QString unit;   ///< may be empty
-    QString help;   ///< one sentence: what it does
+    QString id = {};     ///< in files and in the shown code
+    QString name = {};   ///< what a learner calls it
+    QString symbol = {}; ///< as formulas write it; may be empty
+    QString unit = {};   ///< may be empty
+    QString help = {};   ///< one sentence: what it does
     double preset = 0.0;
     double min = 0.0; ///< the least and the most that files may give
     double max = 1.0;
     double sliderMin = 0.0; ///< the stretch that the slider covers
     double sliderMax = 1.0;
-    int decimals = 2;    ///< shown after the point
-    QStringList choices; ///< ids; when not empty the value is a position in this list
-    bool whole = false;  ///< a count: nothing between two whole numbers
+    int decimals = 2;         ///< shown after the point
+    QStringList choices = {}; ///< ids; when not empty the value is a position in this list
+    bool whole = false;       ///< a count: nothing between two whole numbers
     Role role = Role::none;
     QStringList choiceTitles = {}; ///< what a learner reads in place of the ids; empty: the ids
     QStringList choiceHelps = {};  ///< one sentence each; may be empty

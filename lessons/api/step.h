@@ -23,14 +23,14 @@ struct Look;
 /// A number that is measured of every frame, with its course over the last frames.
 struct Measure
 {
-    QString name;
-    QString unit; ///< may be empty
-    QString help; ///< one sentence: what it says
+    QString name = {};
+    QString unit = {}; ///< may be empty
+    QString help = {}; ///< one sentence: what it says
     int decimals = 1;
     /// `before`: the state a frame earlier, or null at the start. Not finite where there is nothing to measure.
     std::function<double(const sim::Scene &, const sim::State &, const sim::State *before,
                          const sim::Values &)>
-        of;
+        of = {};
     /// For a number that a state alone does not tell, in place of `of`: the same with the script of the whole run.
     std::function<double(const sim::Script &, const sim::Scene &, const sim::State &,
                          const sim::State *before, const sim::Values &)>
@@ -40,9 +40,9 @@ struct Measure
 /// Values of parameters that belong together; what is not named takes its preset.
 struct Preset
 {
-    QString title;
-    QString help; ///< one sentence: what to expect
-    std::vector<std::pair<QString, double>> values;
+    QString title = {};
+    QString help = {}; ///< one sentence: what to expect
+    std::vector<std::pair<QString, double>> values = {};
 };
 
 /// What a learner can do in a scene besides changing parameters; files name each by its event.
@@ -67,18 +67,18 @@ enum class PointsFrom {
 /// An experiment that comes with a step.
 struct Example
 {
-    QString title;
-    QString help; ///< one sentence: what to see, and to try
-    QString file; ///< an embedded experiment file of this step
+    QString title = {};
+    QString help = {}; ///< one sentence: what to see, and to try
+    QString file = {}; ///< an embedded experiment file of this step
 };
 
 /// A second run of the same script, to compare with: its figure is drawn beside that of the run.
 struct Companion
 {
-    QString method;   ///< id
-    QString caption;  ///< who it is, in a few words
-    sim::Vec2 offset; ///< px: how far its figure is moved from where its points are
-    double h = 1.0;   ///< frames
+    QString method = {};   ///< id
+    QString caption = {};  ///< who it is, in a few words
+    sim::Vec2 offset = {}; ///< px: how far its figure is moved from where its points are
+    double h = 1.0;        ///< frames
     /// Of parameters that it does not share with the run.
     std::vector<std::pair<QString, double>> values = {};
 };

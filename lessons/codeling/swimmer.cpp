@@ -88,7 +88,8 @@ std::vector<sim::SoftStick> sideSticks(const sim::Values &values)
     std::vector<sim::SoftStick> sticks;
     for (const int side : {side0, side1}) {
         for (const int end : {lead, tail})
-            sticks.push_back({end, side, 0.8 * rest, rest, 1.2 * rest});
+            sticks.push_back(
+                {.anchor = end, .mover = side, .min = 0.8 * rest, .rest = rest, .max = 1.2 * rest});
     }
     return sticks;
 }

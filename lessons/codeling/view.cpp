@@ -85,51 +85,64 @@ std::vector<Guide> targetAndPull(const sim::Scene &scene, const sim::State &stat
 {
     const sim::Vec2 target = state.outside.target;
     if (!effectOf<sim::Motor>(scene))
-        return {{Guide::Shape::cross, target, {}, 0.0, {}}};
+        return {{.shape = Guide::Shape::cross, .a = target}};
     const sim::Vec2 pull = sim::motor(state.at(lead), target, values["k"], values["dt"]).pull;
-    return {{Guide::Shape::cross, target, {}, 0.0, {}},
-            {Guide::Shape::arrow, state.at(lead), pull, 0.0, Text::tr("motor")}};
+    return {{.shape = Guide::Shape::cross, .a = target},
+            {.shape = Guide::Shape::arrow, .a = state.at(lead), .b = pull, .label = Text::tr("motor")}};
 }
 
 Measure anticipationMeasure()
 {
-    return {Text::tr("Way to the target"), Text::tr("px"),
-            Text::tr("It grows before a move: that is the anticipation."), 1,
-            [](const sim::Scene &, const sim::State &state, const sim::State *, const sim::Values &) {
-                return sim::length(state.at(lead) - state.outside.target);
-            }};
+    return {
+        .name = Text::tr("Way to the target"),
+        .unit = Text::tr("px"),
+        .help = Text::tr("It grows before a move: that is the anticipation."),
+        .decimals = 1,
+        .of = [](const sim::Scene &, const sim::State &state, const sim::State *,
+                 const sim::Values &) { return sim::length(state.at(lead) - state.outside.target); },
+    };
 }
 
 Measure stretchMeasure()
 {
-    return {Text::tr("Stretch"),
-            {},
-            Text::tr("How long the spine is, as a part of its length at rest."),
-            2,
+    return {
+        .name = Text::tr("Stretch"),
+        .help = Text::tr("How long the spine is, as a part of its length at rest."),
+        .decimals = 2,
+        .of =
             [](const sim::Scene &, const sim::State &state, const sim::State *, const sim::Values &values) {
                 const double rest = values["rest_length"];
                 return rest > 0.0 ? spineLength(state) / rest : nothing;
-            }};
+            },
+    };
 }
 
 Measure areaMeasure()
 {
-    return {Text::tr("Area"),
-            {},
-            Text::tr("The area of the body, as a part of its area at rest."),
-            3,
+    return {
+        .name = Text::tr("Area"),
+        .help = Text::tr("The area of the body, as a part of its area at rest."),
+        .decimals = 3,
+        .of =
             [](const sim::Scene &, const sim::State &state, const sim::State *, const sim::Values &values) {
                 const double rest = restArea(values);
                 return rest > 0.0 ? sim::areaOf(state, corners) / rest : nothing;
-            }};
+            },
+    };
 }
 
 Measure widthMeasure()
 {
-    return {Text::tr("Width"), Text::tr("px"), Text::tr("How far apart the two sides are."), 0,
+    return {
+        .name = Text::tr("Width"),
+        .unit = Text::tr("px"),
+        .help = Text::tr("How far apart the two sides are."),
+        .decimals = 0,
+        .of =
             [](const sim::Scene &scene, const sim::State &state, const sim::State *, const sim::Values &) {
                 return sim::length(state.at(scene.find("side0")) - state.at(scene.find("side1")));
-            }};
+            },
+    };
 }
 
 }

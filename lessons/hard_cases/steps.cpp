@@ -63,8 +63,9 @@ Parameter longest()
 
 Step limitStep()
 {
-    Step step = stepOf("limit", Text::tr("The limit of a step"), QRectF(10, 130, 520, 110),
-                       {"implicit_midpoint", Text::tr("Implicit midpoint"), {0, 150}});
+    Step step =
+        stepOf("limit", Text::tr("The limit of a step"), QRectF(10, 130, 520, 110),
+               {.method = "implicit_midpoint", .caption = Text::tr("Implicit midpoint"), .offset = {0, 150}});
     step.addParameters({stiffnessUpTo(4.01, 6.0), damping(1.0)});
     step.narration = Text::tr(
         "A step asks for the pull once, and then goes straight on. If the spring is too stiff, it goes past "
@@ -86,8 +87,9 @@ Step limitStep()
 
 Step runawayStep()
 {
-    Step step = stepOf("runaway", Text::tr("The runaway pair"), QRectF(225, 150, 140, 140),
-                       {"semi_implicit_euler", Text::tr("Semi-implicit Euler"), {150, 0}});
+    Step step = stepOf(
+        "runaway", Text::tr("The runaway pair"), QRectF(225, 150, 140, 140),
+        {.method = "semi_implicit_euler", .caption = Text::tr("Semi-implicit Euler"), .offset = {150, 0}});
     step.addParameters({stiffnessUpTo(0.3, 1.0), damping(0.9), radius()});
     step.narration = Text::tr(
         "A foot and a body pull each other. Nothing pushes from outside, so **the middle between them has to "
@@ -108,8 +110,9 @@ Step runawayStep()
 
 Step manyFeetStep()
 {
-    Step step = stepOf("many_feet", Text::tr("Too many feet"), QRectF(195, 115, 150, 160),
-                       {"backward_euler", Text::tr("Backward Euler"), {160, 0}});
+    Step step =
+        stepOf("many_feet", Text::tr("Too many feet"), QRectF(195, 115, 150, 160),
+               {.method = "backward_euler", .caption = Text::tr("Backward Euler"), .offset = {160, 0}});
     step.addParameters({feetUpTo(60, 100), stiffnessUpTo(0.2, 1.0), damping(0.85), radius()});
     step.narration = Text::tr(
         "A stiffness of 0.2 is soft. But the body feels **all its feet at once**: sixty soft springs make "
@@ -128,8 +131,9 @@ Step manyFeetStep()
 
 Step onePlaceStep()
 {
-    Step step = stepOf("one_place", Text::tr("All in one place"), QRectF(195, 115, 150, 160),
-                       {"semi_implicit_euler", Text::tr("Semi-implicit Euler"), {160, 0}});
+    Step step = stepOf(
+        "one_place", Text::tr("All in one place"), QRectF(195, 115, 150, 160),
+        {.method = "semi_implicit_euler", .caption = Text::tr("Semi-implicit Euler"), .offset = {160, 0}});
     step.addParameters({feetUpTo(5, 24), stiffnessUpTo(0.1, 1.0), damping(0.85), radius()});
     step.narration = Text::tr(
         "Five feet and a body begin in **one place**. Each spring wants to be 50 px long. In which "
@@ -149,8 +153,9 @@ Step onePlaceStep()
 
 Step stiffStep()
 {
-    Step step = stepOf("stiff", Text::tr("Stiff but calm"), QRectF(190, 120, 155, 170),
-                       {"backward_euler", Text::tr("Backward Euler"), {165, 0}});
+    Step step =
+        stepOf("stiff", Text::tr("Stiff but calm"), QRectF(190, 120, 155, 170),
+               {.method = "backward_euler", .caption = Text::tr("Backward Euler"), .offset = {165, 0}});
     step.addParameters({stiffnessUpTo(1000.0, 2000.0), damping(0.9), radius()});
     step.narration = Text::tr(
         "Three legs, each 5000 times as stiff as before: nearly sticks. In one step Semi-implicit Euler "
@@ -170,8 +175,9 @@ Step stiffStep()
 
 Step contradictionStep()
 {
-    Step step = stepOf("contradiction", Text::tr("Sticks that contradict"), QRectF(180, 95, 180, 200),
-                       {"semi_implicit_euler", Text::tr("The same, as sticks"), {190, 0}});
+    Step step = stepOf(
+        "contradiction", Text::tr("Sticks that contradict"), QRectF(180, 95, 180, 200),
+        {.method = "semi_implicit_euler", .caption = Text::tr("The same, as sticks"), .offset = {190, 0}});
     step.companion->values = {{"made_of", 1.0}};
     Parameter madeOf =
         choice("made_of", Text::tr("Made of"),
@@ -202,8 +208,9 @@ Step contradictionStep()
 
 Step longRunStep()
 {
-    Step step = stepOf("long_run", Text::tr("The long run"), QRectF(140, 150, 260, 80),
-                       {"velocity_verlet", Text::tr("Velocity Verlet"), {0, 100}});
+    Step step =
+        stepOf("long_run", Text::tr("The long run"), QRectF(140, 150, 260, 80),
+               {.method = "velocity_verlet", .caption = Text::tr("Velocity Verlet"), .offset = {0, 100}});
     step.addParameters({stiffnessUpTo(0.5, 2.0), damping(1.0)});
     step.narration = Text::tr(
         "Nothing slows this foot. It should swing for ever.\n\n"

@@ -29,20 +29,22 @@ sim::Vec2 middleOf(const sim::State &state)
 std::vector<Guide> turningPlaces(const sim::Scene &scene, const sim::State &, const sim::Values &)
 {
     const sim::Vec2 start = scene.start.at(0);
-    return {{Guide::Shape::cross, centre, {}, 0.0, {}},
-            {Guide::Shape::cross, start, {}, 0.0, {}},
-            {Guide::Shape::cross, centre + (centre - start), {}, 0.0, {}}};
+    return {{.shape = Guide::Shape::cross, .a = centre},
+            {.shape = Guide::Shape::cross, .a = start},
+            {.shape = Guide::Shape::cross, .a = centre + (centre - start)}};
 }
 
 std::vector<Guide> middleMarks(const sim::Scene &scene, const sim::State &state, const sim::Values &)
 {
     const sim::Vec2 was = middleOf(scene.start);
     const sim::Vec2 is = middleOf(state);
-    std::vector<Guide> marks = {{Guide::Shape::cross, was, {}, 0.0, {}}};
+    std::vector<Guide> marks = {{.shape = Guide::Shape::cross, .a = was}};
     const double way = sim::length(is - was);
     if (way >= leastShown)
-        marks.push_back({Guide::Shape::line, was, is, 0.0,
-                         Text::tr("the middle moved %1 px").arg(QLocale().toString(way, 'f', 0))});
+        marks.push_back({.shape = Guide::Shape::line,
+                         .a = was,
+                         .b = is,
+                         .label = Text::tr("the middle moved %1 px").arg(QLocale().toString(way, 'f', 0))});
     return marks;
 }
 

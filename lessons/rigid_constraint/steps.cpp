@@ -20,104 +20,97 @@ struct Text
 
 Parameter length(double preset)
 {
-    return {"length",
-            Text::tr("Length"),
-            {},
-            Text::tr("px"),
-            Text::tr("How far apart a stick keeps its two ends."),
-            preset,
-            0.0,
-            1e6,
-            0.0,
-            200.0,
-            0,
-            {}};
+    return {
+        .id = "length",
+        .name = Text::tr("Length"),
+        .unit = Text::tr("px"),
+        .help = Text::tr("How far apart a stick keeps its two ends."),
+        .preset = preset,
+        .min = 0.0,
+        .max = 1e6,
+        .sliderMin = 0.0,
+        .sliderMax = 200.0,
+        .decimals = 0,
+    };
 }
 
 Parameter share()
 {
-    return {"share",
-            Text::tr("Share of p0"),
-            {},
-            {},
-            Text::tr("The part of the error that p0 takes; p1 takes the rest."),
-            1.0,
-            0.0,
-            1.0,
-            0.0,
-            1.0,
-            2,
-            {}};
+    return {
+        .id = "share",
+        .name = Text::tr("Share of p0"),
+        .help = Text::tr("The part of the error that p0 takes; p1 takes the rest."),
+        .preset = 1.0,
+        .min = 0.0,
+        .max = 1.0,
+        .sliderMin = 0.0,
+        .sliderMax = 1.0,
+    };
 }
 
 Parameter triangles()
 {
-    return {"triangles",
-            Text::tr("Triangles"),
-            {},
-            {},
-            Text::tr("How many triangles the figure has."),
-            6.0,
-            1.0,
-            900.0,
-            1.0,
-            20.0,
-            0,
-            {},
-            true};
+    return {
+        .id = "triangles",
+        .name = Text::tr("Triangles"),
+        .help = Text::tr("How many triangles the figure has."),
+        .preset = 6.0,
+        .min = 1.0,
+        .max = 900.0,
+        .sliderMin = 1.0,
+        .sliderMax = 20.0,
+        .decimals = 0,
+        .whole = true,
+    };
 }
 
 Parameter iterations(double preset)
 {
-    return {"iterations",
-            Text::tr("Iterations"),
-            {},
-            Text::tr("passes"),
-            Text::tr("How often each frame goes through the list of sticks."),
-            preset,
-            1.0,
-            1000.0,
-            1.0,
-            50.0,
-            0,
-            {},
-            true,
-            Role::passes};
+    return {
+        .id = "iterations",
+        .name = Text::tr("Iterations"),
+        .unit = Text::tr("passes"),
+        .help = Text::tr("How often each frame goes through the list of sticks."),
+        .preset = preset,
+        .min = 1.0,
+        .max = 1000.0,
+        .sliderMin = 1.0,
+        .sliderMax = 50.0,
+        .decimals = 0,
+        .whole = true,
+        .role = Role::passes,
+    };
 }
 
 Parameter friction()
 {
-    return {"friction",
-            Text::tr("Friction"),
-            {},
-            {},
-            Text::tr("How much a wall’s push holds back what slides along it. 0: like ice."),
-            0.5,
-            0.0,
-            10.0,
-            0.0,
-            2.0,
-            2,
-            {}};
+    return {
+        .id = "friction",
+        .name = Text::tr("Friction"),
+        .help = Text::tr("How much a wall’s push holds back what slides along it. 0: like ice."),
+        .preset = 0.5,
+        .min = 0.0,
+        .max = 10.0,
+        .sliderMin = 0.0,
+        .sliderMax = 2.0,
+    };
 }
 
 Parameter jointLimits()
 {
-    return {"joint_limits",
-            Text::tr("Joints"),
-            {},
-            {},
-            Text::tr("Whether arms and legs bend only as far as joints do, or all the way round."),
-            1.0,
-            0.0,
-            1.0,
-            0.0,
-            1.0,
-            0,
-            {"free", "limited"},
-            false,
-            Role::none,
-            {Text::tr("free"), Text::tr("limited")}};
+    return {
+        .id = "joint_limits",
+        .name = Text::tr("Joints"),
+        .help = Text::tr("Whether arms and legs bend only as far as joints do, or all the way round."),
+        .preset = 1.0,
+        .min = 0.0,
+        .max = 1.0,
+        .sliderMin = 0.0,
+        .sliderMax = 1.0,
+        .decimals = 0,
+        .choices = {"free", "limited"},
+        .choiceTitles = {Text::tr("free"), Text::tr("limited")},
+    };
 }
 
 /// A step with what all steps of this lesson share. `id` is the marker of its set-up, too.

@@ -68,16 +68,24 @@ Look ragdollLook(const sim::Scene &scene, const sim::Values &values)
 
 Measure errorMeasure()
 {
-    return {Text::tr("Largest error"), Text::tr("px"),
-            Text::tr("How far the length of the worst stick is from what it should be."), 2,
-            ofSticks(largestError)};
+    return {
+        .name = Text::tr("Largest error"),
+        .unit = Text::tr("px"),
+        .help = Text::tr("How far the length of the worst stick is from what it should be."),
+        .decimals = 2,
+        .of = ofSticks(largestError),
+    };
 }
 
 Measure stretchMeasure()
 {
-    return {Text::tr("Largest stretch"), Text::tr("%"),
-            Text::tr("How far the worst stick is from its length, as a part of that length."), 1,
-            ofSticks(largestStretch)};
+    return {
+        .name = Text::tr("Largest stretch"),
+        .unit = Text::tr("%"),
+        .help = Text::tr("How far the worst stick is from its length, as a part of that length."),
+        .decimals = 1,
+        .of = ofSticks(largestStretch),
+    };
 }
 
 }

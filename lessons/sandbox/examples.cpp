@@ -13,7 +13,11 @@ struct Text
 
 lessons::Example example(const char *file, const QString &title, const QString &help)
 {
-    return {title, help, QStringLiteral(":/examples/sandbox/%1.json").arg(QLatin1String(file))};
+    return {
+        .title = title,
+        .help = help,
+        .file = QStringLiteral(":/examples/sandbox/%1.json").arg(QLatin1String(file)),
+    };
 }
 
 }

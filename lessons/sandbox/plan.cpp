@@ -17,8 +17,9 @@ constexpr double rad(double degrees)
 std::shared_ptr<const sim::Blueprint> firstPlan()
 {
     sim::Blueprint plan;
-    plan.points = {{"p0", {270, 80}, {}, 1.0, 10.0, true}, {"p1", {340, 160}, {}, 1.0, 24.0, false}};
-    plan.springs = {{0, 1, 0.1, 90.0}};
+    plan.points = {{.name = "p0", .x = {270, 80}, .v = {}, .size = 10.0, .fixed = true},
+                   {.name = "p1", .x = {340, 160}, .v = {}, .size = 24.0}};
+    plan.springs = {{.a = 0, .b = 1, .k = 0.1, .length = 90.0}};
     plan.effects = {"gravity", "damping", "walls"};
     return std::make_shared<const sim::Blueprint>(std::move(plan));
 }
@@ -76,8 +77,13 @@ sim::LegRule ruleOf(const sim::BuiltGait &gait)
 {
     // A clock that stands where it began turns no leg.
     const bool swings = gait.speed != 0.0 || gait.start != 0.0;
-    return {gait.k, gait.leg, gait.drop, swings ? sim::Aim::swing : sim::Aim::below,
-            gait.pullsBody ? sim::Reaction::equal : sim::Reaction::none};
+    return {
+        .k = gait.k,
+        .leg = gait.leg,
+        .drop = gait.drop,
+        .aim = swings ? sim::Aim::swing : sim::Aim::below,
+        .reaction = gait.pullsBody ? sim::Reaction::equal : sim::Reaction::none,
+    };
 }
 
 void setClocks(sim::Scene &scene, const sim::Blueprint &plan)

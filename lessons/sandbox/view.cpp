@@ -133,7 +133,8 @@ void addSprings(Look &look, const sim::Blueprint &plan)
     const SoftMatter matter(plan);
     look.sheets = matter.sheets();
     for (const sim::BuiltSpring &spring : plan.springs)
-        look.springs.push_back({spring.a, spring.b, spring.length, {}, matter.partOf(spring)});
+        look.springs.push_back(
+            {.a = spring.a, .b = spring.b, .length = spring.length, .part = matter.partOf(spring)});
 }
 
 QRectF stageOf(const sim::Blueprint &plan, QRectF least)

@@ -34,33 +34,31 @@ sim::Vec2 centreOf(const sim::Values &values)
     return {values["centre_x"], values["centre_y"]};
 }
 
-Guide guide(Guide::Shape shape, sim::Vec2 a, sim::Vec2 b = {}, double size = 0.0, const QString &label = {})
-{
-    return {shape, a, b, size, label};
-}
-
 }
 
 std::vector<Guide> pullToCome(const sim::Scene &, const sim::State &state, const sim::Values &values)
 {
     const sim::Vec2 centre = centreOf(values);
     const sim::Vec2 pull = sim::spring(state.at(foot), centre, values["k"]).pull;
-    return {guide(Guide::Shape::cross, centre),
-            guide(Guide::Shape::arrow, state.at(foot), pull, 0.0, Text::tr("pull, not acting yet"))};
+    return {{.shape = Guide::Shape::cross, .a = centre},
+            {.shape = Guide::Shape::arrow,
+             .a = state.at(foot),
+             .b = pull,
+             .label = Text::tr("pull, not acting yet")}};
 }
 
 std::vector<Guide> centreCross(const sim::Scene &scene, const sim::State &, const sim::Values &values)
 {
     if (!lessons::acts(scene, sim::Kind::spring))
         return {};
-    return {guide(Guide::Shape::cross, centreOf(values))};
+    return {{.shape = Guide::Shape::cross, .a = centreOf(values)}};
 }
 
 std::vector<Guide> offsetCross(const sim::Scene &scene, const sim::State &state, const sim::Values &values)
 {
     if (!lessons::acts(scene, sim::Kind::spring))
         return {};
-    return {guide(Guide::Shape::cross, sim::offsetTarget(state.at(body), values["offset"]))};
+    return {{.shape = Guide::Shape::cross, .a = sim::offsetTarget(state.at(body), values["offset"])}};
 }
 
 std::vector<Guide> ringAndAngle(const sim::Scene &scene, const sim::State &state, const sim::Values &values)
@@ -73,10 +71,10 @@ std::vector<Guide> ringAndAngle(const sim::Scene &scene, const sim::State &state
     const double angle = sim::publishedDirection(end - centre).angle;
     const QString label =
         Text::tr("%1° = %2 rad").arg(number(angle * 180.0 / std::numbers::pi, 1), number(angle, 3));
-    return {guide(Guide::Shape::ring, centre, {}, values["radius"]),
-            guide(Guide::Shape::line, centre, corner, 0.0, QStringLiteral("dx")),
-            guide(Guide::Shape::line, corner, end, 0.0, QStringLiteral("dy")),
-            guide(Guide::Shape::angle, centre, {}, angle, label)};
+    return {{.shape = Guide::Shape::ring, .a = centre, .size = values["radius"]},
+            {.shape = Guide::Shape::line, .a = centre, .b = corner, .label = QStringLiteral("dx")},
+            {.shape = Guide::Shape::line, .a = corner, .b = end, .label = QStringLiteral("dy")},
+            {.shape = Guide::Shape::angle, .a = centre, .size = angle, .label = label}};
 }
 
 }

@@ -23,14 +23,16 @@ using Energy = double (*)(const sim::Torsion &, const sim::State &);
 Measure energyMeasure(const QString &name, const QString &help, Energy energy)
 {
     return {
-        name,
-        {},
-        help,
-        2,
-        [energy](const sim::Scene &scene, const sim::State &state, const sim::State *, const sim::Values &) {
-            const auto *springs = effectOf<sim::Torsion>(scene);
-            return springs ? energy(*springs, state) : std::numeric_limits<double>::quiet_NaN();
-        }};
+        .name = name,
+        .help = help,
+        .decimals = 2,
+        .of =
+            [energy](const sim::Scene &scene, const sim::State &state, const sim::State *,
+                     const sim::Values &) {
+                const auto *springs = effectOf<sim::Torsion>(scene);
+                return springs ? energy(*springs, state) : std::numeric_limits<double>::quiet_NaN();
+            },
+    };
 }
 
 double motion(const sim::Torsion &springs, const sim::State &state)
@@ -84,22 +86,25 @@ int nearestBranch(const sim::Scene &scene, const sim::State &state, sim::Vec2 pl
 
 Measure countMeasure()
 {
-    return {Text::tr("Branches"),
-            {},
-            Text::tr("How many branches the tree has."),
-            0,
-            [](const sim::Scene &, const sim::State &state, const sim::State *, const sim::Values &) {
-                return double(state.points());
-            }};
+    return {
+        .name = Text::tr("Branches"),
+        .help = Text::tr("How many branches the tree has."),
+        .decimals = 0,
+        .of = [](const sim::Scene &, const sim::State &state, const sim::State *,
+                 const sim::Values &) { return double(state.points()); },
+    };
 }
 
 Measure bendMeasure()
 {
-    return {Text::tr("Largest bend"), Text::tr("°"),
-            Text::tr("How far the most bent branch is turned from where it grew."), 1,
-            [](const sim::Scene &scene, const sim::State &state, const sim::State *, const sim::Values &) {
-                return largestBend(scene, state);
-            }};
+    return {
+        .name = Text::tr("Largest bend"),
+        .unit = Text::tr("°"),
+        .help = Text::tr("How far the most bent branch is turned from where it grew."),
+        .decimals = 1,
+        .of = [](const sim::Scene &scene, const sim::State &state, const sim::State *,
+                 const sim::Values &) { return largestBend(scene, state); },
+    };
 }
 
 std::vector<Measure> energyMeasures()

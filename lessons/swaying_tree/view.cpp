@@ -34,15 +34,17 @@ const std::optional<Vec2> &pressed(const sim::State &state)
 
 Guide wind(Vec2 at)
 {
-    return {Guide::Shape::wind, at, {}, 0.0, {}};
+    return {.shape = Guide::Shape::wind, .a = at};
 }
 
 /// A dashed line that shows an angle in degrees.
 Guide angleLine(Vec2 from, double angle, const QString &label)
 {
     constexpr double length = 60.0;
-    return {Guide::Shape::line, from, from + sim::branchReach(angle, length, sim::degreesPerRadian), 0.0,
-            label};
+    return {.shape = Guide::Shape::line,
+            .a = from,
+            .b = from + sim::branchReach(angle, length, sim::degreesPerRadian),
+            .label = label};
 }
 
 QString asMeant()
@@ -65,7 +67,7 @@ std::vector<Guide> trunkEnd(const sim::Scene &scene, const sim::State &state, co
     const Vec2 end = sim::endOf(joints->tree(), state, 0, sim::degreesOf(formulaOf(values)));
     const Vec2 off = end - endOf(scene, state, 0);
     const QString label = Text::tr("%1 px off").arg(QLocale().toString(sim::length(off), 'f', 4));
-    return {{Guide::Shape::cross, end, {}, 0.0, label}};
+    return {{.shape = Guide::Shape::cross, .a = end, .label = label}};
 }
 
 std::vector<Guide> windFromPointer(const sim::Scene &scene, const sim::State &state, const sim::Values &)
@@ -102,7 +104,7 @@ std::vector<Guide> aimByBothFormulas(const sim::Scene &scene, const sim::State &
     const Vec2 reach = sim::branchReach(state.angle[i], joints->tree().baseLength, sim::publishedDegrees);
     const sim::Sight sight = sim::sightPublished(pointer, state.at(i), reach, scale);
     const Vec2 out = sim::direction(pointer - state.at(i), i, -1).out;
-    return {{Guide::Shape::cross, pointer, {}, 0.0, {}},
+    return {{.shape = Guide::Shape::cross, .a = pointer},
             angleLine(state.at(i), sim::turnToPointer(out), asMeant()),
             angleLine(state.at(i), sim::turnToPointerPublished(sight.d), asPrinted())};
 }
@@ -116,9 +118,15 @@ std::vector<Guide> gustFromPointer(const sim::Scene &scene, const sim::State &st
     if (!state.outside.pointer)
         return guides;
     if (gale.front > 0.0 && gale.front < farAway)
-        guides.push_back({Guide::Shape::ring, *state.outside.pointer, {}, gale.front, Text::tr("front")});
+        guides.push_back({.shape = Guide::Shape::ring,
+                          .a = *state.outside.pointer,
+                          .size = gale.front,
+                          .label = Text::tr("front")});
     if (gale.end > 0.0 && gale.end < farAway)
-        guides.push_back({Guide::Shape::ring, *state.outside.pointer, {}, gale.end, Text::tr("end")});
+        guides.push_back({.shape = Guide::Shape::ring,
+                          .a = *state.outside.pointer,
+                          .size = gale.end,
+                          .label = Text::tr("end")});
     return guides;
 }
 

@@ -60,53 +60,82 @@ double pushesOf(const Scene &scene, const State &state, const State *, const Val
 
 Measure swingWidth()
 {
-    return {Text::tr("Swing"), Text::tr("px"),
-            Text::tr("How far foot 0 is from the middle of its places. The leg is what it would be if it "
-                     "followed exactly."),
-            1, [](const Scene &, const State &state, const State *, const Values &values) {
+    return {
+        .name = Text::tr("Swing"),
+        .unit = Text::tr("px"),
+        .help = Text::tr("How far foot 0 is from the middle of its places. The leg is what it would be if it "
+                         "followed exactly."),
+        .decimals = 1,
+        .of =
+            [](const Scene &, const State &state, const State *, const Values &values) {
                 const sim::Vec2 middle = state.at(bodyOf(state)) + sim::Vec2{0.0, values["drop"]};
                 return sim::length(state.at(0) - middle);
-            }};
+            },
+    };
 }
 
 Measure momentumOfAll()
 {
-    return {Text::tr("Momentum"), Text::tr("px/frame"),
-            Text::tr("All velocities added up; how long that arrow is. Every mass is 1."), 3,
+    return {
+        .name = Text::tr("Momentum"),
+        .unit = Text::tr("px/frame"),
+        .help = Text::tr("All velocities added up; how long that arrow is. Every mass is 1."),
+        .decimals = 3,
+        .of =
             [](const Scene &, const State &state, const State *, const Values &) {
                 const auto sum = state.velocity.colwise().sum().eval();
                 return std::hypot(sum[0], sum[1]);
-            }};
+            },
+    };
 }
 
 Measure walkingSpeed()
 {
-    return {Text::tr("Walks"), Text::tr("px/frame"),
-            Text::tr("How far the body came to the right in the last frame."), 2,
+    return {
+        .name = Text::tr("Walks"),
+        .unit = Text::tr("px/frame"),
+        .help = Text::tr("How far the body came to the right in the last frame."),
+        .decimals = 2,
+        .of =
             [](const Scene &, const State &state, const State *before, const Values &) {
                 const bool same = before && before->points() == state.points();
                 return same ? state.at(bodyOf(state)).x - before->at(bodyOf(state)).x : nothing;
-            }};
+            },
+    };
 }
 
 Measure slip()
 {
-    return {Text::tr("Slip"), Text::tr("px/frame"),
-            Text::tr("How far the standing feet slid in the last frame, on the average."), 2, slipOf};
+    return {
+        .name = Text::tr("Slip"),
+        .unit = Text::tr("px/frame"),
+        .help = Text::tr("How far the standing feet slid in the last frame, on the average."),
+        .decimals = 2,
+        .of = slipOf,
+    };
 }
 
 Measure clockSpeed()
 {
-    return {Text::tr("Clock"), Text::tr("rad/frame"), Text::tr("How fast the gait clock turns."), 3,
-            [](const Scene &, const State &state, const State *, const Values &) {
-                return state.gaitSpeed.rows() > 0 ? state.gaitSpeed[0] : nothing;
-            }};
+    return {
+        .name = Text::tr("Clock"),
+        .unit = Text::tr("rad/frame"),
+        .help = Text::tr("How fast the gait clock turns."),
+        .decimals = 3,
+        .of = [](const Scene &, const State &state, const State *,
+                 const Values &) { return state.gaitSpeed.rows() > 0 ? state.gaitSpeed[0] : nothing; },
+    };
 }
 
 Measure sumOfPushes()
 {
-    return {Text::tr("Pushes"), Text::tr("px/frame²"),
-            Text::tr("All pushes between bodies added up; how long that arrow is."), 3, pushesOf};
+    return {
+        .name = Text::tr("Pushes"),
+        .unit = Text::tr("px/frame²"),
+        .help = Text::tr("All pushes between bodies added up; how long that arrow is."),
+        .decimals = 3,
+        .of = pushesOf,
+    };
 }
 
 }

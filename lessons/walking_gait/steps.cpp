@@ -193,18 +193,26 @@ std::vector<Parameter> sideWalls()
 std::vector<Preset> gaits()
 {
     return {
-        {Text::tr("Centipede"),
-         Text::tr("Twelve feet, one after the other: the body glides."),
-         {{"feet", 12.0}}},
-        {Text::tr("Trot"),
-         Text::tr("Four feet in two pairs: it bobs like one with two feet."),
-         {{"feet", 4.0}, {"spread", 720.0}}},
-        {Text::tr("Limp"),
-         Text::tr("Three feet close behind each other, then a pause."),
-         {{"feet", 3.0}, {"spread", 180.0}}},
-        {Text::tr("Runner"),
-         Text::tr("A fast clock: no foot touches the ground for long."),
-         {{"feet", 4.0}, {"speed", 0.15}}},
+        {
+            .title = Text::tr("Centipede"),
+            .help = Text::tr("Twelve feet, one after the other: the body glides."),
+            .values = {{"feet", 12.0}},
+        },
+        {
+            .title = Text::tr("Trot"),
+            .help = Text::tr("Four feet in two pairs: it bobs like one with two feet."),
+            .values = {{"feet", 4.0}, {"spread", 720.0}},
+        },
+        {
+            .title = Text::tr("Limp"),
+            .help = Text::tr("Three feet close behind each other, then a pause."),
+            .values = {{"feet", 3.0}, {"spread", 180.0}},
+        },
+        {
+            .title = Text::tr("Runner"),
+            .help = Text::tr("A fast clock: no foot touches the ground for long."),
+            .values = {{"feet", 4.0}, {"speed", 0.15}},
+        },
     };
 }
 

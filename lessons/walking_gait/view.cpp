@@ -35,12 +35,12 @@ double groundLine(const Values &values)
 
 Guide cross(sim::Vec2 at, const QString &label = {})
 {
-    return {Guide::Shape::cross, at, {}, 0.0, label};
+    return {.shape = Guide::Shape::cross, .a = at, .label = label};
 }
 
 Guide line(sim::Vec2 from, sim::Vec2 to)
 {
-    return {Guide::Shape::line, from, to, 0.0, {}};
+    return {.shape = Guide::Shape::line, .a = from, .b = to};
 }
 
 /// Calls `visit(leg, target)` for each leg that pulls; for none while the springs are switched off.
@@ -146,7 +146,8 @@ Guides ring(const Scene &scene, const State &state, const Values &values)
 {
     Guides all = places(scene, state, values);
     const sim::Vec2 body = state.at(state.points() - 1);
-    all.push_back({Guide::Shape::ring, {body.x, body.y + values["drop"]}, {}, values["leg"], {}});
+    all.push_back(
+        {.shape = Guide::Shape::ring, .a = {body.x, body.y + values["drop"]}, .size = values["leg"]});
     return all;
 }
 

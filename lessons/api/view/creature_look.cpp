@@ -24,7 +24,7 @@ void addLinks(std::vector<SpringLook> &looks, const std::vector<sim::Pair> &link
         };
         const auto from = looks.begin() + static_cast<std::ptrdiff_t>(first);
         if (at != sim::Vec2() || std::none_of(from, looks.end(), leadsBack))
-            looks.push_back({link.mover, link.anchor, length, at});
+            looks.push_back({.a = link.mover, .b = link.anchor, .length = length, .at = at});
     }
 }
 
@@ -36,8 +36,9 @@ void addLegs(std::vector<SpringLook> &looks, const sim::LegSpring &springs, cons
     const std::vector<sim::Leg> legs = springs.legs();
     for (std::size_t i = 0; i < legs.size(); ++i) {
         const sim::Leg &leg = legs[i];
-        looks.push_back(
-            {leg.foot, leg.body, 0.0, springs.target(state, static_cast<int>(i)) - state.at(leg.body)});
+        looks.push_back({.a = leg.foot,
+                         .b = leg.body,
+                         .at = springs.target(state, static_cast<int>(i)) - state.at(leg.body)});
     }
 }
 
@@ -74,7 +75,7 @@ std::vector<SpringLook> actingSprings(const sim::Scene &scene)
         if (effect->idle())
             continue;
         if (const auto *toPlace = dynamic_cast<const sim::PointSpring *>(effect.get()))
-            looks.push_back({toPlace->mover(), -1, 0.0, toPlace->centre()});
+            looks.push_back({.a = toPlace->mover(), .b = -1, .at = toPlace->centre()});
         else if (const auto *toPoints = dynamic_cast<const sim::BodySpring *>(effect.get()))
             addLinks(looks, toPoints->links(), 0.0);
         else if (const auto *beside = dynamic_cast<const sim::OffsetSpring *>(effect.get()))

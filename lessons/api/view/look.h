@@ -132,10 +132,10 @@ struct Guide
         wind,  ///< streaks that blow away from `a`
     };
     Shape shape = Shape::cross;
-    sim::Vec2 a;
-    sim::Vec2 b;
+    sim::Vec2 a = {};
+    sim::Vec2 b = {};
     double size = 0.0;
-    QString label; ///< may be empty
+    QString label = {}; ///< may be empty
     /// What the guide is about. A picture that shows the exact motion by itself leaves out guides that do, too.
     enum class About { step, exactMotion };
     About about = About::step;
