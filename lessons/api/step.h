@@ -89,11 +89,9 @@ struct Step
     QString id;
     QString title;
     QString narration; ///< Markdown
-    QString learnt;    ///< one sentence, for the summary of the lesson; may be empty
+    Explanation explanation;
     std::vector<Parameter> parameters;
     std::vector<Try> tries;
-    std::vector<Term> terms; ///< that are taught here
-    std::vector<Why> whys;
     std::function<sim::Scene(const sim::Values &)> scene;
     sim::Region setUp; ///< the source of `scene`
     std::function<Look(const sim::Scene &, const sim::Values &)> look;

@@ -26,9 +26,7 @@ std::vector<Step> taught(std::vector<Step> steps, const std::vector<Teaching> &a
 {
     for (const Teaching &teaching : all) {
         Step &step = stepOf(teaching, steps);
-        step.learnt = teaching.learnt;
-        step.terms = teaching.terms;
-        step.whys = teaching.whys;
+        step.explanation = {teaching.learnt, teaching.terms, teaching.whys};
         for (std::size_t i = 0; i < teaching.hints.size(); ++i)
             step.tries[i].hint = teaching.hints[i];
     }

@@ -32,13 +32,13 @@ LessonLibrary toldLessons()
     LessonLibrary library = twoLessons();
     lessons::Step &first = library.lessons[0].steps[0];
     first.narration = "A **spring** pulls the foot. It is a spring.";
-    first.learnt = "A spring pulls.";
+    first.explanation.learnt = "A spring pulls.";
     first.tries[0].hint = "Press **Right** five times.";
     first.tries.push_back(first.tries[0]);
     first.tries[1].hint = "Press it once more.";
-    first.whys = {{"Why twice the pull?", "Because\n\n`pull = k × distance`"}};
-    first.terms = {{"Spring", "spring|springs", "It pulls together what is too far apart."}};
-    library.lessons[1].steps[0].terms = {{"Damping", "damping", "A share that is kept."}};
+    first.explanation.whys = {{"Why twice the pull?", "Because\n\n`pull = k × distance`"}};
+    first.explanation.terms = {{"Spring", "spring|springs", "It pulls together what is too far apart."}};
+    library.lessons[1].steps[0].explanation.terms = {{"Damping", "damping", "A share that is kept."}};
     return library;
 }
 
