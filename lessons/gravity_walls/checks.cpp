@@ -91,53 +91,121 @@ double overFloor(const Timeline &run)
 std::vector<Try> wallsTries()
 {
     return {
-        {Text::tr("Throw the creature, at 5 px per frame or more, so that some part of it hits the left "
-                  "wall."),
-         {letGoOf(), fastEnough(), touching(Text::tr("throw it so that it hits the left wall."), false)}},
-        {Text::tr("Stop inside a frame (**Shift+→**) when something has moved into a wall, before it is put "
-                  "back."),
-         {insideAFrame(),
-          {somethingIsPastAWall,
-           Text::tr("press **Shift+→** until something has moved into a wall: throw it at one first.")}}},
-        {Text::tr("Set **bounce** to 0 and throw it at a side wall. What hits it loses its speed."),
-         {isSet("bounce", 0.0), letGoSinceSet("bounce"), fastEnough(),
-          touching(Text::tr("throw it so that it hits a side wall."), true)}},
-        {Text::tr("There is no ceiling. Throw the body out over the top."),
-         {letGoOf("body"),
-          fastEnough(),
-          {[](const Timeline &run) { return placeOf(run, "body").y < -bodyWidth / 2; },
-           Text::tr("throw it upwards, and harder: the body has to get above y = 0.")}}},
+        {
+            .text = Text::tr(
+                "Throw the creature, at 5 px per frame or more, so that some part of it hits the left "
+                "wall."),
+            .conditions =
+                {
+                    letGoOf(),
+                    fastEnough(),
+                    touching(Text::tr("throw it so that it hits the left wall."), false),
+                },
+            .hint =
+                Text::tr("Press **Space**, take the large disc, swing it quickly to the left, and let go on "
+                         "the way."),
+        },
+        {
+            .text = Text::tr(
+                "Stop inside a frame (**Shift+→**) when something has moved into a wall, before it is put "
+                "back."),
+            .conditions =
+                {
+                    insideAFrame(),
+                    {somethingIsPastAWall,
+                     Text::tr(
+                         "press **Shift+→** until something has moved into a wall: throw it at one first.")},
+                },
+            .hint =
+                Text::tr("Throw the creature at a wall and stop just before it is there. Then press "
+                         "**Shift+→** again and again: after a move, look whether an edge is past the wall."),
+        },
+        {
+            .text =
+                Text::tr("Set **bounce** to 0 and throw it at a side wall. What hits it loses its speed."),
+            .conditions =
+                {
+                    isSet("bounce", 0.0),
+                    letGoSinceSet("bounce"),
+                    fastEnough(),
+                    touching(Text::tr("throw it so that it hits a side wall."), true),
+                },
+            .hint = Text::tr(
+                "Type 0 into the field beside **Bounce**, press **Space**, and throw the creature at "
+                "the left or the right wall."),
+        },
+        {
+            .text = Text::tr("There is no ceiling. Throw the body out over the top."),
+            .conditions =
+                {
+                    letGoOf("body"),
+                    fastEnough(),
+                    {[](const Timeline &run) { return placeOf(run, "body").y < -bodyWidth / 2; },
+                     Text::tr("throw it upwards, and harder: the body has to get above y = 0.")},
+                },
+            .hint =
+                Text::tr("Press **Space**, take the large disc, swing it quickly up past the upper edge, and "
+                         "let go on the way."),
+        },
     };
 }
 
 std::vector<Try> gravityTries()
 {
     return {
-        {Text::tr(
-             "Hold the body high up until the feet hang still. They hang radius + g / k below it: 52.5 px."),
-         {holding("body"), hanging()}},
-        Try{Text::tr("Do the same with **damping** at 0.6. Do the feet hang any lower?"),
-            {isSet("damp", 0.6), holding("body"), hanging()}}
-            .answered(Text::tr("No, 52.5 px again: there the spring pulls up as much as gravity pulls down, "
-                               "and damping has nothing to take.")),
-        {Text::tr("Stop inside a frame right after gravity has pulled."),
-         {insideAFrame(),
-          {[](const Timeline &run) {
-               const sim::Phase *last = lastPhase(run);
-               return last && last->kind == sim::Kind::gravity;
-           },
-           Text::tr("press **Shift+→** until gravity is the last phase that was done.")}}},
-        {Text::tr("Put the walls 60 px apart (**left** 240, **right** 300), lift the body, and let it down "
-                  "on its feet."),
-         {{[](const Timeline &run) { return wallsApart(run) <= 60.0; }},
-          letGoSinceSet("left", "body"),
-          letGoSinceSet("right", "body"),
-          allStill(),
-          {[](const Timeline &run) {
-               return overFloor(run) >= 30.0 && overFloor(run) <= run.values()["radius"] + bodyWidth;
-           },
-           Text::tr("lift it again, and let it down with all feet under it. It stands %1 px over the floor."),
-           overFloor, 0}}},
+        {
+            .text = Text::tr("Hold the body high up until the feet hang still. They hang radius + g / k "
+                             "below it: 52.5 px."),
+            .conditions = {holding("body"), hanging()},
+            .hint =
+                Text::tr("Press **Space**, take the large disc, lift it to the upper edge, and hold it there "
+                         "until the feet have stopped swinging."),
+        },
+        {
+            .text = Text::tr("Do the same with **damping** at 0.6. Do the feet hang any lower?"),
+            .conditions = {isSet("damp", 0.6), holding("body"), hanging()},
+            .hint = Text::tr(
+                "Type 0.6 into the field beside **Damping**. Then lift the large disc and hold it, as "
+                "before."),
+            .answer = Text::tr("No, 52.5 px again: there the spring pulls up as much as gravity pulls down, "
+                               "and damping has nothing to take."),
+        },
+        {
+            .text = Text::tr("Stop inside a frame right after gravity has pulled."),
+            .conditions =
+                {
+                    insideAFrame(),
+                    {[](const Timeline &run) {
+                         const sim::Phase *last = lastPhase(run);
+                         return last && last->kind == sim::Kind::gravity;
+                     },
+                     Text::tr("press **Shift+→** until gravity is the last phase that was done.")},
+                },
+            .hint = Text::tr("Stop, and press **Shift+→** until the strip under the timeline marks gravity."),
+        },
+        {
+            .text = Text::tr(
+                "Put the walls 60 px apart (**left** 240, **right** 300), lift the body, and let it down "
+                "on its feet."),
+            .conditions =
+                {
+                    {[](const Timeline &run) { return wallsApart(run) <= 60.0; }},
+                    letGoSinceSet("left", "body"),
+                    letGoSinceSet("right", "body"),
+                    allStill(),
+                    {[](const Timeline &run) {
+                         return overFloor(run) >= 30.0 &&
+                                overFloor(run) <= run.values()["radius"] + bodyWidth;
+                     },
+                     Text::tr("lift it again, and let it down with all feet under it. It stands %1 px over "
+                              "the floor."),
+                     overFloor, 0},
+                },
+            .hint = Text::tr(
+                "Type 240 beside **Left wall** and 300 beside **Right wall**. Press **Space**, lift the "
+                "large disc until its feet hang under it, let it down slowly until they stand, and let "
+                "go."),
+        },
     };
 }
 

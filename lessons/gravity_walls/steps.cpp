@@ -1,6 +1,7 @@
 #include "steps.h"
 
 #include "checks.h"
+#include "explanations.h"
 #include "lessons/api/parameters.h"
 #include "lessons/api/view/acting.h"
 #include "lessons/api/view/creature_look.h"
@@ -51,6 +52,7 @@ Step wallsStep()
         "A body in your hand meets no wall, and there is no ceiling.\n\n"
         "(The tutorial behind this lesson calls the wall at 20 px “right” and the one at 520 px “left”. "
         "Here left is left.)");
+    step.explanation = wallsExplanation();
     step.tries = wallsTries();
     step.scene = walls::setUp;
     return step;
@@ -70,6 +72,7 @@ Step gravityStep()
         "On the floor nothing holds the feet: they slide apart, and the body comes down between them. Its "
         "velocity there is not 0: in each frame gravity pulls it into the floor and the floor turns "
         "it round.");
+    step.explanation = gravityExplanation();
     step.tries = gravityTries();
     step.scene = gravity::setUp;
     return step;
