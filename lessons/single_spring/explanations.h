@@ -1,10 +1,14 @@
 #pragma once
 
-#include "lessons/api/teaching.h"
+#include "lessons/api/explanation.h"
 
+/// What each step tells besides its narration: what a learner knows afterwards, words, and the why of its mathematics.
 namespace single_spring {
 
-/// What is told about the steps besides their narrations: hints, words, and the why of their mathematics.
-std::vector<lessons::Teaching> teaching();
+lessons::Explanation dragExplanation();
+lessons::Explanation fixedCentreExplanation();
+lessons::Explanation movingBodyExplanation();
+lessons::Explanation offsetExplanation();
+lessons::Explanation radialExplanation();
 
 }

@@ -1,6 +1,7 @@
 #include "view.h"
 
 #include "lessons/api/view/acting.h"
+#include "lessons/api/view/creature_look.h"
 #include "scenes.h"
 #include "sim/base/direction.h"
 #include "sim/effects/pairs/spring.h"
@@ -34,6 +35,13 @@ sim::Vec2 centreOf(const sim::Values &values)
     return {values["centre_x"], values["centre_y"]};
 }
 
+}
+
+lessons::Look discsAndSprings(const sim::Scene &scene, const sim::Values &)
+{
+    lessons::Look look = lessons::creatureLook(scene);
+    look.springs = lessons::actingSprings(scene);
+    return look;
 }
 
 std::vector<Guide> pullToCome(const sim::Scene &, const sim::State &state, const sim::Values &values)

@@ -1,12 +1,15 @@
 #pragma once
 
 #include "lessons/api/view/look.h"
-#include "sim/scene/scene.h"
-#include "sim/scene/values.h"
+#include "sim/forward.h"
 
 #include <vector>
 
+/// How the scenes of this lesson look, and what is drawn over them.
 namespace single_spring {
+
+/// Discs, and the springs that act.
+lessons::Look discsAndSprings(const sim::Scene &scene, const sim::Values &values);
 
 /// The centre, and the pull that a spring to it would have.
 std::vector<lessons::Guide> pullToCome(const sim::Scene &scene, const sim::State &state,
