@@ -38,6 +38,8 @@ namespace walls {
 sim::Scene setUp(const sim::Values &values);
 }
 namespace company {
+/// So many creatures with two feet each, which walk towards the middle.
+sim::Scene inARow(int count, double speed);
 sim::Scene setUp(const sim::Values &values);
 }
 
