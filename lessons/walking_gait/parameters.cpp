@@ -223,4 +223,37 @@ Parameter feltBy()
     return parameter;
 }
 
+std::vector<Parameter> sideWalls()
+{
+    std::vector<Parameter> all = room();
+    all.pop_back(); // the floor
+    return all;
+}
+
+std::vector<Preset> gaits()
+{
+    return {
+        {
+            .title = Text::tr("Centipede"),
+            .help = Text::tr("Twelve feet, one after the other: the body glides."),
+            .values = {{"feet", 12.0}},
+        },
+        {
+            .title = Text::tr("Trot"),
+            .help = Text::tr("Four feet in two pairs: it bobs like one with two feet."),
+            .values = {{"feet", 4.0}, {"spread", 720.0}},
+        },
+        {
+            .title = Text::tr("Limp"),
+            .help = Text::tr("Three feet close behind each other, then a pause."),
+            .values = {{"feet", 3.0}, {"spread", 180.0}},
+        },
+        {
+            .title = Text::tr("Runner"),
+            .help = Text::tr("A fast clock: no foot touches the ground for long."),
+            .values = {{"feet", 4.0}, {"speed", 0.15}},
+        },
+    };
+}
+
 }

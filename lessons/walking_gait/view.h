@@ -5,7 +5,7 @@
 
 #include <vector>
 
-/// What one sees of the creatures, besides what moves them.
+/// How the scenes of this lesson look, what is drawn over them, and what is measured.
 namespace walking_gait {
 
 using Guides = std::vector<lessons::Guide>;
@@ -31,5 +31,18 @@ Guides bends(const sim::Scene &scene, const sim::State &state, const sim::Values
 Guides ring(const sim::Scene &scene, const sim::State &state, const sim::Values &values);
 /// A cross where each foot belongs, and the middle of the creature.
 Guides middleAndPlaces(const sim::Scene &scene, const sim::State &state, const sim::Values &values);
+
+/// How far foot 0 is from the middle of its places, px.
+lessons::Measure swingWidth();
+/// The length of the sum of all velocities, px/frame: the momentum, with masses of 1.
+lessons::Measure momentumOfAll();
+/// How far the body came to the right in the last frame, px/frame.
+lessons::Measure walkingSpeed();
+/// How far the feet that stand slid in the last frame, px/frame on the average.
+lessons::Measure slip();
+/// How fast the gait clock turns, rad/frame.
+lessons::Measure clockSpeed();
+/// The length of the sum of all pushes between bodies, px/frame^2.
+lessons::Measure sumOfPushes();
 
 }
