@@ -1,10 +1,19 @@
 #pragma once
 
-#include "lessons/api/teaching.h"
+#include "lessons/api/explanation.h"
 
+/// What each step tells besides its narration: what a learner knows afterwards, words, and the why of its mathematics.
 namespace swaying_tree {
 
-/// What is told about the steps besides their narrations: hints, words, and the why of their mathematics.
-std::vector<lessons::Teaching> teaching();
+lessons::Explanation trunkExplanation();
+lessons::Explanation branchesExplanation();
+lessons::Explanation randomnessExplanation();
+lessons::Explanation towardsPointerExplanation();
+lessons::Explanation windExplanation();
+lessons::Explanation restExplanation();
+lessons::Explanation distanceExplanation();
+lessons::Explanation thicknessExplanation();
+lessons::Explanation turbulenceExplanation();
+lessons::Explanation realSwayExplanation();
 
 }

@@ -1,19 +1,29 @@
 #include "view.h"
 
-#include "measuring.h"
+#include "lessons/api/view/acting.h"
+#include "scenes.h"
 #include "sim/base/direction.h"
 #include "sim/effects/drivers/turn_to_pointer.h"
 #include "sim/effects/tree/joints.h"
+#include "sim/effects/tree/torsion.h"
 #include "sim/effects/tree/tree_wind.h"
 #include "sim/run/script/segment.h"
-#include "standing.h"
+#include "sim/run/track.h"
+#include "sim/scene/scene.h"
+#include "sim/scene/values.h"
 
 #include <QCoreApplication>
 #include <QLocale>
 
 #include <cmath>
+#include <limits>
 
+using lessons::BodyLook;
+using lessons::effectOf;
 using lessons::Guide;
+using lessons::Look;
+using lessons::Measure;
+using lessons::TreeLook;
 using sim::Vec2;
 
 namespace swaying_tree {
@@ -25,6 +35,9 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(SwayingTree)
 };
 
+/// Of a branch of scale 1, as published.
+constexpr double trunkWidth = 10.0;
+
 /// The pointer while its button is down.
 const std::optional<Vec2> &pressed(const sim::State &state)
 {
@@ -32,7 +45,7 @@ const std::optional<Vec2> &pressed(const sim::State &state)
     return state.outside.pointerDown ? state.outside.pointer : none;
 }
 
-Guide wind(Vec2 at)
+Guide windAt(Vec2 at)
 {
     return {.shape = Guide::Shape::wind, .a = at};
 }
@@ -57,6 +70,84 @@ QString asPrinted()
     return Text::tr("published");
 }
 
+using Energy = double (*)(const sim::Torsion &, const sim::State &);
+
+Measure energyMeasure(const QString &name, const QString &help, Energy energy)
+{
+    return {
+        .name = name,
+        .help = help,
+        .decimals = 2,
+        .of =
+            [energy](const sim::Scene &scene, const sim::State &state, const sim::State *,
+                     const sim::Values &) {
+                const auto *springs = effectOf<sim::Torsion>(scene);
+                return springs ? energy(*springs, state) : std::numeric_limits<double>::quiet_NaN();
+            },
+    };
+}
+
+double motion(const sim::Torsion &springs, const sim::State &state)
+{
+    return springs.motionEnergy(state);
+}
+
+double held(const sim::Torsion &springs, const sim::State &state)
+{
+    return springs.springEnergy(state);
+}
+
+double total(const sim::Torsion &springs, const sim::State &state)
+{
+    return motion(springs, state) + held(springs, state);
+}
+
+}
+
+double bendOf(const sim::Scene &scene, const sim::State &state, int branch)
+{
+    return state.angle[branch] - scene.start.angle[branch];
+}
+
+double largestBend(const sim::Scene &scene, const sim::State &state)
+{
+    return (state.angle - scene.start.angle).abs().maxCoeff();
+}
+
+sim::Vec2 endOf(const sim::Scene &scene, const sim::State &state, int branch)
+{
+    const auto *joints = effectOf<sim::Joints>(scene);
+    if (!joints)
+        return state.at(branch);
+    return sim::endOf(joints->tree(), state, branch, sim::degreesPerRadian);
+}
+
+int nearestBranch(const sim::Scene &scene, const sim::State &state, sim::Vec2 place)
+{
+    int nearest = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < state.points(); ++i) {
+        const double distance = sim::length(endOf(scene, state, i) - place);
+        if (distance < least) {
+            least = distance;
+            nearest = i;
+        }
+    }
+    return nearest;
+}
+
+Look treeLook(const sim::Tree &tree)
+{
+    Look look;
+    look.bodies.assign(tree.parent.size(), {BodyLook::Shape::none, 0.0});
+    look.tree = TreeLook{tree.parent, tree.scale, tree.scale};
+    for (double &length : look.tree->length)
+        length *= tree.baseLength;
+    for (double &width : look.tree->width)
+        width *= trunkWidth;
+    look.stage = QRectF(0, 0, 550, 400);
+    look.sky = Look::Sky::dusk;
+    return look;
 }
 
 std::vector<Guide> trunkEnd(const sim::Scene &scene, const sim::State &state, const sim::Values &values)
@@ -74,7 +165,7 @@ std::vector<Guide> windFromPointer(const sim::Scene &scene, const sim::State &st
 {
     if (!pressed(state) || !lessons::acts(scene, sim::Kind::wind))
         return {};
-    return {wind(*pressed(state))};
+    return {windAt(*pressed(state))};
 }
 
 std::vector<Guide> windByBothFormulas(const sim::Scene &scene, const sim::State &state, const sim::Values &)
@@ -89,7 +180,7 @@ std::vector<Guide> windByBothFormulas(const sim::Scene &scene, const sim::State 
         const double angle = blows->breezeAt(formula, i, state.at(i), state.angle[i], pointer).wind;
         return angleLine(end, angle, label);
     };
-    return {wind(pointer), lineFor(sim::TreeFormula::corrected, asMeant()),
+    return {windAt(pointer), lineFor(sim::TreeFormula::corrected, asMeant()),
             lineFor(sim::TreeFormula::published, asPrinted())};
 }
 
@@ -141,6 +232,38 @@ QString noteOfGround(const sim::Track &run)
     if (!(state.position.col(1) > state.at(0).y + deep).any())
         return {};
     return Text::tr("Part of the tree is below the ground: the rule turns angles, and knows no ground.");
+}
+
+Measure countMeasure()
+{
+    return {
+        .name = Text::tr("Branches"),
+        .help = Text::tr("How many branches the tree has."),
+        .decimals = 0,
+        .of = [](const sim::Scene &, const sim::State &state, const sim::State *,
+                 const sim::Values &) { return double(state.points()); },
+    };
+}
+
+Measure bendMeasure()
+{
+    return {
+        .name = Text::tr("Largest bend"),
+        .unit = Text::tr("°"),
+        .help = Text::tr("How far the most bent branch is turned from where it grew."),
+        .decimals = 1,
+        .of = [](const sim::Scene &scene, const sim::State &state, const sim::State *,
+                 const sim::Values &) { return largestBend(scene, state); },
+    };
+}
+
+std::vector<Measure> energyMeasures()
+{
+    return {
+        energyMeasure(Text::tr("Energy"),
+                      Text::tr("Of motion and springs together. Without wind and damping it stays."), total),
+        energyMeasure(Text::tr("In motion"), Text::tr("The part that is in the turning branches."), motion),
+        energyMeasure(Text::tr("In springs"), Text::tr("The part that the bent joints hold."), held)};
 }
 
 }

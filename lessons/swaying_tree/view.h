@@ -1,13 +1,26 @@
 #pragma once
 
+#include "lessons/api/step.h"
 #include "lessons/api/view/look.h"
-#include "sim/run/track.h"
-#include "sim/scene/scene.h"
-#include "sim/scene/values.h"
+#include "sim/effects/tree/tree.h"
 
 #include <vector>
 
+/// How the scenes of this lesson look, what is drawn over them, and what is measured.
 namespace swaying_tree {
+
+/// How far a branch is from where it grew, in degrees.
+double bendOf(const sim::Scene &scene, const sim::State &state, int branch);
+/// The largest of them, without its sign.
+double largestBend(const sim::Scene &scene, const sim::State &state);
+
+/// Where branch `branch` ends, px; where it begins in a scene without joints.
+sim::Vec2 endOf(const sim::Scene &scene, const sim::State &state, int branch);
+/// The branch whose end is nearest to `place`.
+int nearestBranch(const sim::Scene &scene, const sim::State &state, sim::Vec2 place);
+
+/// A tree before a dusky sky. A hand takes hold of a branch by name only: the pointer blows.
+lessons::Look treeLook(const sim::Tree &tree);
 
 /// How far off the trunk's end is with the published 57.3 degrees to the radian.
 std::vector<lessons::Guide> trunkEnd(const sim::Scene &scene, const sim::State &state,
@@ -28,5 +41,10 @@ std::vector<lessons::Guide> gustFromPointer(const sim::Scene &scene, const sim::
 
 /// Returns why branches are below the ground, while bent ones are; else nothing.
 QString noteOfGround(const sim::Track &run);
+
+lessons::Measure countMeasure();
+lessons::Measure bendMeasure();
+/// What moves, what the springs hold, and the sum of both.
+std::vector<lessons::Measure> energyMeasures();
 
 }
