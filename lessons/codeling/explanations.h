@@ -1,10 +1,15 @@
 #pragma once
 
-#include "lessons/api/teaching.h"
+#include "lessons/api/explanation.h"
 
+/// What each step tells besides its narration: what a learner knows afterwards, words, and the why of its mathematics.
 namespace codeling {
 
-/// What is told about the steps besides their narrations: hints, words, and the why of their mathematics.
-std::vector<lessons::Teaching> teaching();
+lessons::Explanation motorExplanation();
+lessons::Explanation orientationExplanation();
+lessons::Explanation anticipationExplanation();
+lessons::Explanation squashStretchExplanation();
+lessons::Explanation volumeExplanation();
+lessons::Explanation tentaclesExplanation();
 
 }

@@ -1,8 +1,8 @@
 #include "view.h"
 
 #include "lessons/api/view/acting.h"
+#include "scenes.h"
 #include "sim/effects/drivers/motor.h"
-#include "swimmer.h"
 
 #include <QCoreApplication>
 

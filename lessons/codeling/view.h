@@ -5,6 +5,7 @@
 
 #include <vector>
 
+/// How the scenes of this lesson look, what is drawn over them, and what is measured.
 namespace codeling {
 
 /// The lead with eyes; a line to its tail where there is one.
