@@ -1,10 +1,15 @@
 #pragma once
 
-#include "lessons/api/teaching.h"
+#include "lessons/api/explanation.h"
 
+/// What each step tells besides its narration: what a learner knows afterwards, words, and the why of its mathematics.
 namespace rigid_constraint {
 
-/// What is told about the steps besides their narrations: hints, words, and the why of their mathematics.
-std::vector<lessons::Teaching> teaching();
+lessons::Explanation pairExplanation();
+lessons::Explanation sharedErrorExplanation();
+lessons::Explanation triangleExplanation();
+lessons::Explanation listExplanation();
+lessons::Explanation verletExplanation();
+lessons::Explanation ragdollExplanation();
 
 }

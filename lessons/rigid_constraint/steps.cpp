@@ -1,6 +1,7 @@
 #include "steps.h"
 
 #include "checks.h"
+#include "explanations.h"
 #include "lessons/api/parameters.h"
 #include "scenes.h"
 #include "view.h"
@@ -155,6 +156,7 @@ Step pairStep()
         "straight up and down.\n\n"
         "This angle is counted from the y axis: that is why dx comes first in `atan2`.");
     step.addParameters({length(100)});
+    step.explanation = pairExplanation();
     step.tries = pairTries();
     step.scene = pair::setUp;
     return step;
@@ -173,6 +175,7 @@ Step sharedErrorStep()
         "pointer stands still, **each frame leaves share of the error**: at 0.5 half of it, then a quarter, "
         "and p0 comes to the pointer after all.");
     step.addParameters({share(), length(100)});
+    step.explanation = sharedErrorExplanation();
     step.tries = sharedErrorTries();
     step.scene = shared_error::setUp;
     return step;
@@ -192,6 +195,7 @@ Step triangleStep()
         "Three sticks of 100 px can all be right at once. Sticks of 100, 100 and 300 px never can: some "
         "error would stay for ever.");
     step.addParameters({length(100)});
+    step.explanation = triangleExplanation();
     step.tries = triangleTries();
     step.scene = triangle::setUp;
     return step;
@@ -210,6 +214,7 @@ Step listStep()
         "A stick’s colour shows its error. After a fast move you can watch the error spread, and shrink "
         "frame by frame.");
     step.addParameters({triangles(), length(50)});
+    step.explanation = listExplanation();
     step.tries = listTries();
     step.scene = list::setUp;
     return step;
@@ -231,6 +236,7 @@ Step verletStep()
         "like rubber; more make it stiff.");
     step.addParameters({iterations(1), lessons::gravity(), damping(0.99), friction()});
     step.addParameters(room());
+    step.explanation = verletExplanation();
     step.tries = verletTries();
     step.scene = verlet::setUp;
     step.look = boxLook;
@@ -252,6 +258,7 @@ Step ragdollStep()
         "the passes leave less**, and cost twice as much.");
     step.addParameters({iterations(10), jointLimits(), lessons::gravity(), damping(0.99), friction()});
     step.addParameters(room());
+    step.explanation = ragdollExplanation();
     step.tries = ragdollTries();
     step.scene = ragdoll::setUp;
     step.look = ragdollLook;

@@ -1,11 +1,14 @@
 #include "view.h"
 
-#include "figure.h"
 #include "lessons/api/view/acting.h"
+#include "scenes.h"
+#include "sim/effects/constraints/sticks.h"
 #include "sim/effects/contacts/room_limits.h"
 
 #include <QCoreApplication>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 using namespace lessons;
@@ -38,6 +41,32 @@ auto ofSticks(Largest largest)
         };
 }
 
+}
+
+std::vector<sim::Stick> sticksOf(const sim::Scene &scene)
+{
+    std::vector<sim::Stick> all;
+    for (const sim::Sticks *sticks : sim::sticksAmong(scene.effects))
+        all.insert(all.end(), sticks->list().begin(), sticks->list().end());
+    return all;
+}
+
+double largestError(const sim::Scene &scene, const sim::State &state)
+{
+    double largest = 0.0;
+    for (const sim::Stick &stick : sticksOf(scene))
+        largest = std::max(largest, std::abs(stickError(stick, state)));
+    return largest;
+}
+
+double largestStretch(const sim::Scene &scene, const sim::State &state)
+{
+    double largest = 0.0;
+    for (const sim::Stick &stick : sticksOf(scene)) {
+        if (stick.length > 0.0)
+            largest = std::max(largest, 100.0 * std::abs(stickError(stick, state)) / stick.length);
+    }
+    return largest;
 }
 
 Look pointedLook(const sim::Scene &scene, const sim::Values &)
