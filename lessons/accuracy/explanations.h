@@ -1,10 +1,16 @@
 #pragma once
 
-#include "lessons/api/teaching.h"
+#include "lessons/api/explanation.h"
 
+/// What each step tells besides its narration: what a learner knows afterwards, words, and the why of its mathematics.
 namespace accuracy {
 
-/// What is told about the steps besides their narrations: hints, words, and the why of their mathematics.
-std::vector<lessons::Teaching> teaching();
+lessons::Explanation bigStepExplanation();
+lessons::Explanation energyExplanation();
+lessons::Explanation halveExplanation();
+lessons::Explanation adaptExplanation();
+lessons::Explanation bounceExplanation();
+lessons::Explanation budgetExplanation();
+lessons::Explanation crowdExplanation();
 
 }

@@ -1,11 +1,10 @@
 #include "steps.h"
 
 #include "checks.h"
+#include "explanations.h"
 #include "lessons/api/parameters.h"
-#include "lessons/api/view/acting.h"
 #include "lessons/api/view/creature_look.h"
 #include "scenes.h"
-#include "sim/effects/contacts/walls.h"
 #include "sim/run/script/script.h"
 #include "view.h"
 
@@ -34,28 +33,6 @@ Step stepOf(const char *id, const QString &title, const Exact &exact)
     step.measures = {offMeasure(exact)};
     step.method = "semi_implicit_euler";
     return step;
-}
-
-Look ballLook(const sim::Values &values)
-{
-    Look look;
-    look.bodies = {{BodyLook::Shape::body, ballRadius}};
-    look.room = sim::Room{values["left"], values["right"], values["floor"], values["bounce"]};
-    return look;
-}
-
-/// The picture grows with the crowd.
-Look crowdInRoom(const sim::Scene &scene, int count)
-{
-    Look look = crowdByPartsLook(scene, count);
-    const sim::Room room = crowd::roomFor(count);
-    const double border = 20.0;
-    const double high = crowd::heightFor(count) + border;
-    if (acts(scene, sim::Kind::contact))
-        look.room = room;
-    look.stage = {room.left - border, room.floor - high, room.right - room.left + 2.0 * border,
-                  high + border};
-    return look;
 }
 
 Parameter creatures()
@@ -97,6 +74,7 @@ Step bigStep()
         "fast, and after 100 frames it is 66 px off.\n\n"
         "More, smaller steps follow the bend more closely, and each one is **work**: the pull has to be "
         "computed anew. You choose the step above the scene.");
+    step.explanation = bigStepExplanation();
     step.tries = bigStepTries(exact);
     step.scene = big_step::setUp;
     step.guides = turningPlaces;
@@ -120,6 +98,7 @@ Step energyStep()
         "the "
         "energy swings 7 % round the true one, for ever, and never runs away. **Verlet** methods swing only "
         "half a percent.");
+    step.explanation = energyExplanation();
     step.tries = energyTries(exact);
     step.scene = energy::setUp;
     step.guides = turningPlaces;
@@ -142,6 +121,7 @@ Step halveStep()
         "Steps must be small enough first: at 2 frames both are far off.\n\n"
         "The **Accuracy** plot (Measure, at the top) shows a method as a ladder: three of them, or all by "
         "**Show all methods**. Steeper is a higher order.");
+    step.explanation = halveExplanation();
     step.tries = halveTries(exact, step.presets());
     step.scene = halve::setUp;
     step.measures.push_back(computationsMeasure());
@@ -162,15 +142,11 @@ Step adaptStep()
         "Watch **its step**: almost 4 frames far out, less than half a frame in the middle. The tolerance is "
         "for one step; errors add up on the way, so after 150 frames more than 0.001 px is missing.");
     step.method = "dormand_prince";
+    step.explanation = adaptExplanation();
     step.tries = adaptTries(exact, step.presets());
     step.scene = adapt::setUp;
     step.guides = turningRings;
-    step.look = [](const sim::Scene &scene, const sim::Values &) {
-        Look look = creatureLook(scene);
-        look.bodies[1] = {BodyLook::Shape::joint, 4.0}; // so that what happens there is seen
-        look.springs = actingSprings(scene);
-        return look;
-    };
+    step.look = smallMiddle;
     step.measures.push_back(stepMeasure());
     step.measures.push_back(computationsMeasure());
     return step;
@@ -193,14 +169,10 @@ Step bounceStep()
         "With a bounce of 0.5 each flight takes half as long as the one before. Infinitely many fit into 92 "
         "frames. So a ball that hardly leaves the floor is put to rest.");
     step.method = "rk4";
+    step.explanation = bounceExplanation();
     step.tries = bounceTries(exact, step.presets());
     step.scene = accuracy::bounce::setUp;
-    step.look = [](const sim::Scene &scene, const sim::Values &values) {
-        Look look = ballLook(values);
-        if (!effectOf<sim::Walls>(scene))
-            look.room.reset();
-        return look;
-    };
+    step.look = ballInRoom;
     step.guidesOfRun = [exact](const sim::Script &script, const sim::State &state, std::int64_t frame) {
         return exactMarks(*exact, ballLook(script.values), script, state, frame);
     };
@@ -225,6 +197,7 @@ Step budgetStep()
         "try, "
         "so let it play on.\n\n"
         "**Measure** (at the top), then **Show all methods**: click a mark to use it.");
+    step.explanation = budgetExplanation();
     step.tries = budgetTries(step.presets());
     step.scene = budget::setUp;
     step.measures.push_back(computationsMeasure());
@@ -250,11 +223,10 @@ Step crowdStep()
         "**Equal things lie side by side** in memory: all bodies, all first feet, all second feet. So the "
         "processor works on several creatures at once.");
     step.method = "semi_implicit_euler";
+    step.explanation = crowdExplanation();
     step.tries = crowdTries();
     step.scene = crowd::setUp;
-    step.look = [](const sim::Scene &scene, const sim::Values &values) {
-        return crowdInRoom(scene, values.whole("creatures"));
-    };
+    step.look = crowdInRoom;
     return step;
 }
 

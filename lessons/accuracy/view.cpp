@@ -1,7 +1,9 @@
 #include "view.h"
 
-#include "lessons/api/view/look.h"
+#include "lessons/api/view/acting.h"
+#include "lessons/api/view/creature_look.h"
 #include "scenes.h"
+#include "sim/effects/contacts/walls.h"
 #include "sim/pipeline/method.h"
 #include "sim/run/script/script.h"
 
@@ -29,6 +31,44 @@ struct Text
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 constexpr double leastShown = 0.05; ///< px: a shorter distance has no line
 
+}
+
+Look smallMiddle(const Scene &scene, const Values &)
+{
+    Look look = creatureLook(scene);
+    look.bodies[1] = {BodyLook::Shape::joint, 4.0}; // so that what happens there is seen
+    look.springs = actingSprings(scene);
+    return look;
+}
+
+Look ballLook(const Values &values)
+{
+    Look look;
+    look.bodies = {{BodyLook::Shape::body, ballRadius}};
+    look.room = sim::Room{values["left"], values["right"], values["floor"], values["bounce"]};
+    return look;
+}
+
+Look ballInRoom(const Scene &scene, const Values &values)
+{
+    Look look = ballLook(values);
+    if (!effectOf<sim::Walls>(scene))
+        look.room.reset();
+    return look;
+}
+
+Look crowdInRoom(const Scene &scene, const Values &values)
+{
+    const int count = values.whole("creatures");
+    Look look = crowdByPartsLook(scene, count);
+    const sim::Room room = crowd::roomFor(count);
+    const double border = 20.0;
+    const double high = crowd::heightFor(count) + border;
+    if (acts(scene, sim::Kind::contact))
+        look.room = room;
+    look.stage = {room.left - border, room.floor - high, room.right - room.left + 2.0 * border,
+                  high + border};
+    return look;
 }
 
 double energyOf(const Scene &, const State &state, const Values &values)

@@ -2,11 +2,25 @@
 
 #include "lessons/api/checks/exact_run.h"
 #include "lessons/api/step.h"
+#include "lessons/api/view/look.h"
 
-/// What the steps of this lesson measure, and the marks of the exact motion. Those of one step share one ExactRun.
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+/// How the scenes of this lesson look, what is measured, and the marks of the exact motion. Those of one step share one
+/// ExactRun.
 namespace accuracy {
 
 using Exact = std::shared_ptr<lessons::ExactRun>;
+
+/// A creature whose body is a small joint.
+lessons::Look smallMiddle(const sim::Scene &scene, const sim::Values &values);
+/// A ball in its room; the second without the room where no walls act.
+lessons::Look ballLook(const sim::Values &values);
+lessons::Look ballInRoom(const sim::Scene &scene, const sim::Values &values);
+/// The picture grows with the crowd.
+lessons::Look crowdInRoom(const sim::Scene &scene, const sim::Values &values);
 
 /// Of what moves and what the springs (and gravity) hold, in px^2/frame^2, with masses of 1; NaN for a scene that
 /// is none of this lesson's with one point.
