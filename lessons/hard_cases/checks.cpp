@@ -170,43 +170,101 @@ Condition asTold()
 std::vector<Try> limitTries()
 {
     return {
-        {Text::tr("Choose **1/2 frame** as step, and play to frame 100. It swings, hardly farther than the "
-                  "crosses."),
-         {stepIs(0.5), limited(), beganWith("k", Text::tr("k"), 4.01), hasCome(100)}},
-        {Text::tr(
-             "With steps of 1 frame, go to frame 0 and set **k** to 3.9. Play to frame 100: six times as "
-             "far, and it always comes back."),
-         {isSet("k", 3.9), beganWith("k", Text::tr("k"), 3.9), stepIs(1.0), limited(), hasCome(100)}},
-        {Text::tr("At k = 4.01, go to frame 0 and set **damp** to 0.9. The limit is 4.22 now: wait until it "
-                  "rests."),
-         {isSet("damp", 0.9), beganWith("damp", Text::tr("damp"), 0.9), beganWith("k", Text::tr("k"), 4.01),
-          stepIs(1.0), limited(), atRest()}},
+        {
+            .text = Text::tr(
+                "Choose **1/2 frame** as step, and play to frame 100. It swings, hardly farther than the "
+                "crosses."),
+            .conditions = {stepIs(0.5), limited(), beganWith("k", Text::tr("k"), 4.01), hasCome(100)},
+            .hint = Text::tr(
+                "Above the picture, press **Step** and choose **1/2 frame**. Press **Space** and wait "
+                "four seconds."),
+        },
+        {
+            .text = Text::tr(
+                "With steps of 1 frame, go to frame 0 and set **k** to 3.9. Play to frame 100: six times as "
+                "far, and it always comes back."),
+            .conditions =
+                {
+                    isSet("k", 3.9),
+                    beganWith("k", Text::tr("k"), 3.9),
+                    stepIs(1.0),
+                    limited(),
+                    hasCome(100),
+                },
+            .hint = Text::tr(
+                "Press **Home**, type 3.9 into the field beside **k**, press **Space**, and wait four "
+                "seconds."),
+        },
+        {
+            .text = Text::tr(
+                "At k = 4.01, go to frame 0 and set **damp** to 0.9. The limit is 4.22 now: wait until it "
+                "rests."),
+            .conditions =
+                {
+                    isSet("damp", 0.9),
+                    beganWith("damp", Text::tr("damp"), 0.9),
+                    beganWith("k", Text::tr("k"), 4.01),
+                    stepIs(1.0),
+                    limited(),
+                    atRest(),
+                },
+            .hint =
+                Text::tr("Press **Home**, type 0.9 into the field beside **Damping**, press **Space**, and "
+                         "wait."),
+        },
     };
 }
 
 std::vector<Try> runawayTries()
 {
     return {
-        Try{Text::tr("Choose **Semi-implicit Euler** as method, and play to frame 200. Where is the middle?"),
-            {byMethod("semi_implicit_euler"),
-             hasCome(200),
-             {[](const Timeline &run) {
-                  return sim::length(middle(run) - sim::Vec2{300.0, 230.0}) < 1e-6;
-              },
-              Text::tr("press **Home** and choose the method there: the pair has moved before.")}}}
-            .answered(
-                Text::tr("Where it was at the start. Both pulls are taken at one moment, so they cancel.")),
-        {Text::tr(
-             "With **Published** and steps of 1 frame, go to frame 0 and set **k** to 0.2. Wait until it "
-             "rests: 157 px from where it belongs."),
-         {isSet("k", 0.2), beganWith("k", Text::tr("k"), 0.2), published(), stepIs(1.0), atRest()}},
-        {Text::tr(
-             "**Published** at k = 0.3, with steps of **1/4 frame**: wait until it rests. Less wrong, and "
-             "never right."),
-         {{[](const Timeline &run) { return stepOf(run) == 0.25; }},
-          published(),
-          beganWith("k", Text::tr("k"), 0.3),
-          atRest()}},
+        {
+            .text = Text::tr(
+                "Choose **Semi-implicit Euler** as method, and play to frame 200. Where is the middle?"),
+            .conditions =
+                {
+                    byMethod("semi_implicit_euler"),
+                    hasCome(200),
+                    {[](const Timeline &run) {
+                         return sim::length(middle(run) - sim::Vec2{300.0, 230.0}) < 1e-6;
+                     },
+                     Text::tr("press **Home** and choose the method there: the pair has moved before.")},
+                },
+            .hint = Text::tr("Above the picture, press **Method** and choose **Semi-implicit Euler**. Press "
+                             "**Space** and wait seven seconds."),
+            .answer =
+                Text::tr("Where it was at the start. Both pulls are taken at one moment, so they cancel."),
+        },
+        {
+            .text = Text::tr(
+                "With **Published** and steps of 1 frame, go to frame 0 and set **k** to 0.2. Wait until it "
+                "rests: 157 px from where it belongs."),
+            .conditions =
+                {
+                    isSet("k", 0.2),
+                    beganWith("k", Text::tr("k"), 0.2),
+                    published(),
+                    stepIs(1.0),
+                    atRest(),
+                },
+            .hint =
+                Text::tr("Choose **Published** as method and **1 frame** as step. Press **Home**, type 0.2 "
+                         "beside **k**, press **Space**, and wait."),
+        },
+        {
+            .text = Text::tr(
+                "**Published** at k = 0.3, with steps of **1/4 frame**: wait until it rests. Less wrong, and "
+                "never right."),
+            .conditions =
+                {
+                    {[](const Timeline &run) { return stepOf(run) == 0.25; }},
+                    published(),
+                    beganWith("k", Text::tr("k"), 0.3),
+                    atRest(),
+                },
+            .hint = Text::tr("Choose **Published** as method and **1/4 frame** as step. Press **Space** and "
+                             "wait."),
+        },
     };
 }
 
@@ -220,24 +278,50 @@ std::vector<Try> manyFeetTries()
                             Text::tr("not all legs have their length: the worst is %1 px off."),
                             [](const Timeline &run) { return worstLeg(run, run.values()["radius"]); }};
     return {
-        {Text::tr("With steps of 1 frame, go to frame 0 and set **feet** to 38. Wait until it rests."),
-         {isSet("feet", 38), beganWith("feet", Text::tr("feet"), 38), beganWith("k", Text::tr("k"), 0.2),
-          stepIs(1.0), limited(), atRest(), legs}},
-        {Text::tr("Sixty feet at rest with steps of **1/2 frame**."),
-         {stepIs(0.5), limited(), feetAtLeast(60), atRest(), legs}},
-        Try{Text::tr("Sixty feet at rest with steps of 1 frame: how soft must the springs be? (Go to frame 0 "
-                     "first.)"),
-            {{[](const Timeline &run) { return run.values()["k"] < 0.2; }},
-             {[](const Timeline &run) { return run.script().values["k"] < 0.2; },
-              Text::tr("press **Home**, and set **k** there.")},
-             {[](const Timeline &run) { return run.script().values["damp"] >= 0.85; },
-              Text::tr("set **damp** to 0.85.")},
-             feetAtLeast(60),
-             stepIs(1.0),
-             limited(),
-             atRest(),
-             legs}}
-            .answered(Text::tr("k = 0.13 holds, 0.14 does not.")),
+        {
+            .text =
+                Text::tr("With steps of 1 frame, go to frame 0 and set **feet** to 38. Wait until it rests."),
+            .conditions =
+                {
+                    isSet("feet", 38),
+                    beganWith("feet", Text::tr("feet"), 38),
+                    beganWith("k", Text::tr("k"), 0.2),
+                    stepIs(1.0),
+                    limited(),
+                    atRest(),
+                    legs,
+                },
+            .hint = Text::tr(
+                "Press **Home**, type 38 into the field beside **Feet**, press **Space**, and wait."),
+        },
+        {
+            .text = Text::tr("Sixty feet at rest with steps of **1/2 frame**."),
+            .conditions = {stepIs(0.5), limited(), feetAtLeast(60), atRest(), legs},
+            .hint =
+                Text::tr("Above the picture, press **Step** and choose **1/2 frame**. Press **Space** and "
+                         "wait."),
+        },
+        {
+            .text = Text::tr(
+                "Sixty feet at rest with steps of 1 frame: how soft must the springs be? (Go to frame 0 "
+                "first.)"),
+            .conditions =
+                {
+                    {[](const Timeline &run) { return run.values()["k"] < 0.2; }},
+                    {[](const Timeline &run) { return run.script().values["k"] < 0.2; },
+                     Text::tr("press **Home**, and set **k** there.")},
+                    {[](const Timeline &run) { return run.script().values["damp"] >= 0.85; },
+                     Text::tr("set **damp** to 0.85.")},
+                    feetAtLeast(60),
+                    stepIs(1.0),
+                    limited(),
+                    atRest(),
+                    legs,
+                },
+            .hint =
+                Text::tr("Press **Home**, type 0.1 into the field beside **k**, press **Space**, and wait."),
+            .answer = Text::tr("k = 0.13 holds, 0.14 does not."),
+        },
     };
 }
 
@@ -246,73 +330,151 @@ std::vector<Try> onePlaceTries()
     const Condition otherMethod = {[](const Timeline &run) { return !usesMethod(run, "published"); },
                                    Text::tr("choose **Semi-implicit Euler** as method.")};
     return {
-        {Text::tr("Choose **Semi-implicit Euler**, and play from frame 0 to 60: five feet, all apart."),
-         {byMethod("semi_implicit_euler"), untouched(), hasCome(60), feetApart()}},
-        Try{Text::tr("**Published**: drag one foot up, 20 px or more out of the line, let go, and wait until "
-                     "it rests. "
-                     "Did the others follow one by one, or as one?"),
-            {letGoOf(), published(), carriedFar(20.0), handsOff(20), atRest()}}
-            .answered(Text::tr("As one. The other four lie in one place, and nothing tells them apart.")),
-        Try{Text::tr(
+        {
+            .text = Text::tr(
+                "Choose **Semi-implicit Euler**, and play from frame 0 to 60: five feet, all apart."),
+            .conditions = {byMethod("semi_implicit_euler"), untouched(), hasCome(60), feetApart()},
+            .hint = Text::tr("Above the picture, press **Method** and choose **Semi-implicit Euler**. Press "
+                             "**Space** and wait two seconds."),
+        },
+        {
+            .text = Text::tr(
+                "**Published**: drag one foot up, 20 px or more out of the line, let go, and wait until "
+                "it rests. "
+                "Did the others follow one by one, or as one?"),
+            .conditions = {letGoOf(), published(), carriedFar(20.0), handsOff(20), atRest()},
+            .hint = Text::tr(
+                "Choose **Published** as method, press **Space**, and wait two seconds. Take a foot, "
+                "carry it up, let go, and wait."),
+            .answer = Text::tr("As one. The other four lie in one place, and nothing tells them apart."),
+        },
+        {
+            .text = Text::tr(
                 "With any other method and all feet apart, set **radius** to 0: all fall into one place. "
                 "After 60 frames set it to 50 again. Do they part?"),
-            {{[](const Timeline &run) { return framesSinceSet(run, "radius") < run.at().frame; }},
-             otherMethod,
-             collapsed(),
-             isSet("radius", 50.0, Text::tr("set **radius** to 50 again.")),
-             feetApart()}}
-            .answered(Text::tr("Yes. Other methods give points in one place directions of their own, all "
-                               "different.")),
+            .conditions =
+                {
+                    {[](const Timeline &run) { return framesSinceSet(run, "radius") < run.at().frame; }},
+                    otherMethod,
+                    collapsed(),
+                    isSet("radius", 50.0, Text::tr("set **radius** to 50 again.")),
+                    feetApart(),
+                },
+            .hint = Text::tr("Choose **Semi-implicit Euler** as method and play two seconds. Type 0 beside "
+                             "**Radius** and wait two seconds. Then type 50, and wait again."),
+            .answer = Text::tr("Yes. Other methods give points in one place directions of their own, all "
+                               "different."),
+        },
     };
 }
 
 std::vector<Try> stiffTries()
 {
     return {
-        {Text::tr("**Semi-implicit Euler**: find a step with which the stiff legs come to rest."),
-         {{[](const Timeline &run) { return stepOf(run) != 1.0; }},
-          limited(),
-          {[](const Timeline &run) { return run.script().values["k"] >= 1000.0; },
-           Text::tr("press **Home**, and set **k** to 1000 there.")},
-          {[](const Timeline &run) { return !run.stop(); },
-           Text::tr("press **Home**, and try a smaller step.")},
-          hasCome(20),
-          atRest(),
-          legsRight(50.0, 0.1)}},
-        {Text::tr("**Backward Euler**, steps of 1 frame: go to frame 0, type 1000000 as **k**, and play "
-                  "30 frames."),
-         {{[](const Timeline &run) { return run.values()["k"] >= 1e6; }},
-          beganWith("k", Text::tr("k"), 1e6),
-          byMethod("backward_euler", Text::tr("choose **Backward Euler** as method.")),
-          stepIs(1.0),
-          hasCome(30)}},
-        {Text::tr("The price: **Backward Euler** with **k** 0.2 and **damp** 1, from frame 0. Nothing slows "
-                  "the legs. Wait until they have stopped swinging."),
-         {isSet("damp", 1.0), beganWith("damp", Text::tr("damp"), 1.0), beganWith("k", Text::tr("k"), 0.2),
-          byMethod("backward_euler", Text::tr("choose **Backward Euler** as method.")), stepIs(1.0),
-          hasCome(60), legsRight(50.0, 0.5)}},
+        {
+            .text = Text::tr("**Semi-implicit Euler**: find a step with which the stiff legs come to rest."),
+            .conditions =
+                {
+                    {[](const Timeline &run) { return stepOf(run) != 1.0; }},
+                    limited(),
+                    {[](const Timeline &run) { return run.script().values["k"] >= 1000.0; },
+                     Text::tr("press **Home**, and set **k** to 1000 there.")},
+                    {[](const Timeline &run) { return !run.stop(); },
+                     Text::tr("press **Home**, and try a smaller step.")},
+                    hasCome(20),
+                    atRest(),
+                    legsRight(50.0, 0.1),
+                },
+            .hint =
+                Text::tr("Above the picture, press **Step** and choose **1/64 frame**. Press **Space** and "
+                         "wait."),
+        },
+        {
+            .text = Text::tr(
+                "**Backward Euler**, steps of 1 frame: go to frame 0, type 1000000 as **k**, and play "
+                "30 frames."),
+            .conditions =
+                {
+                    {[](const Timeline &run) { return run.values()["k"] >= 1e6; }},
+                    beganWith("k", Text::tr("k"), 1e6),
+                    byMethod("backward_euler", Text::tr("choose **Backward Euler** as method.")),
+                    stepIs(1.0),
+                    hasCome(30),
+                },
+            .hint = Text::tr(
+                "Choose **Backward Euler** as method. Press **Home**, type 1000000 beside **k**, and "
+                "press **Space**."),
+        },
+        {
+            .text = Text::tr(
+                "The price: **Backward Euler** with **k** 0.2 and **damp** 1, from frame 0. Nothing slows "
+                "the legs. Wait until they have stopped swinging."),
+            .conditions =
+                {
+                    isSet("damp", 1.0),
+                    beganWith("damp", Text::tr("damp"), 1.0),
+                    beganWith("k", Text::tr("k"), 0.2),
+                    byMethod("backward_euler", Text::tr("choose **Backward Euler** as method.")),
+                    stepIs(1.0),
+                    hasCome(60),
+                    legsRight(50.0, 0.5),
+                },
+            .hint =
+                Text::tr("Choose **Backward Euler** as method. Press **Home**, type 0.2 beside **k** and 1 "
+                         "beside **Damping**, press **Space**, and wait."),
+        },
     };
 }
 
 std::vector<Try> contradictionTries()
 {
     return {
-        {Text::tr("Springs, steps of 1 frame: go to frame 0 and set **k** to 1. They share the error: wait "
-                  "until they rest."),
-         {isSet("k", 1.0), beganWith("k", Text::tr("k"), 1.0),
-          isSet("made_of", 0.0, Text::tr("choose **springs**.")), stepIs(1.0),
-          beganWith("longest", Text::tr("longest"), 200.0), hasCome(30), atRest()}},
-        Try{Text::tr("Choose **sticks**, and wait until they rest. Which of them has its length?"),
-            {isSet("made_of", 1.0), beganWith("longest", Text::tr("longest"), 200.0), hasCome(30), atRest()}}
-            .answered(
-                Text::tr("The long one: it comes last in the list. The two short ones bear the error.")),
-        {Text::tr("Sticks: make **longest** so short that there is such a triangle, and all three are right "
-                  "to 0.1 px."),
-         {{[](const Timeline &run) { return !isSetTo(run, "longest", 200.0); }},
-          isSet("made_of", 1.0, Text::tr("choose **sticks**.")),
-          hasCome(20),
-          {[](const Timeline &run) { return sideError(run) < 0.1; },
-           Text::tr("make **longest** shorter, or play on. The worst stick is %1 px off."), sideError}}},
+        {
+            .text = Text::tr(
+                "Springs, steps of 1 frame: go to frame 0 and set **k** to 1. They share the error: wait "
+                "until they rest."),
+            .conditions =
+                {
+                    isSet("k", 1.0),
+                    beganWith("k", Text::tr("k"), 1.0),
+                    isSet("made_of", 0.0, Text::tr("choose **springs**.")),
+                    stepIs(1.0),
+                    beganWith("longest", Text::tr("longest"), 200.0),
+                    hasCome(30),
+                    atRest(),
+                },
+            .hint =
+                Text::tr("Press **Home**, type 1 into the field beside **k**, press **Space**, and wait."),
+        },
+        {
+            .text = Text::tr("Choose **sticks**, and wait until they rest. Which of them has its length?"),
+            .conditions =
+                {
+                    isSet("made_of", 1.0),
+                    beganWith("longest", Text::tr("longest"), 200.0),
+                    hasCome(30),
+                    atRest(),
+                },
+            .hint = Text::tr("Choose **sticks** beside **Made of**, press **Space**, and wait."),
+            .answer = Text::tr("The long one: it comes last in the list. The two short ones bear the error."),
+        },
+        {
+            .text = Text::tr(
+                "Sticks: make **longest** so short that there is such a triangle, and all three are right "
+                "to 0.1 px."),
+            .conditions =
+                {
+                    {[](const Timeline &run) { return !isSetTo(run, "longest", 200.0); }},
+                    isSet("made_of", 1.0, Text::tr("choose **sticks**.")),
+                    hasCome(20),
+                    {[](const Timeline &run) { return sideError(run) < 0.1; },
+                     Text::tr("make **longest** shorter, or play on. The worst stick is %1 px off."),
+                     sideError},
+                },
+            .hint = Text::tr(
+                "Two sticks of 20 px reach 40 px at most. Choose **sticks** beside **Made of**, type 30 "
+                "beside **Longest**, press **Space**, and wait."),
+        },
     };
 }
 
@@ -322,44 +484,95 @@ std::vector<Try> longRunTries()
     const Condition undamped = beganWith("damp", Text::tr("damp"), 1.0);
     const auto rungeKutta = byMethod("rk4", Text::tr("choose **Runge–Kutta 4** as method."));
     return {
-        Try{Text::tr("**Runge–Kutta 4**, steps of 1 frame: go to frame 5000. What is left?"),
-            {{[](const Timeline &run) { return run.at().frame > 1000 && stepOf(run) == 1.0; }},
-             rungeKutta,
-             springs,
-             undamped,
-             untouched(),
-             hasCome(5000)}}
-            .answered(Text::tr("2 px of 120 px.")),
-        {Text::tr("The same with steps of **1/2 frame**: a thirty-second of the loss a frame."),
-         {stepIs(0.5), rungeKutta, springs, undamped, untouched(), hasCome(5000)}},
-        {Text::tr("**Velocity Verlet**, steps of 1 frame, to frame 20000: it swings as at first."),
-         {byMethod("velocity_verlet"), stepIs(1.0), springs, undamped, untouched(), hasCome(20000)}},
+        {
+            .text = Text::tr("**Runge–Kutta 4**, steps of 1 frame: go to frame 5000. What is left?"),
+            .conditions =
+                {
+                    {[](const Timeline &run) { return run.at().frame > 1000 && stepOf(run) == 1.0; }},
+                    rungeKutta,
+                    springs,
+                    undamped,
+                    untouched(),
+                    hasCome(5000),
+                },
+            .hint = Text::tr("Press **Ctrl+G**, type 5000, and press **Enter**."),
+            .answer = Text::tr("2 px of 120 px."),
+        },
+        {
+            .text = Text::tr("The same with steps of **1/2 frame**: a thirty-second of the loss a frame."),
+            .conditions = {stepIs(0.5), rungeKutta, springs, undamped, untouched(), hasCome(5000)},
+            .hint =
+                Text::tr("Above the picture, press **Step** and choose **1/2 frame**. Press **Ctrl+G**, type "
+                         "5000, and press **Enter**."),
+        },
+        {
+            .text = Text::tr("**Velocity Verlet**, steps of 1 frame, to frame 20000: it swings as at first."),
+            .conditions =
+                {
+                    byMethod("velocity_verlet"),
+                    stepIs(1.0),
+                    springs,
+                    undamped,
+                    untouched(),
+                    hasCome(20000),
+                },
+            .hint = Text::tr(
+                "Choose **Velocity Verlet** as method and **1 frame** as step. Press **Ctrl+G**, type "
+                "20000, and press **Enter**."),
+        },
     };
 }
 
 std::vector<Try> tortureTries()
 {
     return {
-        {Text::tr("Case **nearly rigid**: find a method that claims it, and play until it is at rest."),
-         {caseIs("stiffness_1e9"),
-          asTold(),
-          {[](const Timeline &run) { return !run.stop(); },
-           Text::tr("this method cannot hold it. Try one that claims it, from frame 0.")},
-          hasCome(10),
-          {[](const Timeline &run) { return sim::length(run.now().at(0) - centre) <= 1e-6; },
-           Text::tr("play on until it is at rest.")}}},
-        Try{Text::tr("Case **torn away**: find a method with which the legs have their length again before "
-                     "frame 400. Which is the quickest?"),
-            {caseIs("dragged_1e9"),
-             asTold(),
-             hasCome(30),
-             {[](const Timeline &run) { return run.at().frame < 400; },
-              Text::tr("frame 400 is past. Try another method, from frame 0.")},
-             legsRight(50.0, 0.01),
-             atRest()}}
-            .answered(Text::tr("Backward Euler: it has them right at frame 37. It slows what swings.")),
-        {Text::tr("Make any case **stop**: find one that a method does not claim, and see who went first."),
-         {{[](const Timeline &run) { return run.stop() && run.at().frame == run.stop()->frame; }}, asTold()}},
+        {
+            .text = Text::tr(
+                "Case **nearly rigid**: find a method that claims it, and play until it is at rest."),
+            .conditions =
+                {
+                    caseIs("stiffness_1e9"),
+                    asTold(),
+                    {[](const Timeline &run) { return !run.stop(); },
+                     Text::tr("this method cannot hold it. Try one that claims it, from frame 0.")},
+                    hasCome(10),
+                    {[](const Timeline &run) { return sim::length(run.now().at(0) - centre) <= 1e-6; },
+                     Text::tr("play on until it is at rest.")},
+                },
+            .hint = Text::tr(
+                "Choose **nearly rigid** beside **Case**, and **Backward Euler** as method above the "
+                "picture. Press **Space** and wait."),
+        },
+        {
+            .text = Text::tr(
+                "Case **torn away**: find a method with which the legs have their length again before "
+                "frame 400. Which is the quickest?"),
+            .conditions =
+                {
+                    caseIs("dragged_1e9"),
+                    asTold(),
+                    hasCome(30),
+                    {[](const Timeline &run) { return run.at().frame < 400; },
+                     Text::tr("frame 400 is past. Try another method, from frame 0.")},
+                    legsRight(50.0, 0.01),
+                    atRest(),
+                },
+            .hint =
+                Text::tr("Choose **torn away** beside **Case**, and **Semi-implicit Euler** or **Backward "
+                         "Euler** as method. Press **Space** and wait."),
+            .answer = Text::tr("Backward Euler: it has them right at frame 37. It slows what swings."),
+        },
+        {
+            .text = Text::tr(
+                "Make any case **stop**: find one that a method does not claim, and see who went first."),
+            .conditions =
+                {
+                    {[](const Timeline &run) { return run.stop() && run.at().frame == run.stop()->frame; }},
+                    asTold(),
+                },
+            .hint = Text::tr("Choose **Semi-implicit Euler** as method, and a case with stiff springs. Press "
+                             "**Space** and wait until the run stops by itself."),
+        },
     };
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lessons/api/step.h"
+#include "lessons/api/try.h"
 
 #include <vector>
 

@@ -2,6 +2,7 @@
 
 #include "cases.h"
 #include "checks.h"
+#include "explanations.h"
 #include "lessons/api/parameters.h"
 #include "lessons/api/view/creature_look.h"
 #include "scenes.h"
@@ -79,6 +80,7 @@ Step limitStep()
         "solves for it. It has no such limit.\n\n"
         "The small **gauge** shows how near you are.");
     step.method = "semi_implicit_euler";
+    step.explanation = limitExplanation();
     step.tries = limitTries();
     step.scene = limit::setUp;
     step.guides = turningPlaces;
@@ -102,6 +104,7 @@ Step runawayStep()
         "**Semi-implicit Euler**, on the right, is the same formula. It only takes all pulls first, and "
         "moves "
         "all bodies then.");
+    step.explanation = runawayExplanation();
     step.tries = runawayTries();
     step.scene = runaway::setUp;
     step.guides = middleMarks;
@@ -124,6 +127,7 @@ Step manyFeetStep()
         "**Backward Euler**, on the right, looks for the place where the pulls *of the new place* lead to. "
         "No number of feet is too many for it.");
     step.method = "semi_implicit_euler";
+    step.explanation = manyFeetExplanation();
     step.tries = manyFeetTries();
     step.scene = many_feet::setUp;
     return step;
@@ -146,6 +150,7 @@ Step onePlaceStep()
         "directions. It counts nothing but the numbers of the two points, so the same run comes out each "
         "time.\n\n"
         "Every method but the printed one uses it, everywhere.");
+    step.explanation = onePlaceExplanation();
     step.tries = onePlaceTries();
     step.scene = one_place::setUp;
     return step;
@@ -168,6 +173,7 @@ Step stiffStep()
         "there were more damping. For what should be stiff and calm that is right; for what should swing, "
         "it is not.");
     step.method = "semi_implicit_euler";
+    step.explanation = stiffExplanation();
     step.tries = stiffTries();
     step.scene = stiff::setUp;
     return step;
@@ -193,14 +199,9 @@ Step contradictionStep()
         "moved farther than an error is large, so sticks never run away. They come to rest, with a lie "
         "shared "
         "out among them. Its size is in their colour.");
-    step.look = [](const sim::Scene &scene, const sim::Values &values) {
-        Look look;
-        look.bodies.resize(scene.names.size(), {BodyLook::Shape::joint, 4.0});
-        look.sticks = {{0, 2, values["longest"]}, {0, 1, shortStick}, {1, 2, shortStick}};
-        look.stage = QRectF(180, 95, 180, 200);
-        return look;
-    };
+    step.look = threeSides;
     step.method = "semi_implicit_euler";
+    step.explanation = contradictionExplanation();
     step.tries = contradictionTries();
     step.scene = contradiction::setUp;
     return step;
@@ -225,6 +226,7 @@ Step longRunStep()
         "To go far, type a frame's number into the counter.\n\n"
         "What an error *adds up to* counts for more than how small it is.");
     step.method = "rk4";
+    step.explanation = longRunExplanation();
     step.tries = longRunTries();
     step.scene = long_run::setUp;
     step.guides = turningPlaces;
@@ -248,6 +250,7 @@ Step tortureStep()
     step.look = caseLook;
     step.opening = openCase;
     step.note = caseNote();
+    step.explanation = tortureExplanation();
     step.tries = tortureTries();
     step.scene = torture::setUp;
     step.does = {Does::hand, Does::pointer, Does::target};

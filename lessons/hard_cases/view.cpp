@@ -1,10 +1,17 @@
 #include "view.h"
 
-#include "lessons/api/view/look.h"
+#include "lessons/api/creature.h"
+#include "lessons/api/view/creature_look.h"
 #include "scenes.h"
+#include "sim/effects/constraints/sticks.h"
+#include "sim/effects/contacts/ground.h"
+#include "sim/effects/contacts/walls.h"
+#include "sim/effects/tree/joints.h"
 
 #include <QCoreApplication>
 #include <QLocale>
+
+#include <algorithm>
 
 using namespace lessons;
 
@@ -17,6 +24,10 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(HardCases)
 };
 
+constexpr double trunkWidth = 10.0; ///< px
+constexpr double lightRadius = 6.0;
+constexpr double heavyRadius = 20.0;
+constexpr double jointRadius = 4.0;
 constexpr double leastShown = 0.5; ///< px: a shorter way has no line
 
 sim::Vec2 middleOf(const sim::State &state)
@@ -24,6 +35,66 @@ sim::Vec2 middleOf(const sim::State &state)
     return {state.position.col(0).mean(), state.position.col(1).mean()};
 }
 
+Look treeLook(const sim::Tree &tree)
+{
+    Look look;
+    look.bodies.assign(tree.parent.size(), {BodyLook::Shape::none, 0.0});
+    look.tree = TreeLook{tree.parent, tree.scale, tree.scale};
+    for (double &length : look.tree->length)
+        length *= tree.baseLength;
+    for (double &width : look.tree->width)
+        width *= trunkWidth;
+    look.stage = QRectF(0, 0, 550, 400);
+    look.sky = Look::Sky::dusk;
+    return look;
+}
+
+BodyLook bodyLook(const std::string &name)
+{
+    if (isBody(name))
+        return {BodyLook::Shape::body, bodyWidth / 2};
+    if (name == "heavy" || name == "lead")
+        return {BodyLook::Shape::body, name == "heavy" ? heavyRadius : bodyWidth / 2};
+    if (name == "light")
+        return {BodyLook::Shape::foot, lightRadius};
+    return name.starts_with("p") ? BodyLook{BodyLook::Shape::joint, jointRadius} : BodyLook{};
+}
+
+}
+
+Look caseLook(const sim::Scene &scene, const sim::Values &)
+{
+    Look look;
+    for (const std::string &name : scene.names)
+        look.bodies.push_back(bodyLook(name));
+    if (std::any_of(scene.names.begin(), scene.names.end(), isBody))
+        look = creatureLookWithLegs(scene);
+    else if (scene.names.front() == "light")
+        look.legs = {{1, 0}};
+    for (const sim::EffectPtr &effect : scene.effects) {
+        if (const auto *joints = dynamic_cast<const sim::Joints *>(effect.get()))
+            return treeLook(joints->tree());
+        if (const auto *walls = dynamic_cast<const sim::Walls *>(effect.get()))
+            look.room = walls->room();
+        if (const auto *ground = dynamic_cast<const sim::Ground *>(effect.get()))
+            look.ground = ground->soil().ground;
+    }
+    for (const sim::Sticks *sticks : sim::sticksAmong(scene.effects)) {
+        for (const sim::Stick &stick : sticks->list())
+            look.sticks.push_back({stick.a, stick.b, stick.length});
+    }
+    if (scene.names.front() == "lead" && look.sticks.empty())
+        look.legs = {{0, 1}}; // a soft stick
+    return look;
+}
+
+Look threeSides(const sim::Scene &scene, const sim::Values &values)
+{
+    Look look;
+    look.bodies.resize(scene.names.size(), {BodyLook::Shape::joint, jointRadius});
+    look.sticks = {{0, 2, values["longest"]}, {0, 1, shortStick}, {1, 2, shortStick}};
+    look.stage = QRectF(180, 95, 180, 200);
+    return look;
 }
 
 std::vector<Guide> turningPlaces(const sim::Scene &scene, const sim::State &, const sim::Values &)
