@@ -1,7 +1,7 @@
 #include "view.h"
 
 #include "lessons/api/view/acting.h"
-#include "plan.h"
+#include "scenes.h"
 #include "sim/effects/contacts/ground.h"
 #include "sim/effects/contacts/room_limits.h"
 
