@@ -9,20 +9,6 @@
 
 namespace lessons {
 
-Try Try::answered(const QString &said) const
-{
-    Try changed = *this;
-    changed.answer = said;
-    return changed;
-}
-
-Try Try::stopped() const
-{
-    Try changed = *this;
-    changed.whileStopped = true;
-    return changed;
-}
-
 bool Step::can(Does what) const
 {
     return std::find(does.begin(), does.end(), what) != does.end();

@@ -29,10 +29,6 @@ struct Try
 
     /// Whether all conditions hold at the cursor.
     bool done(const sim::Timeline &run) const { return conditions.hold(run); }
-    /// Returns the same with an answer.
-    Try answered(const QString &said) const;
-    /// Returns the same, but done only while the run stands.
-    Try stopped() const;
 };
 
 }

@@ -216,7 +216,9 @@ void LearningAidsTest::whatIsBegunSaysWhatIsMissing()
 
 void LearningAidsTest::whatIsToStopCountsOnlyWhileTheRunStands()
 {
-    World world{lessonsWith(toFrameFive().stopped())};
+    lessons::Try one = toFrameFive();
+    one.whileStopped = true;
+    World world{lessonsWith(one)};
     LearnPanel panel(world.session, world.theme);
     show(panel, {280, 732});
     const TryBox &box = *panel.findChild<TryBox *>();
@@ -231,7 +233,9 @@ void LearningAidsTest::whatIsToStopCountsOnlyWhileTheRunStands()
 
 void LearningAidsTest::anAnswerAppearsWhenItsQuestionIsTickedOff()
 {
-    World world{lessonsWith(toFrameFive().answered("Nothing *new*."))};
+    lessons::Try one = toFrameFive();
+    one.answer = "Nothing *new*.";
+    World world{lessonsWith(one)};
     LearnPanel panel(world.session, world.theme);
     show(panel, {280, 732});
     const auto found = panel.findChildren<TryBox *>();
