@@ -1,6 +1,5 @@
 #include "cases.h"
 
-#include "lessons/api/choice_group.h"
 #include "lessons/api/parameters.h"
 #include "sim/analysis/accuracy/run.h"
 #include "sim/hard_cases/catalogue.h"

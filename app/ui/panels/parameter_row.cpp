@@ -6,7 +6,7 @@
 #include "app/ui/panels/grouped_choice.h"
 #include "app/ui/panels/number_box.h"
 #include "app/ui/panels/parameter_slider.h"
-#include "lessons/api/choice_group.h"
+#include "lessons/api/parameter.h"
 
 #include <QAbstractItemView>
 #include <QComboBox>
