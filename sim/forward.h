@@ -24,6 +24,7 @@ struct Segment;
 struct State;
 struct Stick;
 struct Taken;
+struct Tree;
 
 /// Whether somebody still waits for what may take long; asked now and then on the way.
 using GoesOn = std::function<bool()>;

@@ -2,6 +2,7 @@
 
 #include "lessons/api/creature.h"
 #include "lessons/api/view/creature_look.h"
+#include "lessons/api/view/tree_look.h"
 #include "scenes.h"
 #include "sim/effects/constraints/sticks.h"
 #include "sim/effects/contacts/ground.h"
@@ -24,7 +25,6 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(HardCases)
 };
 
-constexpr double trunkWidth = 10.0; ///< px
 constexpr double lightRadius = 6.0;
 constexpr double heavyRadius = 20.0;
 constexpr double jointRadius = 4.0;
@@ -33,20 +33,6 @@ constexpr double leastShown = 0.5; ///< px: a shorter way has no line
 sim::Vec2 middleOf(const sim::State &state)
 {
     return {state.position.col(0).mean(), state.position.col(1).mean()};
-}
-
-Look treeLook(const sim::Tree &tree)
-{
-    Look look;
-    look.bodies.assign(tree.parent.size(), {BodyLook::Shape::none, 0.0});
-    look.tree = TreeLook{tree.parent, tree.scale, tree.scale};
-    for (double &length : look.tree->length)
-        length *= tree.baseLength;
-    for (double &width : look.tree->width)
-        width *= trunkWidth;
-    look.stage = QRectF(0, 0, 550, 400);
-    look.sky = Look::Sky::dusk;
-    return look;
 }
 
 BodyLook bodyLook(const std::string &name)

@@ -18,12 +18,9 @@
 #include <cmath>
 #include <limits>
 
-using lessons::BodyLook;
 using lessons::effectOf;
 using lessons::Guide;
-using lessons::Look;
 using lessons::Measure;
-using lessons::TreeLook;
 using sim::Vec2;
 
 namespace swaying_tree {
@@ -34,9 +31,6 @@ struct Text
 {
     Q_DECLARE_TR_FUNCTIONS(SwayingTree)
 };
-
-/// Of a branch of scale 1, as published.
-constexpr double trunkWidth = 10.0;
 
 /// The pointer while its button is down.
 const std::optional<Vec2> &pressed(const sim::State &state)
@@ -134,20 +128,6 @@ int nearestBranch(const sim::Scene &scene, const sim::State &state, sim::Vec2 pl
         }
     }
     return nearest;
-}
-
-Look treeLook(const sim::Tree &tree)
-{
-    Look look;
-    look.bodies.assign(tree.parent.size(), {BodyLook::Shape::none, 0.0});
-    look.tree = TreeLook{tree.parent, tree.scale, tree.scale};
-    for (double &length : look.tree->length)
-        length *= tree.baseLength;
-    for (double &width : look.tree->width)
-        width *= trunkWidth;
-    look.stage = QRectF(0, 0, 550, 400);
-    look.sky = Look::Sky::dusk;
-    return look;
 }
 
 std::vector<Guide> trunkEnd(const sim::Scene &scene, const sim::State &state, const sim::Values &values)

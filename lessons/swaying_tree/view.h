@@ -2,7 +2,8 @@
 
 #include "lessons/api/step.h"
 #include "lessons/api/view/look.h"
-#include "sim/effects/tree/tree.h"
+#include "sim/base/vec2.h"
+#include "sim/forward.h"
 
 #include <vector>
 
@@ -18,9 +19,6 @@ double largestBend(const sim::Scene &scene, const sim::State &state);
 sim::Vec2 endOf(const sim::Scene &scene, const sim::State &state, int branch);
 /// The branch whose end is nearest to `place`.
 int nearestBranch(const sim::Scene &scene, const sim::State &state, sim::Vec2 place);
-
-/// A tree before a dusky sky. A hand takes hold of a branch by name only: the pointer blows.
-lessons::Look treeLook(const sim::Tree &tree);
 
 /// How far off the trunk's end is with the published 57.3 degrees to the radian.
 std::vector<lessons::Guide> trunkEnd(const sim::Scene &scene, const sim::State &state,
