@@ -6,6 +6,8 @@
 #include "lessons/api/view/creature_look.h"
 #include "scenes.h"
 #include "sim/run/script/script.h"
+#include "sim/scene/scene.h"
+#include "sim/scene/values.h"
 #include "view.h"
 
 #include <QCoreApplication>

@@ -7,6 +7,8 @@
 #include "lessons/api/view/creature_look.h"
 #include "scenes.h"
 #include "sim/effects/contacts/walls.h"
+#include "sim/scene/scene.h"
+#include "sim/scene/values.h"
 
 #include <QCoreApplication>
 

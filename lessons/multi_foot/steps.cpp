@@ -5,6 +5,8 @@
 #include "lessons/api/parameters.h"
 #include "lessons/api/view/creature_look.h"
 #include "scenes.h"
+#include "sim/scene/scene.h"
+#include "sim/scene/values.h"
 
 #include <QCoreApplication>
 

@@ -7,6 +7,8 @@
 #include "sim/effects/drags/damping.h"
 #include "sim/effects/drivers/pointer.h"
 #include "sim/effects/fields/gravity.h"
+#include "sim/scene/scene.h"
+#include "sim/scene/values.h"
 
 #include <algorithm>
 #include <string>

@@ -1,8 +1,9 @@
 #pragma once
 
-#include "sim/effects/constraints/stick.h"
-#include "sim/scene/scene.h"
-#include "sim/scene/values.h"
+#include "sim/base/vec2.h"
+#include "sim/forward.h"
+
+#include <Eigen/Core>
 
 #include <vector>
 

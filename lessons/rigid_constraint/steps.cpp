@@ -4,6 +4,8 @@
 #include "explanations.h"
 #include "lessons/api/parameters.h"
 #include "scenes.h"
+#include "sim/scene/scene.h"
+#include "sim/scene/values.h"
 #include "view.h"
 
 #include <QCoreApplication>

@@ -6,6 +6,7 @@
 #include "sim/base/direction.h"
 #include "sim/effects/pairs/spring.h"
 #include "sim/effects/springs/offset_spring.h"
+#include "sim/scene/values.h"
 
 #include <QCoreApplication>
 #include <QLocale>

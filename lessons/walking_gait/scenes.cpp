@@ -9,6 +9,8 @@
 #include "sim/effects/fields/gravity.h"
 #include "sim/effects/springs/leg_spring.h"
 #include "sim/effects/springs/push.h"
+#include "sim/scene/scene.h"
+#include "sim/scene/values.h"
 
 #include <cmath>
 #include <numbers>

@@ -5,6 +5,8 @@
 #include "lessons/api/parameters.h"
 #include "parameters.h"
 #include "scenes.h"
+#include "sim/scene/scene.h"
+#include "sim/scene/values.h"
 #include "view.h"
 
 #include <QCoreApplication>
