@@ -4,6 +4,7 @@
 
 #include <vector>
 
+/// The things to try of each step.
 namespace codeling {
 
 std::vector<lessons::Try> motorTries();

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+/// The things to try of each step.
 namespace gravity_walls {
 
 std::vector<lessons::Try> wallsTries();

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+/// The things to try of each step.
 namespace multi_foot {
 
 std::vector<lessons::Try> twoFeetTries();

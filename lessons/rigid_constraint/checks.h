@@ -4,6 +4,7 @@
 
 #include <vector>
 
+/// The things to try of each step.
 namespace rigid_constraint {
 
 std::vector<lessons::Try> pairTries();

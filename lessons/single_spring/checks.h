@@ -4,6 +4,7 @@
 
 #include <vector>
 
+/// The things to try of each step.
 namespace single_spring {
 
 std::vector<lessons::Try> dragTries();

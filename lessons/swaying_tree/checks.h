@@ -4,6 +4,7 @@
 
 #include <vector>
 
+/// The things to try of each step.
 namespace swaying_tree {
 
 std::vector<lessons::Try> trunkTries();

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+/// The things to try of each step.
 namespace walking_gait {
 
 std::vector<lessons::Try> bonesTries();
