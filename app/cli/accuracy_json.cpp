@@ -1,4 +1,5 @@
 #include "app/cli/accuracy_report.h"
+#include "sim/pipeline/method.h"
 
 #include "app/model/sentences.h"
 

@@ -4,6 +4,7 @@
 #include "app/cli/svg_drawing.h"
 #include "app/model/sentences.h"
 #include "app/model/words.h"
+#include "sim/pipeline/method.h"
 
 #include <QCoreApplication>
 #include <QPointF>

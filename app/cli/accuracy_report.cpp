@@ -2,6 +2,8 @@
 
 #include "app/model/sentences.h"
 #include "app/model/words.h"
+#include "sim/pipeline/method.h"
+#include "sim/scene/scene.h"
 
 #include <QCoreApplication>
 

@@ -2,6 +2,7 @@
 
 #include "app/model/accuracy_words.h"
 #include "app/model/csv_text.h"
+#include "sim/pipeline/method.h"
 
 #include <algorithm>
 

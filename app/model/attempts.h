@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/model/progress.h"
-#include "lessons/api/budget.h"
+#include "lessons/api/checks/budget.h"
 #include "lessons/api/step.h"
 #include "sim/run/timeline.h"
 

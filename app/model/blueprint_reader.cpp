@@ -3,6 +3,7 @@
 #include "app/model/blueprint_limits.h"
 #include "app/model/json_fields.h"
 #include "app/model/words.h"
+#include "sim/effects/all_effects.h"
 #include "sim/scene/built.h"
 
 #include <QCoreApplication>

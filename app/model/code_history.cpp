@@ -1,5 +1,6 @@
 #include "app/model/code_history.h"
 
+#include "sim/run/script/segment.h"
 #include "sim/simd/flush.h"
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 #include "app/model/code_marks.h"
 
 #include "app/model/sentences.h"
+#include "sim/run/script/segment.h"
 
 #include <QCoreApplication>
 

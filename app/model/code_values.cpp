@@ -1,6 +1,7 @@
 #include "app/model/code_values.h"
 
 #include "app/model/code_symbols.h"
+#include "sim/run/script/segment.h"
 
 #include <QCoreApplication>
 #include <QHash>

@@ -1,6 +1,7 @@
 #include "app/model/condition.h"
 
 #include "app/model/condition_parser.h"
+#include "sim/pipeline/method.h"
 
 #include <algorithm>
 #include <cmath>

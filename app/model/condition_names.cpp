@@ -2,6 +2,8 @@
 
 #include "app/model/refusal.h"
 #include "app/model/sentences.h"
+#include "sim/pipeline/pipeline.h"
+#include "sim/scene/scene.h"
 
 #include <QCoreApplication>
 

@@ -4,6 +4,8 @@
 #include "app/model/condition_parser.h"
 #include "app/model/sentences.h"
 #include "app/model/words.h"
+#include "sim/pipeline/pipeline.h"
+#include "sim/scene/scene.h"
 
 #include <QCoreApplication>
 

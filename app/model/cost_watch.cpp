@@ -2,6 +2,7 @@
 
 #include "app/model/same_run.h"
 #include "sim/base/error.h"
+#include "sim/run/script/segment.h"
 
 #include <QElapsedTimer>
 

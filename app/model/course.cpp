@@ -1,6 +1,8 @@
 #include "app/model/course.h"
 
 #include "app/model/same_run.h"
+#include "lessons/api/view/look.h"
+#include "sim/run/script/segment.h"
 
 #include <QElapsedTimer>
 

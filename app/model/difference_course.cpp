@@ -2,6 +2,7 @@
 
 #include "app/model/numbers.h"
 #include "app/model/same_run.h"
+#include "sim/run/script/segment.h"
 
 #include <QElapsedTimer>
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "lessons/api/step.h"
+#include "sim/scene/state.h"
 
 #include <QStringList>
 

@@ -2,6 +2,7 @@
 
 #include "app/model/json_document.h"
 #include "lessons/api/step.h"
+#include "sim/run/script/script.h"
 
 #include <vector>
 

@@ -9,6 +9,8 @@
 #include "app/model/parameter_value.h"
 #include "app/model/sentences.h"
 #include "app/model/words.h"
+#include "sim/pipeline/pipeline.h"
+#include "sim/scene/scene.h"
 
 #include <QCoreApplication>
 

@@ -2,6 +2,7 @@
 
 #include "app/model/json_fields.h"
 #include "lessons/api/step.h"
+#include "sim/run/script/script.h"
 
 #include <cstdint>
 

@@ -59,7 +59,7 @@ Glossary::Glossary(const LessonLibrary &library)
 {
     for (const LessonEntry &lesson : library.lessons) {
         for (const lessons::Step &step : lesson.steps) {
-            for (const lessons::Term &term : step.terms) {
+            for (const lessons::Term &term : step.explanation.terms) {
                 if (!find(term.name))
                     m_entries.push_back(
                         {term, lesson.id, step.id, QStringLiteral("%1: %2").arg(lesson.title, step.title)});

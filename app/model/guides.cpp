@@ -1,5 +1,9 @@
 #include "app/model/guides.h"
 
+#include "lessons/api/view/look.h"
+#include "sim/run/script/segment.h"
+#include "sim/run/track.h"
+
 #include <cmath>
 
 namespace app {

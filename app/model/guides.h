@@ -1,6 +1,7 @@
 #pragma once
 
 #include "lessons/api/step.h"
+#include "lessons/api/view/look.h"
 
 #include <vector>
 

@@ -1,5 +1,7 @@
 #include "app/model/input_walk.h"
 
+#include "sim/scene/scene.h"
+
 #include <algorithm>
 #include <map>
 #include <utility>

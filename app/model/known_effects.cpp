@@ -2,6 +2,8 @@
 
 #include "sim/base/error.h"
 #include "sim/effects/all_effects.h"
+#include "sim/scene/scene.h"
+#include "sim/scene/values.h"
 
 #include <algorithm>
 

@@ -5,6 +5,8 @@
 #include "app/model/words.h"
 #include "lessons/api/lesson.h"
 #include "sim/methods/methods.h"
+#include "sim/pipeline/pipeline.h"
+#include "sim/run/script/script.h"
 
 #include <QCoreApplication>
 #include <QJsonArray>

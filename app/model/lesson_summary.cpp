@@ -8,7 +8,7 @@ LessonSummary summaryOf(const LessonEntry &lesson, const LessonLibrary &library,
 {
     LessonSummary summary{lesson.id, lesson.title, {}, 0, 0, nullptr};
     for (const lessons::Step &step : lesson.steps) {
-        StepSummary one{step.id, step.title, step.learnt, 0, {}};
+        StepSummary one{step.id, step.title, step.explanation.learnt, 0, {}};
         for (int i = 0; i < static_cast<int>(step.tries.size()); ++i) {
             if (progress.isDone(lesson.id, step.id, i))
                 ++one.done;

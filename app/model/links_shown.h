@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lessons/api/look.h"
+#include "lessons/api/view/look.h"
 #include "sim/scene/effect.h"
 
 namespace app {

@@ -2,6 +2,7 @@
 
 #include "app/model/picture.h"
 #include "lessons/api/step.h"
+#include "lessons/api/view/look.h"
 #include "sim/run/timeline.h"
 
 #include <deque>

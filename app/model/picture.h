@@ -1,6 +1,8 @@
 #pragma once
 
 #include "lessons/api/step.h"
+#include "lessons/api/view/look.h"
+#include "sim/run/script/segment.h"
 #include "sim/run/script/segments.h"
 
 #include <memory>

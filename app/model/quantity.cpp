@@ -1,5 +1,7 @@
 #include "app/model/quantity.h"
 
+#include "sim/run/script/segment.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>

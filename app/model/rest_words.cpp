@@ -1,6 +1,7 @@
 #include "app/model/rest_words.h"
 
 #include "app/model/sentences.h"
+#include "sim/run/script/segment.h"
 #include "sim/run/sleeping/awake.h"
 
 #include <QCoreApplication>

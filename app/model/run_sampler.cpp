@@ -1,5 +1,6 @@
 #include "app/model/run_sampler.h"
 
+#include "sim/run/script/segment.h"
 #include "sim/simd/flush.h"
 
 #include <algorithm>

@@ -1,5 +1,7 @@
 #include "app/model/same_run.h"
 
+#include "sim/pipeline/method.h"
+
 #include <algorithm>
 #include <limits>
 

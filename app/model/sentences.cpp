@@ -1,6 +1,7 @@
 #include "app/model/sentences.h"
 
 #include "app/model/hard_sentences.h"
+#include "sim/scene/scene.h"
 
 #include <QCoreApplication>
 #include <QLocale>

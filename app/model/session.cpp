@@ -1,5 +1,7 @@
 #include "app/model/session.h"
 
+#include "sim/run/script/segment.h"
+
 #include <algorithm>
 #include <utility>
 

@@ -3,9 +3,10 @@
 #include "app/model/sentences.h"
 #include "app/model/session.h"
 #include "app/model/step_words.h"
-#include "lessons/api/choice_group.h"
+#include "lessons/api/parameter.h"
 #include "sim/base/error.h"
 #include "sim/methods/methods.h"
+#include "sim/run/script/segment.h"
 
 #include <QLocale>
 

@@ -1,5 +1,7 @@
 #include "app/model/telling_methods.h"
 
+#include "sim/pipeline/method.h"
+
 #include <algorithm>
 
 namespace app {

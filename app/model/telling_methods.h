@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/analysis/accuracy/study.h"
+#include "sim/pipeline/method.h"
 
 #include <set>
 #include <string>

@@ -5,6 +5,10 @@
 #include "app/model/words.h"
 #include "lessons/api/blueprint_of.h"
 #include "sim/base/error.h"
+#include "sim/effects/all_effects.h"
+#include "sim/pipeline/pipeline.h"
+#include "sim/run/script/script.h"
+#include "sim/scene/built.h"
 
 #include <QCoreApplication>
 

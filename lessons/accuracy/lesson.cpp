@@ -1,6 +1,5 @@
 #include "lessons/api/lesson.h"
 #include "steps.h"
-#include "teaching.h"
 
 #include <QObject>
 
@@ -13,10 +12,8 @@ class AccuracyLesson : public QObject, public lessons::Lesson
 public:
     std::vector<lessons::Step> steps() const override
     {
-        return lessons::taught({accuracy::bigStep(), accuracy::energyStep(), accuracy::halveStep(),
-                                accuracy::adaptStep(), accuracy::bounceStep(), accuracy::budgetStep(),
-                                accuracy::crowdStep()},
-                               accuracy::teaching());
+        using namespace accuracy;
+        return {bigStep(), energyStep(), halveStep(), adaptStep(), bounceStep(), budgetStep(), crowdStep()};
     }
 };
 

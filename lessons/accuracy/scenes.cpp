@@ -7,6 +7,8 @@
 #include "sim/effects/fields/gravity.h"
 #include "sim/effects/springs/point_spring.h"
 #include "sim/effects/springs/radial_spring.h"
+#include "sim/scene/scene.h"
+#include "sim/scene/values.h"
 
 #include <algorithm>
 #include <cmath>

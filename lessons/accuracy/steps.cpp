@@ -1,12 +1,14 @@
 #include "steps.h"
 
-#include "lessons/api/acting.h"
-#include "lessons/api/creature.h"
+#include "checks.h"
+#include "explanations.h"
 #include "lessons/api/parameters.h"
-#include "measures.h"
+#include "lessons/api/view/creature_look.h"
 #include "scenes.h"
-#include "sim/effects/contacts/walls.h"
-#include "tries.h"
+#include "sim/run/script/script.h"
+#include "sim/scene/scene.h"
+#include "sim/scene/values.h"
+#include "view.h"
 
 #include <QCoreApplication>
 
@@ -35,43 +37,20 @@ Step stepOf(const char *id, const QString &title, const Exact &exact)
     return step;
 }
 
-Look ballLook(const sim::Values &values)
-{
-    Look look;
-    look.bodies = {{BodyLook::Shape::body, ballRadius}};
-    look.room = sim::Room{values["left"], values["right"], values["floor"], values["bounce"]};
-    return look;
-}
-
-/// The picture grows with the crowd.
-Look crowdInRoom(const sim::Scene &scene, int count)
-{
-    Look look = crowdByPartsLook(scene, count);
-    const sim::Room room = crowd::roomFor(count);
-    const double border = 20.0;
-    const double high = crowd::heightFor(count) + border;
-    if (acts(scene, sim::Kind::contact))
-        look.room = room;
-    look.stage = {room.left - border, room.floor - high, room.right - room.left + 2.0 * border,
-                  high + border};
-    return look;
-}
-
 Parameter creatures()
 {
-    Parameter parameter = {"creatures",
-                           Text::tr("Creatures"),
-                           {},
-                           {},
-                           Text::tr("How many creatures there are."),
-                           200.0,
-                           1.0,
-                           100'000.0,
-                           1.0,
-                           100'000.0,
-                           0,
-                           {},
-                           true};
+    Parameter parameter = {
+        .id = "creatures",
+        .name = Text::tr("Creatures"),
+        .help = Text::tr("How many creatures there are."),
+        .preset = 200.0,
+        .min = 1.0,
+        .max = 100'000.0,
+        .sliderMin = 1.0,
+        .sliderMax = 100'000.0,
+        .decimals = 0,
+        .whole = true,
+    };
     parameter.scale = Scale::decades;
     return parameter;
 }
@@ -97,6 +76,7 @@ Step bigStep()
         "fast, and after 100 frames it is 66 px off.\n\n"
         "More, smaller steps follow the bend more closely, and each one is **work**: the pull has to be "
         "computed anew. You choose the step above the scene.");
+    step.explanation = bigStepExplanation();
     step.tries = bigStepTries(exact);
     step.scene = big_step::setUp;
     step.guides = turningPlaces;
@@ -120,6 +100,7 @@ Step energyStep()
         "the "
         "energy swings 7 % round the true one, for ever, and never runs away. **Verlet** methods swing only "
         "half a percent.");
+    step.explanation = energyExplanation();
     step.tries = energyTries(exact);
     step.scene = energy::setUp;
     step.guides = turningPlaces;
@@ -142,6 +123,7 @@ Step halveStep()
         "Steps must be small enough first: at 2 frames both are far off.\n\n"
         "The **Accuracy** plot (Measure, at the top) shows a method as a ladder: three of them, or all by "
         "**Show all methods**. Steeper is a higher order.");
+    step.explanation = halveExplanation();
     step.tries = halveTries(exact, step.presets());
     step.scene = halve::setUp;
     step.measures.push_back(computationsMeasure());
@@ -162,15 +144,11 @@ Step adaptStep()
         "Watch **its step**: almost 4 frames far out, less than half a frame in the middle. The tolerance is "
         "for one step; errors add up on the way, so after 150 frames more than 0.001 px is missing.");
     step.method = "dormand_prince";
+    step.explanation = adaptExplanation();
     step.tries = adaptTries(exact, step.presets());
     step.scene = adapt::setUp;
     step.guides = turningRings;
-    step.look = [](const sim::Scene &scene, const sim::Values &) {
-        Look look = creatureLook(scene);
-        look.bodies[1] = {BodyLook::Shape::joint, 4.0}; // so that what happens there is seen
-        look.springs = actingSprings(scene);
-        return look;
-    };
+    step.look = smallMiddle;
     step.measures.push_back(stepMeasure());
     step.measures.push_back(computationsMeasure());
     return step;
@@ -193,14 +171,10 @@ Step bounceStep()
         "With a bounce of 0.5 each flight takes half as long as the one before. Infinitely many fit into 92 "
         "frames. So a ball that hardly leaves the floor is put to rest.");
     step.method = "rk4";
+    step.explanation = bounceExplanation();
     step.tries = bounceTries(exact, step.presets());
     step.scene = accuracy::bounce::setUp;
-    step.look = [](const sim::Scene &scene, const sim::Values &values) {
-        Look look = ballLook(values);
-        if (!effectOf<sim::Walls>(scene))
-            look.room.reset();
-        return look;
-    };
+    step.look = ballInRoom;
     step.guidesOfRun = [exact](const sim::Script &script, const sim::State &state, std::int64_t frame) {
         return exactMarks(*exact, ballLook(script.values), script, state, frame);
     };
@@ -225,6 +199,7 @@ Step budgetStep()
         "try, "
         "so let it play on.\n\n"
         "**Measure** (at the top), then **Show all methods**: click a mark to use it.");
+    step.explanation = budgetExplanation();
     step.tries = budgetTries(step.presets());
     step.scene = budget::setUp;
     step.measures.push_back(computationsMeasure());
@@ -250,11 +225,10 @@ Step crowdStep()
         "**Equal things lie side by side** in memory: all bodies, all first feet, all second feet. So the "
         "processor works on several creatures at once.");
     step.method = "semi_implicit_euler";
+    step.explanation = crowdExplanation();
     step.tries = crowdTries();
     step.scene = crowd::setUp;
-    step.look = [](const sim::Scene &scene, const sim::Values &values) {
-        return crowdInRoom(scene, values.whole("creatures"));
-    };
+    step.look = crowdInRoom;
     return step;
 }
 

@@ -1,5 +1,9 @@
 #include "lessons/api/blueprint_of.h"
 
+#include "lessons/api/view/look.h"
+#include "sim/scene/built.h"
+#include "sim/scene/scene.h"
+
 namespace lessons {
 
 std::optional<sim::Taken> blueprintOf(const sim::Scene &scene, const sim::State &now, const Look &look)

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "lessons/api/look.h"
-#include "sim/scene/built.h"
-#include "sim/scene/scene.h"
+#include "sim/forward.h"
 
 #include <optional>
 
 namespace lessons {
+
+struct Look;
 
 /// `scene` with its points where they are in `now`, as wide as `look` draws them. Empty for a scene whose points turn:
 /// nothing of it can be built.

@@ -2,6 +2,8 @@
 
 #include <QString>
 
+#include <vector>
+
 namespace lessons {
 
 /// A word that a step teaches, for the glossary.
@@ -19,6 +21,15 @@ struct Why
 {
     QString question;
     QString answer; ///< Markdown; a formula is a paragraph of its own, in backticks, of at most 33 letters
+};
+
+/// What a step tells besides its narration.
+struct Explanation
+{
+    /// What a learner knows afterwards: one sentence, for the summary of the lesson; may be empty.
+    QString learnt = {};
+    std::vector<Term> terms = {}; ///< that are taught here
+    std::vector<Why> whys = {};
 };
 
 }

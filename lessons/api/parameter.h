@@ -20,19 +20,19 @@ enum class Scale {
 /// read this.
 struct Parameter
 {
-    QString id;     ///< in files and in the shown code
-    QString name;   ///< what a learner calls it
-    QString symbol; ///< as formulas write it; may be empty
-    QString unit;   ///< may be empty
-    QString help;   ///< one sentence: what it does
+    QString id = {};     ///< in files and in the shown code
+    QString name = {};   ///< what a learner calls it
+    QString symbol = {}; ///< as formulas write it; may be empty
+    QString unit = {};   ///< may be empty
+    QString help = {};   ///< one sentence: what it does
     double preset = 0.0;
     double min = 0.0; ///< the least and the most that files may give
     double max = 1.0;
     double sliderMin = 0.0; ///< the stretch that the slider covers
     double sliderMax = 1.0;
-    int decimals = 2;    ///< shown after the point
-    QStringList choices; ///< ids; when not empty the value is a position in this list
-    bool whole = false;  ///< a count: nothing between two whole numbers
+    int decimals = 2;         ///< shown after the point
+    QStringList choices = {}; ///< ids; when not empty the value is a position in this list
+    bool whole = false;       ///< a count: nothing between two whole numbers
     Role role = Role::none;
     QStringList choiceTitles = {}; ///< what a learner reads in place of the ids; empty: the ids
     QStringList choiceHelps = {};  ///< one sentence each; may be empty
@@ -45,5 +45,34 @@ struct Parameter
 
     bool isWhole() const { return whole; }
 };
+
+// A choice among many has titles with a group before them: "Stiff springs › at the limit". Those of a group stand in a
+// row, and the panel offers a submenu for each group.
+
+/// Returns what stands between a group and a title.
+inline QString groupEnd()
+{
+    return QStringLiteral(" › ");
+}
+
+/// Returns the title of a choice with the group that it belongs to.
+inline QString grouped(const QString &group, const QString &title)
+{
+    return group + groupEnd() + title;
+}
+
+/// Returns the group of a title; empty where it names none.
+inline QString groupOf(const QString &title)
+{
+    const qsizetype end = title.indexOf(groupEnd());
+    return end < 0 ? QString() : title.left(end);
+}
+
+/// Returns a title without its group.
+inline QString withoutGroup(const QString &title)
+{
+    const qsizetype end = title.indexOf(groupEnd());
+    return end < 0 ? title : title.mid(end + groupEnd().size());
+}
 
 }

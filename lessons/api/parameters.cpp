@@ -17,10 +17,14 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(Parameters)
 };
 
-/// A coordinate on the stage, which is `sliderMax` px wide or high.
-Parameter place(const char *id, const QString &name, const QString &help, double preset, double sliderMax)
+/// Returns `own` as a coordinate on the stage, which is `sliderMax` px wide or high.
+Parameter place(Parameter own)
 {
-    return {id, name, {}, Text::tr("px"), help, preset, -1e6, 1e6, 0.0, sliderMax, 0, {}};
+    own.unit = Text::tr("px");
+    own.min = -1e6;
+    own.max = 1e6;
+    own.decimals = 0;
+    return own;
 }
 
 }
@@ -47,7 +51,7 @@ Parameter parameterOf(const sim::Setting &setting)
     return parameter;
 }
 
-std::vector<Parameter> settingsOf(sim::EffectList known)
+std::vector<Parameter> settingsOf(std::span<const sim::Description *const> known)
 {
     std::vector<Parameter> all;
     for (const sim::Description *effect : known) {
@@ -74,18 +78,18 @@ Parameter settingOf(const sim::Description &effect, const char *id, double prese
 
 Parameter stiffness(double preset)
 {
-    return {"k",
-            Text::tr("Stiffness"),
-            "k",
-            Text::tr("1/frame²"),
-            Text::tr("How hard a spring pulls: this share of the missing distance, each frame."),
-            preset,
-            0.0,
-            1e9,
-            0.0,
-            1.0,
-            2,
-            {}};
+    return {
+        .id = "k",
+        .name = Text::tr("Stiffness"),
+        .symbol = "k",
+        .unit = Text::tr("1/frame²"),
+        .help = Text::tr("How hard a spring pulls: this share of the missing distance, each frame."),
+        .preset = preset,
+        .min = 0.0,
+        .max = 1e9,
+        .sliderMin = 0.0,
+        .sliderMax = 1.0,
+    };
 }
 
 Parameter damping(double preset)
@@ -95,51 +99,50 @@ Parameter damping(double preset)
 
 Parameter radius(double preset)
 {
-    return {"radius",
-            Text::tr("Radius"),
-            {},
-            Text::tr("px"),
-            Text::tr("The distance that the spring keeps."),
-            preset,
-            0.0,
-            1e6,
-            0.0,
-            150.0,
-            0,
-            {}};
+    return {
+        .id = "radius",
+        .name = Text::tr("Radius"),
+        .unit = Text::tr("px"),
+        .help = Text::tr("The distance that the spring keeps."),
+        .preset = preset,
+        .min = 0.0,
+        .max = 1e6,
+        .sliderMin = 0.0,
+        .sliderMax = 150.0,
+        .decimals = 0,
+    };
 }
 
 Parameter offset(double preset)
 {
-    return {"offset",
-            Text::tr("Offset"),
-            {},
-            Text::tr("px"),
-            Text::tr("How far to the right of the body the spring ends. Below 0: to the left."),
-            preset,
-            -1e6,
-            1e6,
-            -150.0,
-            150.0,
-            0,
-            {}};
+    return {
+        .id = "offset",
+        .name = Text::tr("Offset"),
+        .unit = Text::tr("px"),
+        .help = Text::tr("How far to the right of the body the spring ends. Below 0: to the left."),
+        .preset = preset,
+        .min = -1e6,
+        .max = 1e6,
+        .sliderMin = -150.0,
+        .sliderMax = 150.0,
+        .decimals = 0,
+    };
 }
 
 Parameter feet(int preset)
 {
-    return {"feet",
-            Text::tr("Feet"),
-            {},
-            {},
-            Text::tr("How many feet the body has."),
-            double(preset),
-            1.0,
-            100.0,
-            1.0,
-            24.0,
-            0,
-            {},
-            true};
+    return {
+        .id = "feet",
+        .name = Text::tr("Feet"),
+        .help = Text::tr("How many feet the body has."),
+        .preset = double(preset),
+        .min = 1.0,
+        .max = 100.0,
+        .sliderMin = 1.0,
+        .sliderMax = 24.0,
+        .decimals = 0,
+        .whole = true,
+    };
 }
 
 Parameter gravity(double preset)
@@ -160,14 +163,39 @@ Parameter ground(double preset)
 Parameter choice(const char *id, const QString &name, const QString &help, const QStringList &choices)
 {
     const double last = double(choices.size() - 1);
-    return {id, name, {}, {}, help, 0.0, 0.0, last, 0.0, last, 0, choices, true};
+    return {
+        .id = id,
+        .name = name,
+        .help = help,
+        .preset = 0.0,
+        .min = 0.0,
+        .max = last,
+        .sliderMin = 0.0,
+        .sliderMax = last,
+        .decimals = 0,
+        .choices = choices,
+        .whole = true,
+    };
 }
 
 std::vector<Parameter> centre()
 {
     return {
-        place("centre_x", Text::tr("Centre x"), Text::tr("How far to the right the cross is."), 270.0, 540.0),
-        place("centre_y", Text::tr("Centre y"), Text::tr("How far down the cross is."), 200.0, 400.0)};
+        place({
+            .id = "centre_x",
+            .name = Text::tr("Centre x"),
+            .help = Text::tr("How far to the right the cross is."),
+            .preset = 270.0,
+            .sliderMax = 540.0,
+        }),
+        place({
+            .id = "centre_y",
+            .name = Text::tr("Centre y"),
+            .help = Text::tr("How far down the cross is."),
+            .preset = 200.0,
+            .sliderMax = 400.0,
+        }),
+    };
 }
 
 std::vector<Parameter> room()

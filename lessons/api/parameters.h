@@ -2,7 +2,9 @@
 
 #include "lessons/api/parameter.h"
 #include "sim/effects/all_effects.h"
+#include "sim/forward.h"
 
+#include <span>
 #include <vector>
 
 /// The parameters that several lessons share.
@@ -11,7 +13,7 @@ namespace lessons {
 /// Returns a setting of an effect as a parameter, in the learner's language.
 Parameter parameterOf(const sim::Setting &setting);
 /// Returns the settings of all effects of `known`, each once, with the effects that read it.
-std::vector<Parameter> settingsOf(sim::EffectList known);
+std::vector<Parameter> settingsOf(std::span<const sim::Description *const> known);
 /// Returns the setting `id` of the effect `effect`, with another preset.
 Parameter settingOf(const sim::Description &effect, const char *id, double preset);
 

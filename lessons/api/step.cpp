@@ -1,24 +1,13 @@
 #include "lessons/api/step.h"
 
+#include "lessons/api/view/look.h"
 #include "sim/methods/methods.h"
+#include "sim/run/script/script.h"
+#include "sim/scene/scene.h"
 
 #include <algorithm>
 
 namespace lessons {
-
-Try Try::answered(const QString &said) const
-{
-    Try changed = *this;
-    changed.answer = said;
-    return changed;
-}
-
-Try Try::stopped() const
-{
-    Try changed = *this;
-    changed.whileStopped = true;
-    return changed;
-}
 
 bool Step::can(Does what) const
 {

@@ -1,12 +1,13 @@
 #pragma once
 
-#include "lessons/api/budget.h"
-#include "lessons/api/condition.h"
 #include "lessons/api/explanation.h"
-#include "lessons/api/look.h"
 #include "lessons/api/parameter.h"
-#include "sim/effects/all_effects.h"
-#include "sim/run/timeline.h"
+#include "lessons/api/try.h"
+#include "sim/base/vec2.h"
+#include "sim/forward.h"
+#include "sim/scene/region.h"
+
+#include <QString>
 
 #include <cstdint>
 #include <functional>
@@ -16,43 +17,20 @@
 
 namespace lessons {
 
-/// A thing to try, and how the machine sees that it was done.
-struct Try
-{
-    QString text; ///< Markdown, one or two short sentences
-    /// Looked at after each frame and each change; once all hold, the thing is done. They must not do so at the start
-    /// and for a run that nobody touches.
-    Conditions conditions;
-    /// Where there is one, the thing is done only if the run keeps it, too. That is measured only while the conditions
-    /// hold, and not after every frame: it takes some milliseconds.
-    std::optional<Budget> budget = {};
-    /// Markdown, one to three sentences: what to drag, to set or to press. May be empty.
-    QString hint = {};
-    /// Markdown, one or two sentences: what there was to see. Shown when the thing is done; needed where its text asks
-    /// something.
-    QString answer = {};
-    /// Whether the thing is to stop at the right moment: it counts only while the run does not play.
-    bool whileStopped = false;
-
-    /// Whether all conditions hold at the cursor.
-    bool done(const sim::Timeline &run) const { return conditions.hold(run); }
-    /// Returns the same with an answer.
-    Try answered(const QString &said) const;
-    /// Returns the same, but done only while the run stands.
-    Try stopped() const;
-};
+struct Guide;
+struct Look;
 
 /// A number that is measured of every frame, with its course over the last frames.
 struct Measure
 {
-    QString name;
-    QString unit; ///< may be empty
-    QString help; ///< one sentence: what it says
+    QString name = {};
+    QString unit = {}; ///< may be empty
+    QString help = {}; ///< one sentence: what it says
     int decimals = 1;
     /// `before`: the state a frame earlier, or null at the start. Not finite where there is nothing to measure.
     std::function<double(const sim::Scene &, const sim::State &, const sim::State *before,
                          const sim::Values &)>
-        of;
+        of = {};
     /// For a number that a state alone does not tell, in place of `of`: the same with the script of the whole run.
     std::function<double(const sim::Script &, const sim::Scene &, const sim::State &,
                          const sim::State *before, const sim::Values &)>
@@ -62,9 +40,9 @@ struct Measure
 /// Values of parameters that belong together; what is not named takes its preset.
 struct Preset
 {
-    QString title;
-    QString help; ///< one sentence: what to expect
-    std::vector<std::pair<QString, double>> values;
+    QString title = {};
+    QString help = {}; ///< one sentence: what to expect
+    std::vector<std::pair<QString, double>> values = {};
 };
 
 /// What a learner can do in a scene besides changing parameters; files name each by its event.
@@ -89,18 +67,18 @@ enum class PointsFrom {
 /// An experiment that comes with a step.
 struct Example
 {
-    QString title;
-    QString help; ///< one sentence: what to see, and to try
-    QString file; ///< an embedded experiment file of this step
+    QString title = {};
+    QString help = {}; ///< one sentence: what to see, and to try
+    QString file = {}; ///< an embedded experiment file of this step
 };
 
 /// A second run of the same script, to compare with: its figure is drawn beside that of the run.
 struct Companion
 {
-    QString method;   ///< id
-    QString caption;  ///< who it is, in a few words
-    sim::Vec2 offset; ///< px: how far its figure is moved from where its points are
-    double h = 1.0;   ///< frames
+    QString method = {};   ///< id
+    QString caption = {};  ///< who it is, in a few words
+    sim::Vec2 offset = {}; ///< px: how far its figure is moved from where its points are
+    double h = 1.0;        ///< frames
     /// Of parameters that it does not share with the run.
     std::vector<std::pair<QString, double>> values = {};
 };
@@ -111,11 +89,9 @@ struct Step
     QString id;
     QString title;
     QString narration; ///< Markdown
-    QString learnt;    ///< one sentence, for the summary of the lesson; may be empty
+    Explanation explanation;
     std::vector<Parameter> parameters;
     std::vector<Try> tries;
-    std::vector<Term> terms; ///< that are taught here
-    std::vector<Why> whys;
     std::function<sim::Scene(const sim::Values &)> scene;
     sim::Region setUp; ///< the source of `scene`
     std::function<Look(const sim::Scene &, const sim::Values &)> look;

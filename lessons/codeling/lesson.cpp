@@ -1,6 +1,5 @@
 #include "lessons/api/lesson.h"
 #include "steps.h"
-#include "teaching.h"
 
 #include <QObject>
 
@@ -14,9 +13,8 @@ public:
     std::vector<lessons::Step> steps() const override
     {
         using namespace codeling;
-        return lessons::taught({motorStep(), orientationStep(), anticipationStep(), squashStretchStep(),
-                                volumeStep(), tentaclesStep()},
-                               codeling::teaching());
+        return {motorStep(),         orientationStep(), anticipationStep(),
+                squashStretchStep(), volumeStep(),      tentaclesStep()};
     }
 };
 

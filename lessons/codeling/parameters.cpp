@@ -13,37 +13,53 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(Codeling)
 };
 
-/// A share from 0 to 1.
-Parameter part(const char *id, const QString &name, const QString &unit, const QString &help, double preset)
+/// Returns `own` as a share from 0 to 1.
+Parameter part(Parameter own)
 {
-    return {id, name, {}, unit, help, preset, 0.0, 1.0, 0.0, 1.0, 2, {}};
+    own.min = own.sliderMin = 0.0;
+    own.max = own.sliderMax = 1.0;
+    return own;
 }
 
 /// What swings is the lead, on its motor: so this is what damps.
 Parameter keptByLead()
 {
-    Parameter parameter = part("keep", Text::tr("Keep"), Text::tr("per frame"),
-                               Text::tr("The share of its speed that the lead keeps each frame."), 0.7);
-    parameter.role = lessons::Role::keptSpeed;
-    return parameter;
+    return part({
+        .id = "keep",
+        .name = Text::tr("Keep"),
+        .unit = Text::tr("per frame"),
+        .help = Text::tr("The share of its speed that the lead keeps each frame."),
+        .preset = 0.7,
+        .role = lessons::Role::keptSpeed,
+    });
 }
 
-Parameter pixels(const char *id, const QString &name, const QString &help, double preset, double sliderMax)
+/// Returns `own` as a length in pixels.
+Parameter pixels(Parameter own)
 {
-    return {id, name, {}, Text::tr("px"), help, preset, 0.0, 1e6, 0.0, sliderMax, 0, {}};
+    own.unit = Text::tr("px");
+    own.max = 1e6;
+    own.decimals = 0;
+    return own;
 }
 
-Parameter place(const char *id, const QString &name, const QString &help, double sliderMax)
+/// Returns `own` as a coordinate of the first target.
+Parameter place(Parameter own)
 {
-    Parameter parameter = pixels(id, name, help, 200.0, sliderMax);
-    parameter.min = -1e6;
-    return parameter;
+    own.preset = 200.0;
+    own = pixels(own);
+    own.min = -1e6;
+    return own;
 }
 
-Parameter count(const char *id, const QString &name, const QString &help, double preset, double min,
-                double max)
+/// Returns `own` as a number of things; the slider covers all that files may give.
+Parameter count(Parameter own)
 {
-    return {id, name, {}, {}, help, preset, min, max, min, max, 0, {}, true};
+    own.sliderMin = own.min;
+    own.sliderMax = own.max;
+    own.decimals = 0;
+    own.whole = true;
+    return own;
 }
 
 }
@@ -51,71 +67,140 @@ Parameter count(const char *id, const QString &name, const QString &help, double
 std::vector<Parameter> motorParameters()
 {
     return {
-        {"k",
-         Text::tr("Stiffness"),
-         "k",
-         {},
-         Text::tr("How hard the motor pulls: this times the way to the target."),
-         0.9,
-         0.0,
-         1e9,
-         0.0,
-         4.0,
-         2,
-         {}},
+        {
+            .id = "k",
+            .name = Text::tr("Stiffness"),
+            .symbol = "k",
+            .help = Text::tr("How hard the motor pulls: this times the way to the target."),
+            .preset = 0.9,
+            .min = 0.0,
+            .max = 1e9,
+            .sliderMin = 0.0,
+            .sliderMax = 4.0,
+        },
         keptByLead(),
-        {"dt",
-         Text::tr("Time step"),
-         {},
-         {},
-         Text::tr("How much of its own time passes in a frame: the pull counts dt × dt."),
-         0.25,
-         0.0,
-         100.0,
-         0.0,
-         1.0,
-         2,
-         {}},
-        place("target_x", Text::tr("Target x"), Text::tr("How far to the right the first target is."), 540.0),
-        place("target_y", Text::tr("Target y"), Text::tr("How far down the first target is."), 400.0)};
+        {
+            .id = "dt",
+            .name = Text::tr("Time step"),
+            .help = Text::tr("How much of its own time passes in a frame: the pull counts dt × dt."),
+            .preset = 0.25,
+            .min = 0.0,
+            .max = 100.0,
+            .sliderMin = 0.0,
+            .sliderMax = 1.0,
+        },
+        place({
+            .id = "target_x",
+            .name = Text::tr("Target x"),
+            .help = Text::tr("How far to the right the first target is."),
+            .sliderMax = 540.0,
+        }),
+        place({
+            .id = "target_y",
+            .name = Text::tr("Target y"),
+            .help = Text::tr("How far down the first target is."),
+            .sliderMax = 400.0,
+        }),
+    };
 }
 
 Parameter restLength()
 {
-    return pixels("rest_length", Text::tr("Rest length"),
-                  Text::tr("How far the tail is from the lead at rest."), 40.0, 120.0);
+    return pixels({
+        .id = "rest_length",
+        .name = Text::tr("Rest length"),
+        .help = Text::tr("How far the tail is from the lead at rest."),
+        .preset = 40.0,
+        .sliderMax = 120.0,
+    });
 }
 
 Parameter anticipationPart()
 {
-    return part("anticipation", Text::tr("Anticipation"), {},
-                Text::tr("How far it backs up before a move, as a part of the way to the target."), 0.2);
+    return part({
+        .id = "anticipation",
+        .name = Text::tr("Anticipation"),
+        .help = Text::tr("How far it backs up before a move, as a part of the way to the target."),
+        .preset = 0.2,
+    });
 }
 
 std::vector<Parameter> spineParameters()
 {
     const QString perFrame = Text::tr("per frame");
-    return {part("soft", Text::tr("Soft"), perFrame,
-                 Text::tr("The part of the spine’s error that goes each frame."), 0.1),
-            part("hard", Text::tr("Hard"), perFrame,
-                 Text::tr("The same, when the spine is shorter than least or longer than most."), 0.8),
-            part("along", Text::tr("Along"), perFrame,
-                 Text::tr("The share of the tail’s speed along the spine that it keeps."), 0.7),
-            part("across", Text::tr("Across"), perFrame,
-                 Text::tr("The share of the tail’s speed across the spine that it keeps."), 0.5),
-            pixels("min_length", Text::tr("Least length"),
-                   Text::tr("Shorter than this, the spine pushes hard."), 20.0, 120.0),
-            pixels("max_length", Text::tr("Most length"), Text::tr("Longer than this, the spine pulls hard."),
-                   60.0, 120.0)};
+    return {
+        part({
+            .id = "soft",
+            .name = Text::tr("Soft"),
+            .unit = perFrame,
+            .help = Text::tr("The part of the spine’s error that goes each frame."),
+            .preset = 0.1,
+        }),
+        part({
+            .id = "hard",
+            .name = Text::tr("Hard"),
+            .unit = perFrame,
+            .help = Text::tr("The same, when the spine is shorter than least or longer than most."),
+            .preset = 0.8,
+        }),
+        part({
+            .id = "along",
+            .name = Text::tr("Along"),
+            .unit = perFrame,
+            .help = Text::tr("The share of the tail’s speed along the spine that it keeps."),
+            .preset = 0.7,
+        }),
+        part({
+            .id = "across",
+            .name = Text::tr("Across"),
+            .unit = perFrame,
+            .help = Text::tr("The share of the tail’s speed across the spine that it keeps."),
+            .preset = 0.5,
+        }),
+        pixels({
+            .id = "min_length",
+            .name = Text::tr("Least length"),
+            .help = Text::tr("Shorter than this, the spine pushes hard."),
+            .preset = 20.0,
+            .sliderMax = 120.0,
+        }),
+        pixels({
+            .id = "max_length",
+            .name = Text::tr("Most length"),
+            .help = Text::tr("Longer than this, the spine pulls hard."),
+            .preset = 60.0,
+            .sliderMax = 120.0,
+        }),
+    };
 }
 
 std::vector<Parameter> tentacleParameters()
 {
-    return {count("tentacles", Text::tr("Tentacles"), Text::tr("How many tentacles it has."), 4.0, 2.0, 8.0),
-            count("links", Text::tr("Links"), Text::tr("How many links each tentacle has."), 10.0, 3.0, 30.0),
-            part("water", Text::tr("Water"), Text::tr("per frame"),
-                 Text::tr("The share of its speed that a tentacle keeps each frame. Less: thicker water."),
-                 0.9)};
+    return {
+        count({
+            .id = "tentacles",
+            .name = Text::tr("Tentacles"),
+            .help = Text::tr("How many tentacles it has."),
+            .preset = 4.0,
+            .min = 2.0,
+            .max = 8.0,
+        }),
+        count({
+            .id = "links",
+            .name = Text::tr("Links"),
+            .help = Text::tr("How many links each tentacle has."),
+            .preset = 10.0,
+            .min = 3.0,
+            .max = 30.0,
+        }),
+        part({
+            .id = "water",
+            .name = Text::tr("Water"),
+            .unit = Text::tr("per frame"),
+            .help = Text::tr("The share of its speed that a tentacle keeps each frame. Less: thicker water."),
+            .preset = 0.9,
+        }),
+    };
 }
 
 }

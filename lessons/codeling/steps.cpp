@@ -1,9 +1,10 @@
 #include "steps.h"
 
-#include "looks.h"
+#include "checks.h"
+#include "explanations.h"
 #include "parameters.h"
 #include "scenes.h"
-#include "tries.h"
+#include "view.h"
 
 #include <QCoreApplication>
 
@@ -55,6 +56,7 @@ Step motorStep()
         "A frame is a quarter of this creature’s own unit of time: **dt** is 0.25. A pull changes a place "
         "by dt × dt, so k = 0.9 does as much as k = 0.056 in the first lessons.");
     step.addParameters(motorParameters());
+    step.explanation = motorExplanation();
     step.tries = motorTries();
     step.scene = motor::setUp;
     step.measures = {anticipationMeasure()};
@@ -76,6 +78,7 @@ Step orientationStep()
         "In each frame the lead moves first. The tail follows in the same frame.");
     step.addParameters({restLength()});
     step.addParameters(motorParameters());
+    step.explanation = orientationExplanation();
     step.tries = orientationTries();
     step.scene = orientation::setUp;
     step.measures = {anticipationMeasure()};
@@ -96,6 +99,7 @@ Step anticipationStep()
         "Two clicks in one frame shift it twice.");
     step.addParameters({anticipationPart(), restLength()});
     step.addParameters(motorParameters());
+    step.explanation = anticipationExplanation();
     step.tries = anticipationTries();
     step.scene = anticipation::setUp;
     step.measures = {anticipationMeasure()};
@@ -115,6 +119,7 @@ Step squashStretchStep()
         "is past that limit; in between, 0.1 of the way to 40 px.\n\n"
         "The tail’s velocity is split in two, **along** the spine and **across** it. Along, it keeps 0.7 "
         "each frame, across only 0.5: it bobs more than it swings round.");
+    step.explanation = squashStretchExplanation();
     step.tries = squashStretchTries();
     step.scene = squash_stretch::setUp;
     step.look = stretchingLook;
@@ -133,6 +138,7 @@ Step volumeStep()
         "Half as long makes twice as wide.\n\n"
         "In a sharp turn the sides come late and the shape buckles; "
         "calmer moves look better.");
+    step.explanation = volumeExplanation();
     step.tries = volumeTries();
     step.scene = volume::setUp;
     step.look = bodyLook;
@@ -155,6 +161,7 @@ Step tentaclesStep()
     std::vector<Parameter> all = tentacleParameters();
     all.insert(all.end(), step.parameters.begin(), step.parameters.end());
     step.parameters = all;
+    step.explanation = tentaclesExplanation();
     step.tries = tentaclesTries();
     step.scene = tentacles::setUp;
     step.look = bodyLook;

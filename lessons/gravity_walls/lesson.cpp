@@ -1,6 +1,5 @@
 #include "lessons/api/lesson.h"
 #include "steps.h"
-#include "teaching.h"
 
 #include <QObject>
 
@@ -13,8 +12,8 @@ class GravityWalls : public QObject, public lessons::Lesson
 public:
     std::vector<lessons::Step> steps() const override
     {
-        return lessons::taught({gravity_walls::wallsStep(), gravity_walls::gravityStep()},
-                               gravity_walls::teaching());
+        using namespace gravity_walls;
+        return {wallsStep(), gravityStep()};
     }
 };
 

@@ -2,9 +2,12 @@
 
 #include "lessons/api/creature.h"
 #include "sim/base/random.h"
+#include "sim/effects/contacts/walls.h"
 #include "sim/effects/drags/damping.h"
 #include "sim/effects/fields/gravity.h"
 #include "sim/effects/springs/radial_spring.h"
+#include "sim/scene/scene.h"
+#include "sim/scene/values.h"
 
 // Learners read these functions in a narrow panel.
 // clang-format off

@@ -1,11 +1,14 @@
 #include "steps.h"
 
-#include "lessons/api/acting.h"
-#include "lessons/api/creature.h"
+#include "checks.h"
+#include "explanations.h"
 #include "lessons/api/parameters.h"
+#include "lessons/api/view/acting.h"
+#include "lessons/api/view/creature_look.h"
 #include "scenes.h"
 #include "sim/effects/contacts/walls.h"
-#include "tries.h"
+#include "sim/scene/scene.h"
+#include "sim/scene/values.h"
 
 #include <QCoreApplication>
 
@@ -51,6 +54,7 @@ Step wallsStep()
         "A body in your hand meets no wall, and there is no ceiling.\n\n"
         "(The tutorial behind this lesson calls the wall at 20 px “right” and the one at 520 px “left”. "
         "Here left is left.)");
+    step.explanation = wallsExplanation();
     step.tries = wallsTries();
     step.scene = walls::setUp;
     return step;
@@ -70,6 +74,7 @@ Step gravityStep()
         "On the floor nothing holds the feet: they slide apart, and the body comes down between them. Its "
         "velocity there is not 0: in each frame gravity pulls it into the floor and the floor turns "
         "it round.");
+    step.explanation = gravityExplanation();
     step.tries = gravityTries();
     step.scene = gravity::setUp;
     return step;

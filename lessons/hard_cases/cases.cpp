@@ -1,17 +1,20 @@
 #include "cases.h"
 
-#include "lessons/api/choice_group.h"
-#include "lessons/api/creature.h"
 #include "lessons/api/parameters.h"
+#include "sim/analysis/accuracy/run.h"
 #include "sim/catalogue/hard_cases.h"
+#include "sim/catalogue/judge.h"
 #include "sim/effects/constraints/sticks.h"
 #include "sim/effects/contacts/ground.h"
 #include "sim/effects/contacts/walls.h"
 #include "sim/effects/tree/joints.h"
+#include "sim/run/script/segment.h"
 
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <memory>
+#include <optional>
 
 using namespace lessons;
 
@@ -24,11 +27,7 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(HardCases)
 };
 
-constexpr double mostForks = 12.0;  ///< 8191 branches
-constexpr double trunkWidth = 10.0; ///< px
-constexpr double lightRadius = 6.0;
-constexpr double heavyRadius = 20.0;
-constexpr double jointRadius = 4.0;
+constexpr double mostForks = 12.0; ///< 8191 branches
 
 /// A text of sim, in the learner's language.
 QString phrase(const std::string &text)
@@ -36,29 +35,106 @@ QString phrase(const std::string &text)
     return QCoreApplication::translate("sim", text.c_str());
 }
 
-Look treeLook(const sim::Tree &tree)
+/// Why a method does not claim a case, in a few words.
+QString reasonOf(const sim::Error &why)
 {
-    Look look;
-    look.bodies.assign(tree.parent.size(), {BodyLook::Shape::none, 0.0});
-    look.tree = TreeLook{tree.parent, tree.scale, tree.scale};
-    for (double &length : look.tree->length)
-        length *= tree.baseLength;
-    for (double &width : look.tree->width)
-        width *= trunkWidth;
-    look.stage = QRectF(0, 0, 550, 400);
-    look.sky = Look::Sky::dusk;
-    return look;
+    const std::string &id = why.id();
+    if (id == "claim-grows")
+        return Text::tr("its steps are too long for what is so stiff");
+    if (id == "claim-longer-step")
+        return Text::tr("its steps are longer than those that the case’s sticks are measured by");
+    if (id == "claim-rings")
+        return Text::tr("it swings on for longer than the run");
+    if (id == "claim-one-by-one")
+        return Text::tr("it moves one body after the other");
+    if (id == "claim-too-many-steps")
+        return Text::tr("it would need too many steps");
+    if (id == "claim-adds-up")
+        return Text::tr("its errors add up");
+    if (id == "claim-stirs")
+        return Text::tr("its errors keep it stirring");
+    if (id == "claim-no-room")
+        return Text::tr("no place there is free");
+    return Text::tr("it cannot compute all of it");
 }
 
-BodyLook bodyLook(const std::string &name)
+/// What does not change while a case runs.
+struct Told
 {
-    if (isBody(name))
-        return {BodyLook::Shape::body, bodyWidth / 2};
-    if (name == "heavy" || name == "lead")
-        return {BodyLook::Shape::body, name == "heavy" ? heavyRadius : bodyWidth / 2};
-    if (name == "light")
-        return {BodyLook::Shape::foot, lightRadius};
-    return name.starts_with("p") ? BodyLook{BodyLook::Shape::joint, jointRadius} : BodyLook{};
+    sim::HardCase hard;
+    sim::RunSize size;
+    sim::Scene first;
+    QString claim;
+};
+
+Told toldOf(const sim::Script &script)
+{
+    Told told{caseNumber(script.values.whole("case")), {}, {}, {}};
+    told.size = told.hard.brief;
+    told.size.h = script.step.h;
+    if (script.step.adaptive())
+        told.size.tolerance = script.step.tolerance;
+    told.first = sim::sceneOf(script, script.values);
+    const sim::Claim claim = sim::claimOf(told.hard, script.method, told.size);
+    const QString method = phrase(script.method->title());
+    told.claim =
+        !isAsTold(script) ? Text::tr("You have changed it: nobody claims this.")
+        : claim.isMade
+            ? Text::tr("%1 claims this case.").arg(method)
+            : Text::tr("%1 does not claim it: %2.").arg(method, claim.why ? reasonOf(*claim.why) : QString());
+    return told;
+}
+
+/// Looks at every row of a run once, the earlier ones first.
+class Judge
+{
+public:
+    /// Goes on from where it was to the cursor. After a jump there may be much to look at: then it leaves some for the
+    /// next time.
+    void follow(const Told &told, const sim::Track &run)
+    {
+        const int points = std::max(1, told.first.start.points());
+        for (int left = std::max(1, mostPlaces / points); left > 0 && !m_wrongAt && m_judged < run.at().frame;
+             --left) {
+            m_judged += run.rowFrames();
+            const bool isHere = m_judged == run.at().frame && run.at().phase == 0;
+            if (sim::whatIsWrong(told.hard, told.first, run.shown().scene,
+                                 isHere ? run.now() : run.stateAt(m_judged), m_judged))
+                m_wrongAt = m_judged;
+        }
+    }
+    /// The row up to which all is well, or what is wrong has been found.
+    std::int64_t judged() const { return m_judged; }
+    bool isWrongAt(std::int64_t frame) const { return m_wrongAt && *m_wrongAt <= frame; }
+    std::int64_t wrongAt() const { return *m_wrongAt; }
+
+private:
+    static constexpr int mostPlaces = 20'000; ///< looked at in one go
+    std::int64_t m_judged = 0;
+    std::optional<std::int64_t> m_wrongAt;
+};
+
+/// How the run is up to the cursor, in a few words.
+QString judgement(const Told &told, const Judge &judge, const sim::Track &run)
+{
+    const std::int64_t frame = run.at().frame;
+    if (judge.isWrongAt(frame))
+        return Text::tr("out of its bounds since frame %1").arg(judge.wrongAt());
+    if (judge.judged() < frame)
+        return Text::tr("within its bounds up to frame %1, the rest is not looked at yet")
+            .arg(judge.judged());
+    if (!told.hard.rest || frame == 0)
+        return Text::tr("within its bounds so far");
+    const sim::State before = run.stateAt(frame - run.rowFrames());
+    return sim::whatIsUnrest(told.hard, run.shown().scene, before, run.now(), run.rowFrames())
+               ? Text::tr("within its bounds so far, not at rest yet")
+               : Text::tr("within its bounds so far, and at rest, as it should be");
+}
+
+bool sameRun(const sim::Script &a, const sim::Script &b)
+{
+    return a.values == b.values && a.method->id() == b.method->id() && a.step == b.step &&
+           a.input == b.input && a.bodies == b.bodies && a.effectsOff == b.effectsOff;
 }
 
 }
@@ -120,30 +196,34 @@ void openCase(sim::Script &script)
     script.step = sim::scriptOf(hard, script.method, hard.brief).step;
 }
 
-Look caseLook(const sim::Scene &scene, const sim::Values &)
+bool isAsTold(const sim::Script &script)
 {
-    Look look;
-    for (const std::string &name : scene.names)
-        look.bodies.push_back(bodyLook(name));
-    if (std::any_of(scene.names.begin(), scene.names.end(), isBody))
-        look = creatureLookWithLegs(scene);
-    else if (scene.names.front() == "light")
-        look.legs = {{1, 0}};
-    for (const sim::EffectPtr &effect : scene.effects) {
-        if (const auto *joints = dynamic_cast<const sim::Joints *>(effect.get()))
-            return treeLook(joints->tree());
-        if (const auto *walls = dynamic_cast<const sim::Walls *>(effect.get()))
-            look.room = walls->room();
-        if (const auto *ground = dynamic_cast<const sim::Ground *>(effect.get()))
-            look.ground = ground->soil().ground;
-    }
-    for (const sim::Sticks *sticks : sim::sticksAmong(scene.effects)) {
-        for (const sim::Stick &stick : sticks->list())
-            look.sticks.push_back({stick.a, stick.b, stick.length});
-    }
-    if (scene.names.front() == "lead" && look.sticks.empty())
-        look.legs = {{0, 1}}; // a soft stick
-    return look;
+    const sim::HardCase hard = caseNumber(script.values.whole("case"));
+    return script.values["k"] == 0.0 && script.input == hard.script.input &&
+           script.bodies == hard.script.bodies && script.effectsOff.empty();
+}
+
+std::function<QString(const sim::Track &)> caseNote()
+{
+    struct Kept
+    {
+        sim::Script script;
+        Told told;
+        Judge judge;
+    };
+    // What a claim is worth takes some computing: it is kept as long as the run is the same.
+    const auto kept = std::make_shared<std::optional<Kept>>();
+    return [kept](const sim::Track &run) {
+        if (!*kept || !sameRun((*kept)->script, run.script()))
+            *kept = Kept{run.script(), toldOf(run.script()), {}};
+        const Told &told = (*kept)->told;
+        (*kept)->judge.follow(told, run);
+        return Text::tr("%1\n%2 Frame %3 of %4: %5.")
+            .arg(phrase(told.hard.story), told.claim)
+            .arg(run.at().frame)
+            .arg(told.hard.brief.frames)
+            .arg(judgement(told, (*kept)->judge, run));
+    };
 }
 
 }

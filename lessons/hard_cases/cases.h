@@ -21,12 +21,11 @@ lessons::Parameter stiffnessOfCase();
 
 /// Input, starts of bodies and step of the case that the values name.
 void openCase(sim::Script &script);
-/// Any scene of the catalogue, by its names and effects.
-lessons::Look caseLook(const sim::Scene &scene, const sim::Values &values);
 
 /// Whether the run is that of a case, with nothing but method and step changed.
 bool isAsTold(const sim::Script &script);
-/// Tells the story of the case, whether the method claims it, and whether it has held up to this moment.
+/// Returns what the last step says while a case runs: its story, whether the method claims it, and whether it has held
+/// up to this moment.
 std::function<QString(const sim::Track &)> caseNote();
 
 }

@@ -845,11 +845,4 @@ leistet das, der Winkel (angle) aus der Nummer (number): Der goldene Winkel geht
         <translation>Was eine Simulation zerbricht, warum, und was hält.</translation>
     </message>
 </context>
-<context>
-    <name>sim</name>
-    <message>
-        <source>points</source>
-        <translation>Punkte</translation>
-    </message>
-</context>
 </TS>

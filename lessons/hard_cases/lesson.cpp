@@ -1,6 +1,5 @@
 #include "lessons/api/lesson.h"
 #include "steps.h"
-#include "teaching.h"
 
 #include <QObject>
 
@@ -13,11 +12,9 @@ class HardCasesLesson : public QObject, public lessons::Lesson
 public:
     std::vector<lessons::Step> steps() const override
     {
-        return lessons::taught({hard_cases::limitStep(), hard_cases::runawayStep(),
-                                hard_cases::manyFeetStep(), hard_cases::onePlaceStep(),
-                                hard_cases::stiffStep(), hard_cases::contradictionStep(),
-                                hard_cases::longRunStep(), hard_cases::tortureStep()},
-                               hard_cases::teaching());
+        using namespace hard_cases;
+        return {limitStep(), runawayStep(),       manyFeetStep(), onePlaceStep(),
+                stiffStep(), contradictionStep(), longRunStep(),  tortureStep()};
     }
 };
 

@@ -6,6 +6,8 @@
 #include "sim/effects/drags/damping.h"
 #include "sim/effects/springs/point_spring.h"
 #include "sim/effects/springs/radial_spring.h"
+#include "sim/scene/scene.h"
+#include "sim/scene/values.h"
 
 // Learners read these functions in a narrow panel.
 // clang-format off

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "sim/scene/scene.h"
-#include "sim/scene/values.h"
+#include "sim/base/vec2.h"
+#include "sim/forward.h"
 
 /// One scene a step, each set up by the same function name, so that the code of two steps differs only in what is
 /// new. The last step shows those of sim/catalogue.

@@ -1,11 +1,14 @@
 #include "steps.h"
 
 #include "cases.h"
-#include "lessons/api/creature.h"
+#include "checks.h"
+#include "explanations.h"
 #include "lessons/api/parameters.h"
-#include "marks.h"
+#include "lessons/api/view/creature_look.h"
 #include "scenes.h"
-#include "tries.h"
+#include "sim/scene/scene.h"
+#include "sim/scene/values.h"
+#include "view.h"
 
 #include <QCoreApplication>
 
@@ -63,8 +66,9 @@ Parameter longest()
 
 Step limitStep()
 {
-    Step step = stepOf("limit", Text::tr("The limit of a step"), QRectF(10, 130, 520, 110),
-                       {"implicit_midpoint", Text::tr("Implicit midpoint"), {0, 150}});
+    Step step =
+        stepOf("limit", Text::tr("The limit of a step"), QRectF(10, 130, 520, 110),
+               {.method = "implicit_midpoint", .caption = Text::tr("Implicit midpoint"), .offset = {0, 150}});
     step.addParameters({stiffnessUpTo(4.01, 6.0), damping(1.0)});
     step.narration = Text::tr(
         "A step asks for the pull once, and then goes straight on. If the spring is too stiff, it goes past "
@@ -78,6 +82,7 @@ Step limitStep()
         "solves for it. It has no such limit.\n\n"
         "The small **gauge** shows how near you are.");
     step.method = "semi_implicit_euler";
+    step.explanation = limitExplanation();
     step.tries = limitTries();
     step.scene = limit::setUp;
     step.guides = turningPlaces;
@@ -86,8 +91,9 @@ Step limitStep()
 
 Step runawayStep()
 {
-    Step step = stepOf("runaway", Text::tr("The runaway pair"), QRectF(225, 150, 140, 140),
-                       {"semi_implicit_euler", Text::tr("Semi-implicit Euler"), {150, 0}});
+    Step step = stepOf(
+        "runaway", Text::tr("The runaway pair"), QRectF(225, 150, 140, 140),
+        {.method = "semi_implicit_euler", .caption = Text::tr("Semi-implicit Euler"), .offset = {150, 0}});
     step.addParameters({stiffnessUpTo(0.3, 1.0), damping(0.9), radius()});
     step.narration = Text::tr(
         "A foot and a body pull each other. Nothing pushes from outside, so **the middle between them has to "
@@ -100,6 +106,7 @@ Step runawayStep()
         "**Semi-implicit Euler**, on the right, is the same formula. It only takes all pulls first, and "
         "moves "
         "all bodies then.");
+    step.explanation = runawayExplanation();
     step.tries = runawayTries();
     step.scene = runaway::setUp;
     step.guides = middleMarks;
@@ -108,8 +115,9 @@ Step runawayStep()
 
 Step manyFeetStep()
 {
-    Step step = stepOf("many_feet", Text::tr("Too many feet"), QRectF(195, 115, 150, 160),
-                       {"backward_euler", Text::tr("Backward Euler"), {160, 0}});
+    Step step =
+        stepOf("many_feet", Text::tr("Too many feet"), QRectF(195, 115, 150, 160),
+               {.method = "backward_euler", .caption = Text::tr("Backward Euler"), .offset = {160, 0}});
     step.addParameters({feetUpTo(60, 100), stiffnessUpTo(0.2, 1.0), damping(0.85), radius()});
     step.narration = Text::tr(
         "A stiffness of 0.2 is soft. But the body feels **all its feet at once**: sixty soft springs make "
@@ -121,6 +129,7 @@ Step manyFeetStep()
         "**Backward Euler**, on the right, looks for the place where the pulls *of the new place* lead to. "
         "No number of feet is too many for it.");
     step.method = "semi_implicit_euler";
+    step.explanation = manyFeetExplanation();
     step.tries = manyFeetTries();
     step.scene = many_feet::setUp;
     return step;
@@ -128,8 +137,9 @@ Step manyFeetStep()
 
 Step onePlaceStep()
 {
-    Step step = stepOf("one_place", Text::tr("All in one place"), QRectF(195, 115, 150, 160),
-                       {"semi_implicit_euler", Text::tr("Semi-implicit Euler"), {160, 0}});
+    Step step = stepOf(
+        "one_place", Text::tr("All in one place"), QRectF(195, 115, 150, 160),
+        {.method = "semi_implicit_euler", .caption = Text::tr("Semi-implicit Euler"), .offset = {160, 0}});
     step.addParameters({feetUpTo(5, 24), stiffnessUpTo(0.1, 1.0), damping(0.85), radius()});
     step.narration = Text::tr(
         "Five feet and a body begin in **one place**. Each spring wants to be 50 px long. In which "
@@ -142,6 +152,7 @@ Step onePlaceStep()
         "directions. It counts nothing but the numbers of the two points, so the same run comes out each "
         "time.\n\n"
         "Every method but the printed one uses it, everywhere.");
+    step.explanation = onePlaceExplanation();
     step.tries = onePlaceTries();
     step.scene = one_place::setUp;
     return step;
@@ -149,8 +160,9 @@ Step onePlaceStep()
 
 Step stiffStep()
 {
-    Step step = stepOf("stiff", Text::tr("Stiff but calm"), QRectF(190, 120, 155, 170),
-                       {"backward_euler", Text::tr("Backward Euler"), {165, 0}});
+    Step step =
+        stepOf("stiff", Text::tr("Stiff but calm"), QRectF(190, 120, 155, 170),
+               {.method = "backward_euler", .caption = Text::tr("Backward Euler"), .offset = {165, 0}});
     step.addParameters({stiffnessUpTo(1000.0, 2000.0), damping(0.9), radius()});
     step.narration = Text::tr(
         "Three legs, each 5000 times as stiff as before: nearly sticks. In one step Semi-implicit Euler "
@@ -163,6 +175,7 @@ Step stiffStep()
         "there were more damping. For what should be stiff and calm that is right; for what should swing, "
         "it is not.");
     step.method = "semi_implicit_euler";
+    step.explanation = stiffExplanation();
     step.tries = stiffTries();
     step.scene = stiff::setUp;
     return step;
@@ -170,8 +183,9 @@ Step stiffStep()
 
 Step contradictionStep()
 {
-    Step step = stepOf("contradiction", Text::tr("Sticks that contradict"), QRectF(180, 95, 180, 200),
-                       {"semi_implicit_euler", Text::tr("The same, as sticks"), {190, 0}});
+    Step step = stepOf(
+        "contradiction", Text::tr("Sticks that contradict"), QRectF(180, 95, 180, 200),
+        {.method = "semi_implicit_euler", .caption = Text::tr("The same, as sticks"), .offset = {190, 0}});
     step.companion->values = {{"made_of", 1.0}};
     Parameter madeOf =
         choice("made_of", Text::tr("Made of"),
@@ -187,14 +201,9 @@ Step contradictionStep()
         "moved farther than an error is large, so sticks never run away. They come to rest, with a lie "
         "shared "
         "out among them. Its size is in their colour.");
-    step.look = [](const sim::Scene &scene, const sim::Values &values) {
-        Look look;
-        look.bodies.resize(scene.names.size(), {BodyLook::Shape::joint, 4.0});
-        look.sticks = {{0, 2, values["longest"]}, {0, 1, shortStick}, {1, 2, shortStick}};
-        look.stage = QRectF(180, 95, 180, 200);
-        return look;
-    };
+    step.look = threeSides;
     step.method = "semi_implicit_euler";
+    step.explanation = contradictionExplanation();
     step.tries = contradictionTries();
     step.scene = contradiction::setUp;
     return step;
@@ -202,8 +211,9 @@ Step contradictionStep()
 
 Step longRunStep()
 {
-    Step step = stepOf("long_run", Text::tr("The long run"), QRectF(140, 150, 260, 80),
-                       {"velocity_verlet", Text::tr("Velocity Verlet"), {0, 100}});
+    Step step =
+        stepOf("long_run", Text::tr("The long run"), QRectF(140, 150, 260, 80),
+               {.method = "velocity_verlet", .caption = Text::tr("Velocity Verlet"), .offset = {0, 100}});
     step.addParameters({stiffnessUpTo(0.5, 2.0), damping(1.0)});
     step.narration = Text::tr(
         "Nothing slows this foot. It should swing for ever.\n\n"
@@ -218,6 +228,7 @@ Step longRunStep()
         "To go far, type a frame's number into the counter.\n\n"
         "What an error *adds up to* counts for more than how small it is.");
     step.method = "rk4";
+    step.explanation = longRunExplanation();
     step.tries = longRunTries();
     step.scene = long_run::setUp;
     step.guides = turningPlaces;
@@ -241,6 +252,7 @@ Step tortureStep()
     step.look = caseLook;
     step.opening = openCase;
     step.note = caseNote();
+    step.explanation = tortureExplanation();
     step.tries = tortureTries();
     step.scene = torture::setUp;
     step.does = {Does::hand, Does::pointer, Does::target};

@@ -1,6 +1,5 @@
 #include "lessons/api/lesson.h"
 #include "steps.h"
-#include "teaching.h"
 
 #include <QObject>
 
@@ -13,9 +12,8 @@ class MultiFoot : public QObject, public lessons::Lesson
 public:
     std::vector<lessons::Step> steps() const override
     {
-        return lessons::taught(
-            {multi_foot::twoFeetStep(), multi_foot::anyNumberStep(), multi_foot::grownFeetStep()},
-            multi_foot::teaching());
+        using namespace multi_foot;
+        return {twoFeetStep(), anyNumberStep(), grownFeetStep()};
     }
 };
 

@@ -1,9 +1,12 @@
 #include "steps.h"
 
-#include "lessons/api/creature.h"
+#include "checks.h"
+#include "explanations.h"
 #include "lessons/api/parameters.h"
+#include "lessons/api/view/creature_look.h"
 #include "scenes.h"
-#include "tries.h"
+#include "sim/scene/scene.h"
+#include "sim/scene/values.h"
 
 #include <QCoreApplication>
 
@@ -44,6 +47,7 @@ Step twoFeetStep()
         "Damping is 0.85 from here on. The feet still move before the body, and each spring makes a "
         "little momentum from nothing. At 0.9 that is more than damping takes, and the creature leaves "
         "the picture.");
+    step.explanation = twoFeetExplanation();
     step.tries = twoFeetTries();
     step.scene = two_feet::setUp;
     return step;
@@ -60,6 +64,7 @@ Step anyNumberStep()
         "start on a circle round the body.\n\n"
         "Feet do not feel each other. They feel the body, and **the body feels every foot**, so a tug "
         "at one foot reaches all the others through it.");
+    step.explanation = anyNumberExplanation();
     step.tries = anyNumberTries();
     step.scene = any_number::setUp;
     return step;
@@ -78,6 +83,7 @@ Step grownFeetStep()
                  "swing is wider than the last. From about 10 on they tremble, 16 mostly fly off, 60 "
                  "explode.\n\n"
                  "The springs are not to blame: with two steps of half a frame each, 60 feet hold.");
+    step.explanation = grownFeetExplanation();
     step.tries = grownFeetTries();
     step.scene = grown_feet::setUp;
     return step;

@@ -1,6 +1,5 @@
 #include "lessons/api/lesson.h"
 #include "steps.h"
-#include "teaching.h"
 
 #include <QObject>
 
@@ -14,9 +13,7 @@ public:
     std::vector<lessons::Step> steps() const override
     {
         using namespace rigid_constraint;
-        return lessons::taught(
-            {pairStep(), sharedErrorStep(), triangleStep(), listStep(), verletStep(), ragdollStep()},
-            rigid_constraint::teaching());
+        return {pairStep(), sharedErrorStep(), triangleStep(), listStep(), verletStep(), ragdollStep()};
     }
 };
 

@@ -631,11 +631,4 @@ Und hat ein Stab x inzwischen bewegt, ist x − before eine andere Zahl: Die Ges
         <translation>Stäbe, die ihre Länge behalten, von einem Paar bis zu einer Gliederpuppe zum Herumwerfen.</translation>
     </message>
 </context>
-<context>
-    <name>sim</name>
-    <message>
-        <source>points</source>
-        <translation>Punkte</translation>
-    </message>
-</context>
 </TS>

@@ -1,20 +1,78 @@
 #include "scenes.h"
 
-#include "figure.h"
 #include "lessons/api/creature.h"
 #include "sim/effects/constraints/angle_limits.h"
+#include "sim/effects/constraints/sticks.h"
 #include "sim/effects/contacts/room_limits.h"
 #include "sim/effects/drags/damping.h"
 #include "sim/effects/drivers/pointer.h"
 #include "sim/effects/fields/gravity.h"
+#include "sim/scene/scene.h"
+#include "sim/scene/values.h"
+#include "sim/scenes/points.h"
 
-// Learners read these functions in a narrow panel.
-// clang-format off
+#include <algorithm>
 
 using namespace sim;
 using namespace lessons;
 
 namespace rigid_constraint {
+
+namespace {
+
+Scene pointsThat(const Values &values, int own, Inertia inertia)
+{
+    const auto count = static_cast<std::size_t>(values.points.value_or(own));
+    Scene scene = scenes::pointsAt(std::vector<Vec2>(count, {240.0, 165.0}));
+    scene.groups.front().inertia = inertia;
+    return scene;
+}
+
+}
+
+Scene loosePoints(const Values &values, int own)
+{
+    return pointsThat(values, own, Inertia::none);
+}
+
+Scene movingPoints(const Values &values, int own)
+{
+    return pointsThat(values, own, Inertia::some);
+}
+
+void placePoints(Scene &scene, const std::vector<Vec2> &places)
+{
+    const int count = std::min(scene.start.points(), static_cast<int>(places.size()));
+    for (int i = 0; i < count; ++i)
+        scene.start.place(i, places[static_cast<std::size_t>(i)]);
+}
+
+Stick stickBetween(const std::vector<Vec2> &places, int a, int b)
+{
+    const Vec2 way = places[static_cast<std::size_t>(b)] - places[static_cast<std::size_t>(a)];
+    return {a, b, length(way), 0.5};
+}
+
+void addSticks(Scene &scene, const Values &values, const std::vector<Stick> &own, int iterations)
+{
+    add<Sticks>(scene, values.sticks.value_or(own), scene.start.points(), iterations);
+}
+
+Eigen::ArrayXd boxHalfWidths(const Scene &scene)
+{
+    return Eigen::ArrayXd::Constant(scene.start.points(), jointRadius);
+}
+
+Eigen::ArrayXd ragdollHalfWidths(const Scene &scene)
+{
+    Eigen::ArrayXd half = boxHalfWidths(scene);
+    if (half.rows() > 0)
+        half[0] = headRadius;
+    return half;
+}
+
+// Learners read the functions below in a narrow panel.
+// clang-format off
 
 namespace pair {
 

@@ -1,9 +1,12 @@
 #include "steps.h"
 
+#include "checks.h"
+#include "explanations.h"
 #include "lessons/api/parameters.h"
-#include "looks.h"
 #include "scenes.h"
-#include "tries.h"
+#include "sim/scene/scene.h"
+#include "sim/scene/values.h"
+#include "view.h"
 
 #include <QCoreApplication>
 
@@ -20,104 +23,97 @@ struct Text
 
 Parameter length(double preset)
 {
-    return {"length",
-            Text::tr("Length"),
-            {},
-            Text::tr("px"),
-            Text::tr("How far apart a stick keeps its two ends."),
-            preset,
-            0.0,
-            1e6,
-            0.0,
-            200.0,
-            0,
-            {}};
+    return {
+        .id = "length",
+        .name = Text::tr("Length"),
+        .unit = Text::tr("px"),
+        .help = Text::tr("How far apart a stick keeps its two ends."),
+        .preset = preset,
+        .min = 0.0,
+        .max = 1e6,
+        .sliderMin = 0.0,
+        .sliderMax = 200.0,
+        .decimals = 0,
+    };
 }
 
 Parameter share()
 {
-    return {"share",
-            Text::tr("Share of p0"),
-            {},
-            {},
-            Text::tr("The part of the error that p0 takes; p1 takes the rest."),
-            1.0,
-            0.0,
-            1.0,
-            0.0,
-            1.0,
-            2,
-            {}};
+    return {
+        .id = "share",
+        .name = Text::tr("Share of p0"),
+        .help = Text::tr("The part of the error that p0 takes; p1 takes the rest."),
+        .preset = 1.0,
+        .min = 0.0,
+        .max = 1.0,
+        .sliderMin = 0.0,
+        .sliderMax = 1.0,
+    };
 }
 
 Parameter triangles()
 {
-    return {"triangles",
-            Text::tr("Triangles"),
-            {},
-            {},
-            Text::tr("How many triangles the figure has."),
-            6.0,
-            1.0,
-            900.0,
-            1.0,
-            20.0,
-            0,
-            {},
-            true};
+    return {
+        .id = "triangles",
+        .name = Text::tr("Triangles"),
+        .help = Text::tr("How many triangles the figure has."),
+        .preset = 6.0,
+        .min = 1.0,
+        .max = 900.0,
+        .sliderMin = 1.0,
+        .sliderMax = 20.0,
+        .decimals = 0,
+        .whole = true,
+    };
 }
 
 Parameter iterations(double preset)
 {
-    return {"iterations",
-            Text::tr("Iterations"),
-            {},
-            Text::tr("passes"),
-            Text::tr("How often each frame goes through the list of sticks."),
-            preset,
-            1.0,
-            1000.0,
-            1.0,
-            50.0,
-            0,
-            {},
-            true,
-            Role::passes};
+    return {
+        .id = "iterations",
+        .name = Text::tr("Iterations"),
+        .unit = Text::tr("passes"),
+        .help = Text::tr("How often each frame goes through the list of sticks."),
+        .preset = preset,
+        .min = 1.0,
+        .max = 1000.0,
+        .sliderMin = 1.0,
+        .sliderMax = 50.0,
+        .decimals = 0,
+        .whole = true,
+        .role = Role::passes,
+    };
 }
 
 Parameter friction()
 {
-    return {"friction",
-            Text::tr("Friction"),
-            {},
-            {},
-            Text::tr("How much a wall’s push holds back what slides along it. 0: like ice."),
-            0.5,
-            0.0,
-            10.0,
-            0.0,
-            2.0,
-            2,
-            {}};
+    return {
+        .id = "friction",
+        .name = Text::tr("Friction"),
+        .help = Text::tr("How much a wall’s push holds back what slides along it. 0: like ice."),
+        .preset = 0.5,
+        .min = 0.0,
+        .max = 10.0,
+        .sliderMin = 0.0,
+        .sliderMax = 2.0,
+    };
 }
 
 Parameter jointLimits()
 {
-    return {"joint_limits",
-            Text::tr("Joints"),
-            {},
-            {},
-            Text::tr("Whether arms and legs bend only as far as joints do, or all the way round."),
-            1.0,
-            0.0,
-            1.0,
-            0.0,
-            1.0,
-            0,
-            {"free", "limited"},
-            false,
-            Role::none,
-            {Text::tr("free"), Text::tr("limited")}};
+    return {
+        .id = "joint_limits",
+        .name = Text::tr("Joints"),
+        .help = Text::tr("Whether arms and legs bend only as far as joints do, or all the way round."),
+        .preset = 1.0,
+        .min = 0.0,
+        .max = 1.0,
+        .sliderMin = 0.0,
+        .sliderMax = 1.0,
+        .decimals = 0,
+        .choices = {"free", "limited"},
+        .choiceTitles = {Text::tr("free"), Text::tr("limited")},
+    };
 }
 
 /// A step with what all steps of this lesson share. `id` is the marker of its set-up, too.
@@ -162,6 +158,7 @@ Step pairStep()
         "straight up and down.\n\n"
         "This angle is counted from the y axis: that is why dx comes first in `atan2`.");
     step.addParameters({length(100)});
+    step.explanation = pairExplanation();
     step.tries = pairTries();
     step.scene = pair::setUp;
     return step;
@@ -180,6 +177,7 @@ Step sharedErrorStep()
         "pointer stands still, **each frame leaves share of the error**: at 0.5 half of it, then a quarter, "
         "and p0 comes to the pointer after all.");
     step.addParameters({share(), length(100)});
+    step.explanation = sharedErrorExplanation();
     step.tries = sharedErrorTries();
     step.scene = shared_error::setUp;
     return step;
@@ -199,6 +197,7 @@ Step triangleStep()
         "Three sticks of 100 px can all be right at once. Sticks of 100, 100 and 300 px never can: some "
         "error would stay for ever.");
     step.addParameters({length(100)});
+    step.explanation = triangleExplanation();
     step.tries = triangleTries();
     step.scene = triangle::setUp;
     return step;
@@ -217,6 +216,7 @@ Step listStep()
         "A stick’s colour shows its error. After a fast move you can watch the error spread, and shrink "
         "frame by frame.");
     step.addParameters({triangles(), length(50)});
+    step.explanation = listExplanation();
     step.tries = listTries();
     step.scene = list::setUp;
     return step;
@@ -238,6 +238,7 @@ Step verletStep()
         "like rubber; more make it stiff.");
     step.addParameters({iterations(1), lessons::gravity(), damping(0.99), friction()});
     step.addParameters(room());
+    step.explanation = verletExplanation();
     step.tries = verletTries();
     step.scene = verlet::setUp;
     step.look = boxLook;
@@ -259,6 +260,7 @@ Step ragdollStep()
         "the passes leave less**, and cost twice as much.");
     step.addParameters({iterations(10), jointLimits(), lessons::gravity(), damping(0.99), friction()});
     step.addParameters(room());
+    step.explanation = ragdollExplanation();
     step.tries = ragdollTries();
     step.scene = ragdoll::setUp;
     step.look = ragdollLook;

@@ -1,18 +1,125 @@
 #include "scenes.h"
 
 #include "lessons/api/creature.h"
-#include "plan.h"
 #include "sim/effects/all_effects.h"
 #include "sim/effects/constraints/sticks.h"
 #include "sim/effects/drivers/gait_clock.h"
 
-// Learners read this function in a narrow panel.
-// clang-format off
+#include <algorithm>
+#include <numbers>
+#include <utility>
 
 using namespace sim;
 using namespace lessons;
 
-namespace sandbox::build {
+namespace sandbox {
+
+namespace {
+
+constexpr double rad(double degrees)
+{
+    return degrees / 180.0 * std::numbers::pi;
+}
+
+}
+
+std::shared_ptr<const Blueprint> firstPlan()
+{
+    Blueprint plan;
+    plan.points = {{.name = "p0", .x = {270, 80}, .v = {}, .size = 10.0, .fixed = true},
+                   {.name = "p1", .x = {340, 160}, .v = {}, .size = 24.0}};
+    plan.springs = {{.a = 0, .b = 1, .k = 0.1, .length = 90.0}};
+    plan.effects = {"gravity", "damping", "walls"};
+    return std::make_shared<const Blueprint>(std::move(plan));
+}
+
+const Blueprint &planOf(const Values &values)
+{
+    static const std::shared_ptr<const Blueprint> first = firstPlan();
+    return values.blueprint ? *values.blueprint : *first;
+}
+
+Scene pointsOf(const Blueprint &plan)
+{
+    const int count = static_cast<int>(plan.points.size());
+    Scene scene;
+    scene.start = State::ofPoints(count);
+    scene.groups = {{SIM_TEXT("points"), {0, count}}};
+    for (int i = 0; i < count; ++i) {
+        const BuiltPoint &one = plan.points[static_cast<std::size_t>(i)];
+        scene.names.push_back(one.name);
+        scene.start.place(i, one.x);
+        if (!one.fixed)
+            scene.start.push(i, one.v);
+        scene.start.inverseMass[i] = one.fixed ? 0.0 : 1.0 / one.mass;
+    }
+    return scene;
+}
+
+std::vector<Spring> springsOf(const Blueprint &plan)
+{
+    std::vector<Spring> all;
+    for (const BuiltSpring &one : plan.springs)
+        all.push_back({one.a, one.b, one.k, one.length});
+    return all;
+}
+
+std::vector<Stick> sticksOf(const Blueprint &plan)
+{
+    std::vector<Stick> all;
+    for (const BuiltStick &one : plan.sticks)
+        all.push_back({one.a, one.b, one.length, one.share});
+    return all;
+}
+
+std::vector<Leg> legsOf(const Blueprint &plan, int gait)
+{
+    std::vector<Leg> legs;
+    for (const BuiltFoot &one : plan.feet) {
+        if (one.gait == gait)
+            legs.push_back({one.foot, one.body, rad(one.angle), gait});
+    }
+    return legs;
+}
+
+LegRule ruleOf(const BuiltGait &gait)
+{
+    // A clock that stands where it began turns no leg.
+    const bool swings = gait.speed != 0.0 || gait.start != 0.0;
+    return {
+        .k = gait.k,
+        .leg = gait.leg,
+        .drop = gait.drop,
+        .aim = swings ? Aim::swing : Aim::below,
+        .reaction = gait.pullsBody ? Reaction::equal : Reaction::none,
+    };
+}
+
+void setClocks(Scene &scene, const Blueprint &plan)
+{
+    scene.start.gait.setZero(clocksOf(plan));
+    scene.start.gaitSpeed.setZero(clocksOf(plan));
+    Eigen::Index clock = 0;
+    for (const BuiltGait &gait : plan.gaits) {
+        scene.start.gait[clock] = gait.start;
+        scene.start.gaitSpeed[clock++] = gait.speed;
+    }
+    if (has(plan, "breeze"))
+        scene.start.gaitSpeed[windClockOf(plan)] = windClock;
+}
+
+bool hasClocks(const Blueprint &plan, const Values &values)
+{
+    return (has(plan, "breeze") && values["gusts"] > 0.0) ||
+           std::any_of(plan.feet.begin(), plan.feet.end(), [&](const BuiltFoot &one) {
+               return plan.gaits[static_cast<std::size_t>(one.gait)].speed != 0.0;
+           });
+}
+
+// Learners read the function below in a narrow panel.
+// clang-format off
+
+namespace build {
 
 //! [build]
 Scene setUp(const Values &values)
@@ -48,5 +155,7 @@ Scene setUp(const Values &values)
     return scene;
 }
 //! [build]
+
+}
 
 }

@@ -1,10 +1,10 @@
 #include "steps.h"
 
-#include "examples.h"
 #include "lessons/api/parameters.h"
-#include "looks.h"
-#include "plan.h"
 #include "scenes.h"
+#include "sim/effects/all_effects.h"
+#include "sim/run/script/script.h"
+#include "view.h"
 
 #include <QCoreApplication>
 
@@ -18,6 +18,41 @@ struct Text
 {
     Q_DECLARE_TR_FUNCTIONS(Sandbox)
 };
+
+Example example(const char *file, const QString &title, const QString &help)
+{
+    return {
+        .title = title,
+        .help = help,
+        .file = QStringLiteral(":/examples/sandbox/%1.json").arg(QLatin1String(file)),
+    };
+}
+
+/// The experiments that are installed with the program.
+std::vector<Example> ownExamples()
+{
+    return {
+        example("chain", Text::tr("Chain"),
+                Text::tr("Seven sticks on a nail. Pull the end aside and let go.")),
+        example("bridge", Text::tr("Bridge"),
+                Text::tr("A truss between two nails, with a load on a spring. Make the load heavier.")),
+        example("jelly", Text::tr("Jelly"), Text::tr("A grid of springs. Throw it into a corner.")),
+        example("walker", Text::tr("Walker"),
+                Text::tr("Four feet in two gait groups, which turns round at the walls.")),
+        example("cradle", Text::tr("Cradle"),
+                Text::tr("Five balls side by side: what comes in on the left goes out on the right.")),
+        example("wheel", Text::tr("Wheel"),
+                Text::tr("A rim of sticks with springs for spokes, on a floor that holds.")),
+        example("cloth", Text::tr("Cloth"), Text::tr("A net of springs on three nails, in a little wind.")),
+        example("tree", Text::tr("Tree"), Text::tr("A trunk of braced springs whose leaves catch the wind.")),
+        example("ragdoll", Text::tr("Ragdoll"), Text::tr("Fourteen sticks that fall. Lift it by a hand.")),
+        example("trampoline", Text::tr("Trampoline"),
+                Text::tr("A heavy ball on a net of springs, and bodies that push each other away.")),
+        example("charges", Text::tr("Crystal"),
+                Text::tr("Positive and negative charges find each other and form a crystal. Give one the "
+                         "other sign.")),
+    };
+}
 
 }
 

@@ -1,6 +1,5 @@
 #include "lessons/api/lesson.h"
 #include "steps.h"
-#include "teaching.h"
 
 #include <QObject>
 
@@ -13,10 +12,8 @@ class SingleSpring : public QObject, public lessons::Lesson
 public:
     std::vector<lessons::Step> steps() const override
     {
-        return lessons::taught({single_spring::dragStep(), single_spring::fixedCentreStep(),
-                                single_spring::movingBodyStep(), single_spring::offsetStep(),
-                                single_spring::radialStep()},
-                               single_spring::teaching());
+        using namespace single_spring;
+        return {dragStep(), fixedCentreStep(), movingBodyStep(), offsetStep(), radialStep()};
     }
 };
 

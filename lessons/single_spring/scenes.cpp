@@ -6,6 +6,8 @@
 #include "sim/effects/springs/offset_spring.h"
 #include "sim/effects/springs/point_spring.h"
 #include "sim/effects/springs/radial_spring.h"
+#include "sim/scene/scene.h"
+#include "sim/scene/values.h"
 
 using namespace sim;
 using namespace lessons;

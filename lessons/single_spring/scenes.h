@@ -1,7 +1,6 @@
 #pragma once
 
-#include "sim/scene/scene.h"
-#include "sim/scene/values.h"
+#include "sim/forward.h"
 
 /// One scene a step, each set up by the same function name, so that the code of two steps differs only in what is
 /// new. Point 0 is the foot; where there is a body it is point 1.

@@ -1,10 +1,12 @@
 #include "steps.h"
 
-#include "guides.h"
-#include "lessons/api/creature.h"
+#include "checks.h"
+#include "explanations.h"
 #include "lessons/api/parameters.h"
 #include "scenes.h"
-#include "tries.h"
+#include "sim/scene/scene.h"
+#include "sim/scene/values.h"
+#include "view.h"
 
 #include <QCoreApplication>
 
@@ -18,13 +20,6 @@ struct Text
 {
     Q_DECLARE_TR_FUNCTIONS(SingleSpring)
 };
-
-Look discsAndSprings(const sim::Scene &scene, const sim::Values &)
-{
-    Look look = creatureLook(scene);
-    look.springs = actingSprings(scene);
-    return look;
-}
 
 /// A step with what all steps of this lesson share. `id` is the marker of its set-up, too.
 Step stepOf(const char *id, const QString &title)
@@ -56,6 +51,7 @@ Step dragStep()
             one.effects = {
                 QStringLiteral("point_spring")}; // nothing pulls yet: offered from the next step on
     }
+    step.explanation = dragExplanation();
     step.tries = dragTries();
     step.scene = drag::setUp;
     step.guides = pullToCome;
@@ -76,6 +72,7 @@ Step fixedCentreStep()
                  "and swings back. Damping makes each swing smaller, until the foot stands on the "
                  "cross, where the pull is 0.");
     step.addParameters(centre());
+    step.explanation = fixedCentreExplanation();
     step.tries = fixedCentreTries();
     step.scene = fixed_centre::setUp;
     step.guides = centreCross;
@@ -92,6 +89,7 @@ Step movingBodyStep()
         "The foot comes late. The pull changes its velocity, and only the velocity changes its "
         "place.\n\n"
         "This body is a handle: it feels no pull and keeps no velocity, and stays where you leave it.");
+    step.explanation = movingBodyExplanation();
     step.tries = movingBodyTries();
     step.scene = moving_body::setUp;
     return step;
@@ -109,6 +107,7 @@ Step offsetStep()
         "right. To keep the distance and leave the side free you need more than an offset: a "
         "direction.");
     step.addParameters({lessons::offset()});
+    step.explanation = offsetExplanation();
     step.tries = offsetTries();
     step.scene = offset::setUp;
     step.guides = offsetCross;
@@ -130,6 +129,7 @@ Step radialStep()
                  "`cos` and `sin` lead back: the x and y of a way of 1 px at that angle. Times "
                  "**radius**, plus the body’s place: that is the target.");
     step.addParameters({lessons::radius()});
+    step.explanation = radialExplanation();
     step.tries = radialTries();
     step.scene = radial::setUp;
     step.guides = ringAndAngle;

@@ -1,6 +1,5 @@
 #include "lessons/api/lesson.h"
 #include "steps.h"
-#include "teaching.h"
 
 #include <QObject>
 
@@ -14,10 +13,8 @@ public:
     std::vector<lessons::Step> steps() const override
     {
         using namespace swaying_tree;
-        return lessons::taught({trunkStep(), branchesStep(), randomnessStep(), towardsPointerStep(),
-                                windStep(), restStep(), distanceStep(), thicknessStep(), turbulenceStep(),
-                                realSwayStep()},
-                               swaying_tree::teaching());
+        return {trunkStep(), branchesStep(), randomnessStep(), towardsPointerStep(), windStep(),
+                restStep(),  distanceStep(), thicknessStep(),  turbulenceStep(),     realSwayStep()};
     }
 };
 

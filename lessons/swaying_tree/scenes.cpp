@@ -10,15 +10,32 @@
 #include "sim/effects/tree/torsion.h"
 #include "sim/effects/tree/tree_wind.h"
 #include "sim/effects/tree/wind_torque.h"
-#include "standing.h"
-
-// Learners read these functions in a narrow panel.
-// clang-format off
+#include "sim/scenes/trees.h"
 
 using namespace sim;
 using lessons::add;
 
 namespace swaying_tree {
+
+TreeFormula formulaOf(const Values &values)
+{
+    return values.whole("formula") == 1 ? TreeFormula::published : TreeFormula::corrected;
+}
+
+Scene standing(const Tree &tree, TreeFormula formula)
+{
+    return scenes::standingTree(tree, {275.0, 400.0}, formula);
+}
+
+Scene swinging(const Tree &tree)
+{
+    Scene scene = standing(tree, TreeFormula::corrected);
+    scenes::letSwing(scene);
+    return scene;
+}
+
+// Learners read the functions below in a narrow panel.
+// clang-format off
 
 namespace trunk {
 

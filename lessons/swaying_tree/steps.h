@@ -1,7 +1,6 @@
 #pragma once
 
 #include "lessons/api/step.h"
-#include "sim/effects/tree/tree.h"
 
 namespace swaying_tree {
 
@@ -15,9 +14,5 @@ lessons::Step distanceStep();
 lessons::Step thicknessStep();
 lessons::Step turbulenceStep();
 lessons::Step realSwayStep();
-
-/// A step with what all steps of this lesson share: a tree that `grow` makes, drawn before a dusky sky. `id` is the
-/// marker of its set-up, too.
-lessons::Step treeStep(const char *id, const QString &title, sim::Tree (*grow)(const sim::Values &));
 
 }

@@ -939,15 +939,4 @@ Der Stamm beginnt in der Mitte des Bodens, 275&#x202f;px nach rechts und 400&#x2
         <translation>Ein Baum, der nach einer Regel wächst, sich in deinem Wind biegt und zuletzt von selbst schwingt.</translation>
     </message>
 </context>
-<context>
-    <name>sim</name>
-    <message>
-        <source>branches</source>
-        <translation>Zweige</translation>
-    </message>
-    <message>
-        <source>branch</source>
-        <translation>Zweig</translation>
-    </message>
-</context>
 </TS>

@@ -1,6 +1,5 @@
 #include "lessons/api/lesson.h"
 #include "steps.h"
-#include "teaching.h"
 
 #include <QObject>
 
@@ -13,7 +12,8 @@ class TwoBody : public QObject, public lessons::Lesson
 public:
     std::vector<lessons::Step> steps() const override
     {
-        return lessons::taught({two_body::mutualStep(), two_body::legLineStep()}, two_body::teaching());
+        using namespace two_body;
+        return {mutualStep(), legLineStep()};
     }
 };
 

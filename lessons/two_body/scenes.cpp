@@ -1,8 +1,11 @@
 #include "scenes.h"
 
 #include "lessons/api/creature.h"
+#include "lessons/api/view/creature_look.h"
 #include "sim/effects/drags/damping.h"
 #include "sim/effects/springs/radial_spring.h"
+#include "sim/scene/scene.h"
+#include "sim/scene/values.h"
 
 // Learners read these functions in a narrow panel.
 // clang-format off

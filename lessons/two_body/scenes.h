@@ -1,8 +1,7 @@
 #pragma once
 
-#include "lessons/api/look.h"
-#include "sim/scene/scene.h"
-#include "sim/scene/values.h"
+#include "lessons/api/view/look.h"
+#include "sim/forward.h"
 
 /// One scene and one look a step, each under the same function name, so that the code of two steps differs only in
 /// what is new. Point 0 is the foot, point 1 the body.

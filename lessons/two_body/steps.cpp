@@ -1,16 +1,15 @@
 #include "steps.h"
 
-#include "lessons/api/checks.h"
+#include "checks.h"
+#include "explanations.h"
 #include "lessons/api/parameters.h"
 #include "scenes.h"
+#include "sim/scene/scene.h"
+#include "sim/scene/values.h"
 
 #include <QCoreApplication>
 
-#include <algorithm>
-#include <cmath>
-
 using namespace lessons;
-using sim::Timeline;
 
 namespace two_body {
 
@@ -28,83 +27,6 @@ Step stepOf(const char *id, const QString &title)
     return step;
 }
 
-/// How long the leg was when the hand let go, in px; as long as it holds, how long it is.
-double lengthLetGo(const Timeline &run)
-{
-    const std::optional<Carry> carry = lastLetGo(run);
-    if (!carry)
-        return distance(run, "foot", "body");
-    const sim::State then = run.track().stateAt(std::max<std::int64_t>(0, *carry->letGo - 1));
-    return sim::length(then.at(foot) - then.at(body));
-}
-
-Condition holdingAnEnd()
-{
-    return {[](const Timeline &run) { return !heldBody(run).empty(); }};
-}
-
-/// No throw is as fast as this so long after the hand let go.
-Condition flewOff()
-{
-    return {[](const Timeline &run) { return !onStage(middle(run)) && sim::length(momentum(run)) >= 2.0; },
-            Text::tr("let time run (**Space**) until the pair has left the stage.")};
-}
-
-Condition dampingIs(double value)
-{
-    return isSet("damp", value,
-                 value == 0.9 ? Text::tr("set **damping** to 0.9.") : Text::tr("set **damping** to 0.85."));
-}
-
-std::vector<Try> mutualTries()
-{
-    const Condition springAtThreeTenths = isSet("k", 0.3, Text::tr("set **k** to 0.3."));
-    return {
-        Try{Text::tr(
-                "Stop inside a frame when the foot has moved and the body has not. What does the body see?"),
-            {insideAFrame(),
-             {[](const Timeline &run) { return hasMoved(run, foot) && !hasMoved(run, body); },
-              Text::tr("press **Shift+→** until the foot has moved and the body has not.")}}}
-            .answered(Text::tr("The foot where it is now. So the body is not pulled back as hard as the foot "
-                               "was pulled.")),
-        {Text::tr("Set **k** to 0.3 and hands off: the pair flies away by itself."),
-         {springAtThreeTenths, dampingIs(0.9),
-          byMethod("published", Text::tr("choose the method **Published**.")), handsOff(60), flewOff()}},
-        {Text::tr("Keep k at 0.3, set **damping** to 0.85, and wait until the pair is still."),
-         {dampingIs(0.85), springAtThreeTenths, allStill()}},
-        {Text::tr("With k at 0.3 and damping at 0.9, choose the method **Semi-implicit Euler** and watch 100 "
-                  "frames, hands off."),
-         {byMethod("semi_implicit_euler"),
-          springAtThreeTenths,
-          dampingIs(0.9),
-          handsOff(100),
-          {[](const Timeline &run) { return sim::length(momentum(run)) < 0.01; },
-           Text::tr("press **Home** to begin again: your hand has left the pair a momentum.")}}},
-    };
-}
-
-std::vector<Try> legLineTries()
-{
-    return {
-        {Text::tr("Hold one end and pull so fast that the leg stretches to 100 px or more."),
-         {holdingAnEnd(), atLeast(
-                              100.0, [](const Timeline &run) { return distance(run, "foot", "body"); },
-                              Text::tr("pull faster. The leg is %1 px long."), 0)}},
-        {Text::tr("Hold one end and squeeze the leg to under 30 px. Then let go."),
-         {{[](const Timeline &run) { return !carries(run).empty(); }},
-          {[](const Timeline &run) { return lengthLetGo(run) < 30.0; },
-           Text::tr("squeeze the leg to under 30 px and let go there. It was %1 px long."), lengthLetGo, 0},
-          {[](const Timeline &run) { return lastLetGo(run).has_value(); }, Text::tr("let go now.")}}},
-        {Text::tr("Set **radius** to 100 and wait until the leg is still, 100 px long."),
-         {isSet("radius", 100.0),
-          allStill(),
-          {[](const Timeline &run) { return std::abs(distance(run, "foot", "body") - 100.0) < 0.5; },
-           Text::tr("pull the two apart, so that the leg becomes 100 px long.")}}},
-        {Text::tr("Go back in time, change **k**, and compare with the ghost."),
-         {ghostDiffers("k"), besideGhost()}},
-    };
-}
-
 }
 
 Step mutualStep()
@@ -120,6 +42,7 @@ Step mutualStep()
                  "damping then takes more than the order of moves gives.\n\n"
                  "The method Semi-implicit Euler moves both **at once**. Their pulls are opposite, and "
                  "the momentum stays 0.");
+    step.explanation = mutualExplanation();
     step.tries = mutualTries();
     step.scene = mutual::setUp;
     step.look = [](const sim::Scene &scene, const sim::Values &) { return mutual::look(scene); };
@@ -137,6 +60,7 @@ Step legLineStep()
         "But it shows how long the spring is. Where it is longer than **radius**, the spring pulls its two "
         "ends "
         "together; where it is shorter, the spring pushes them apart; and at 50 px it does nothing.");
+    step.explanation = legLineExplanation();
     step.tries = legLineTries();
     step.scene = leg_line::setUp;
     step.look = [](const sim::Scene &scene, const sim::Values &) { return leg_line::look(scene); };

@@ -1,6 +1,5 @@
 #include "lessons/api/lesson.h"
 #include "steps.h"
-#include "teaching.h"
 
 #include <QObject>
 
@@ -14,10 +13,9 @@ public:
     std::vector<lessons::Step> steps() const override
     {
         using namespace walking_gait;
-        return lessons::taught({bonesStep(), legsStep(), feetBelowStep(), curvedLegsStep(), swingStep(),
-                                bodyPulledStep(), groundStep(), moreFeetStep(), steeringStep(), wallsStep(),
-                                companyStep()},
-                               walking_gait::teaching());
+        return {bonesStep(),    legsStep(),       feetBelowStep(), curvedLegsStep(),
+                swingStep(),    bodyPulledStep(), groundStep(),    moreFeetStep(),
+                steeringStep(), wallsStep(),      companyStep()};
     }
 };
 

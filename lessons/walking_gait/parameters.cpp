@@ -15,52 +15,78 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(WalkingGait)
 };
 
-Parameter inPixels(const char *id, const QString &name, const QString &help, double preset, double sliderMin,
-                   double sliderMax)
+/// Returns `own` as a length in pixels.
+Parameter inPixels(Parameter own)
 {
-    return {id, name, {}, Text::tr("px"), help, preset, -1e6, 1e6, sliderMin, sliderMax, 0, {}};
+    own.unit = Text::tr("px");
+    own.min = -1e6;
+    own.max = 1e6;
+    own.decimals = 0;
+    return own;
 }
 
-Parameter count(const char *id, const QString &name, const QString &help, double preset, double most)
+/// Returns `own` as a number of things, of which there are two or more.
+Parameter count(Parameter own)
 {
-    return {id, name, {}, {}, help, preset, 2.0, most, 2.0, most, 0, {}, true};
+    own.min = own.sliderMin = 2.0;
+    own.sliderMax = own.max;
+    own.decimals = 0;
+    own.whole = true;
+    return own;
 }
 
 }
 
 Parameter leg()
 {
-    return inPixels("leg", Text::tr("Leg"), Text::tr("How far a foot belongs from the middle of its places."),
-                    50.0, 0.0, 150.0);
+    return inPixels({
+        .id = "leg",
+        .name = Text::tr("Leg"),
+        .help = Text::tr("How far a foot belongs from the middle of its places."),
+        .preset = 50.0,
+        .sliderMin = 0.0,
+        .sliderMax = 150.0,
+    });
 }
 
 Parameter drop()
 {
-    return inPixels("drop", Text::tr("Drop"), Text::tr("How far below the body the feet belong."), 50.0,
-                    -100.0, 150.0);
+    return inPixels({
+        .id = "drop",
+        .name = Text::tr("Drop"),
+        .help = Text::tr("How far below the body the feet belong."),
+        .preset = 50.0,
+        .sliderMin = -100.0,
+        .sliderMax = 150.0,
+    });
 }
 
 Parameter curve()
 {
-    return inPixels("curve", Text::tr("Curve"),
-                    Text::tr("How high above its foot the point lies that bends a leg. Only drawn."), 50.0,
-                    -50.0, 150.0);
+    return inPixels({
+        .id = "curve",
+        .name = Text::tr("Curve"),
+        .help = Text::tr("How high above its foot the point lies that bends a leg. Only drawn."),
+        .preset = 50.0,
+        .sliderMin = -50.0,
+        .sliderMax = 150.0,
+    });
 }
 
 Parameter speed()
 {
-    return {"speed",
-            Text::tr("Speed"),
-            {},
-            Text::tr("rad/frame"),
-            Text::tr("How far the gait clock turns each frame. Below 0 it turns the other way."),
-            0.05,
-            -10.0,
-            10.0,
-            -0.3,
-            0.5,
-            3,
-            {}};
+    return {
+        .id = "speed",
+        .name = Text::tr("Speed"),
+        .unit = Text::tr("rad/frame"),
+        .help = Text::tr("How far the gait clock turns each frame. Below 0 it turns the other way."),
+        .preset = 0.05,
+        .min = -10.0,
+        .max = 10.0,
+        .sliderMin = -0.3,
+        .sliderMax = 0.5,
+        .decimals = 3,
+    };
 }
 
 Parameter footBounce()
@@ -82,55 +108,61 @@ Parameter traction()
 
 Parameter legCount()
 {
-    return count("feet", Text::tr("Feet"), Text::tr("How many feet the body has."), 5.0, 12.0);
+    return count({
+        .id = "feet",
+        .name = Text::tr("Feet"),
+        .help = Text::tr("How many feet the body has."),
+        .preset = 5.0,
+        .max = 12.0,
+    });
 }
 
 Parameter spread()
 {
-    return {"spread",
-            Text::tr("Spread"),
-            {},
-            Text::tr("°"),
-            Text::tr("Over how much of a turn the feet are spread. At 0 all step together."),
-            360.0,
-            -1e6,
-            1e6,
-            0.0,
-            720.0,
-            0,
-            {}};
+    return {
+        .id = "spread",
+        .name = Text::tr("Spread"),
+        .unit = Text::tr("°"),
+        .help = Text::tr("Over how much of a turn the feet are spread. At 0 all step together."),
+        .preset = 360.0,
+        .min = -1e6,
+        .max = 1e6,
+        .sliderMin = 0.0,
+        .sliderMax = 720.0,
+        .decimals = 0,
+    };
 }
 
 Parameter top()
 {
-    return {"top",
-            Text::tr("Top speed"),
-            {},
-            Text::tr("rad/frame"),
-            Text::tr("The fastest that keys and pointer make the gait clock."),
-            0.15,
-            0.0,
-            10.0,
-            0.0,
-            0.3,
-            3,
-            {}};
+    return {
+        .id = "top",
+        .name = Text::tr("Top speed"),
+        .unit = Text::tr("rad/frame"),
+        .help = Text::tr("The fastest that keys and pointer make the gait clock."),
+        .preset = 0.15,
+        .min = 0.0,
+        .max = 10.0,
+        .sliderMin = 0.0,
+        .sliderMax = 0.3,
+        .decimals = 3,
+    };
 }
 
 Parameter change()
 {
-    return {"change",
-            Text::tr("Change"),
-            {},
-            Text::tr("rad/frame²"),
-            Text::tr("How much speed an arrow key adds or takes away, each frame that it is down."),
-            0.0025,
-            0.0,
-            10.0,
-            0.0,
-            0.02,
-            4,
-            {}};
+    return {
+        .id = "change",
+        .name = Text::tr("Change"),
+        .unit = Text::tr("rad/frame²"),
+        .help = Text::tr("How much speed an arrow key adds or takes away, each frame that it is down."),
+        .preset = 0.0025,
+        .min = 0.0,
+        .max = 10.0,
+        .sliderMin = 0.0,
+        .sliderMax = 0.02,
+        .decimals = 4,
+    };
 }
 
 Parameter atWall()
@@ -144,29 +176,41 @@ Parameter atWall()
 
 Parameter creatures()
 {
-    return count("creatures", Text::tr("Creatures"), Text::tr("How many creatures there are."), 2.0, 5.0);
+    return count({
+        .id = "creatures",
+        .name = Text::tr("Creatures"),
+        .help = Text::tr("How many creatures there are."),
+        .preset = 2.0,
+        .max = 5.0,
+    });
 }
 
 Parameter push()
 {
-    return {"push",
-            Text::tr("Push"),
-            "k",
-            Text::tr("1/frame²"),
-            Text::tr("How hard two bodies push: this share of the missing distance, each frame."),
-            0.1,
-            0.0,
-            1e9,
-            0.0,
-            0.5,
-            2,
-            {}};
+    return {
+        .id = "push",
+        .name = Text::tr("Push"),
+        .symbol = "k",
+        .unit = Text::tr("1/frame²"),
+        .help = Text::tr("How hard two bodies push: this share of the missing distance, each frame."),
+        .preset = 0.1,
+        .min = 0.0,
+        .max = 1e9,
+        .sliderMin = 0.0,
+        .sliderMax = 0.5,
+    };
 }
 
 Parameter distance()
 {
-    return inPixels("distance", Text::tr("Distance"),
-                    Text::tr("Two bodies closer than this push each other."), 60.0, 0.0, 150.0);
+    return inPixels({
+        .id = "distance",
+        .name = Text::tr("Distance"),
+        .help = Text::tr("Two bodies closer than this push each other."),
+        .preset = 60.0,
+        .sliderMin = 0.0,
+        .sliderMax = 150.0,
+    });
 }
 
 Parameter feltBy()
@@ -177,6 +221,39 @@ Parameter feltBy()
                {QStringLiteral("both"), QStringLiteral("one")});
     parameter.choiceTitles = {Text::tr("both"), Text::tr("one")};
     return parameter;
+}
+
+std::vector<Parameter> sideWalls()
+{
+    std::vector<Parameter> all = room();
+    all.pop_back(); // the floor
+    return all;
+}
+
+std::vector<Preset> gaits()
+{
+    return {
+        {
+            .title = Text::tr("Centipede"),
+            .help = Text::tr("Twelve feet, one after the other: the body glides."),
+            .values = {{"feet", 12.0}},
+        },
+        {
+            .title = Text::tr("Trot"),
+            .help = Text::tr("Four feet in two pairs: it bobs like one with two feet."),
+            .values = {{"feet", 4.0}, {"spread", 720.0}},
+        },
+        {
+            .title = Text::tr("Limp"),
+            .help = Text::tr("Three feet close behind each other, then a pause."),
+            .values = {{"feet", 3.0}, {"spread", 180.0}},
+        },
+        {
+            .title = Text::tr("Runner"),
+            .help = Text::tr("A fast clock: no foot touches the ground for long."),
+            .values = {{"feet", 4.0}, {"speed", 0.15}},
+        },
+    };
 }
 
 }

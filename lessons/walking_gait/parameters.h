@@ -1,7 +1,10 @@
 #pragma once
 
-#include "lessons/api/parameter.h"
+#include "lessons/api/step.h"
 
+#include <vector>
+
+/// The parameters of this lesson, and values of them that go well together.
 namespace walking_gait {
 
 lessons::Parameter leg();
@@ -26,5 +29,10 @@ lessons::Parameter push();
 lessons::Parameter distance();
 /// `felt_by`: both or one; who feels a push.
 lessons::Parameter feltBy();
+/// `left` and `right`: those of room(), without the floor.
+std::vector<lessons::Parameter> sideWalls();
+
+/// Ways to walk, by the values that make them.
+std::vector<lessons::Preset> gaits();
 
 }

@@ -9,6 +9,8 @@
 #include "sim/effects/fields/gravity.h"
 #include "sim/effects/springs/leg_spring.h"
 #include "sim/effects/springs/push.h"
+#include "sim/scene/scene.h"
+#include "sim/scene/values.h"
 
 #include <cmath>
 #include <numbers>
@@ -424,15 +426,11 @@ Scene setUp(const Values &values)
 namespace company {
 
 //! [company]
-Scene setUp(const Values &values)
+Scene inARow(int count, double speed)
 {
-    int count = values.whole("creatures");
-    double speed = values["speed"];
     Scene scene = crowd(count, 2);
     scene.start.gait.setZero(count);
     scene.start.gaitSpeed.setZero(count);
-    std::vector<int> feet, bodies, clockOf;
-    std::vector<Leg> legs;
     for (int i = 0; i < count; ++i) {
         double way = i - (count - 1) / 2.0;
         double x = 270 + way * 400 / count;
@@ -442,12 +440,27 @@ Scene setUp(const Values &values)
         scene.start.place(left, {x - 50, 350});
         scene.start.place(right, {x + 50, 350});
         scene.start.place(body, {x, 300});
-        legs.push_back({left, body, 0, i});
-        legs.push_back({right, body, pi, i});
         // towards the middle, out of step
         scene.start.gaitSpeed[i] =
             way > 0 ? -speed : speed;
         scene.start.gait[i] = i;
+    }
+    return scene;
+}
+
+Scene setUp(const Values &values)
+{
+    int count = values.whole("creatures");
+    double speed = values["speed"];
+    Scene scene = inARow(count, speed);
+    std::vector<int> feet, bodies, clockOf;
+    std::vector<Leg> legs;
+    for (int i = 0; i < count; ++i) {
+        int left = 3 * i;
+        int right = left + 1;
+        int body = left + 2;
+        legs.push_back({left, body, 0, i});
+        legs.push_back({right, body, pi, i});
         feet.push_back(left);
         feet.push_back(right);
         bodies.push_back(body);

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "sim/scene/scene.h"
-#include "sim/scene/values.h"
+#include "sim/forward.h"
 
 /// One scene a step, each set up by the same function name, so that the code of two steps differs only in what is
 /// new. The feet are points 0, 1, 2..., the body comes last.
@@ -38,6 +37,8 @@ namespace walls {
 sim::Scene setUp(const sim::Values &values);
 }
 namespace company {
+/// So many creatures with two feet each, which walk towards the middle.
+sim::Scene inARow(int count, double speed);
 sim::Scene setUp(const sim::Values &values);
 }
 

@@ -1,11 +1,13 @@
 #include "steps.h"
 
+#include "checks.h"
+#include "explanations.h"
 #include "lessons/api/parameters.h"
-#include "measures.h"
 #include "parameters.h"
-#include "picture.h"
 #include "scenes.h"
-#include "tries.h"
+#include "sim/scene/scene.h"
+#include "sim/scene/values.h"
+#include "view.h"
 
 #include <QCoreApplication>
 
@@ -27,6 +29,24 @@ Step stepOf(const char *id, const QString &title)
     return step;
 }
 
+/// A step whose creature walks on the ground.
+Step stepOnGround(const char *id, const QString &title)
+{
+    Step step = lessons::stepCalled("walking_gait", id, title);
+    step.look = onGround;
+    step.stands = stands;
+    step.guides = places;
+    step.measures = {walkingSpeed(), slip()};
+    return step;
+}
+
+/// Adds the parameters that all steps on the ground share, after those of `step`.
+void addCommon(Step &step)
+{
+    step.addParameters({lessons::gravity(), footBounce(), traction(), stiffness(0.1), damping(), leg(),
+                        drop(), curve(), lessons::ground()});
+}
+
 }
 
 Step bonesStep()
@@ -41,6 +61,7 @@ Step bonesStep()
         "(The tutorial behind this lesson says right, and in one passage that the leg is 75 px. Its code "
         "has left and 50, and its code is what runs here.)\n\n"
         "The body is a handle again: only your hand moves it.");
+    step.explanation = bonesExplanation();
     step.tries = bonesTries();
     step.scene = bones::setUp;
     step.look = plainLook;
@@ -57,6 +78,7 @@ Step legsStep()
         "Still it tells you something: how far the foot is from the body. At rest each line is as long as "
         "**leg** "
         "says, 50 px. While a foot swings, you see it stretch and shrink.");
+    step.explanation = legsExplanation();
     step.tries = legsTries();
     step.scene = legs::setUp;
     step.look = straightLegs;
@@ -74,6 +96,7 @@ Step feetBelowStep()
         "It comes after the bone: it does not turn with the leg's angle, and is the same for all feet.\n\n"
         "Each place is now 50 px to the side and 50 px down: 70.7 px from the body. The feet start in their "
         "places, so nothing moves until you move something.");
+    step.explanation = feetBelowExplanation();
     step.tries = feetBelowTries();
     step.scene = feet_below::setUp;
     step.look = straightLegs;
@@ -92,6 +115,7 @@ Step curvedLegsStep()
         "Halfway it is a quarter of the way to the foot, a quarter to the body, and half to the cross.\n\n"
         "The point is only drawn. The springs do not know of it, so the run is the same for every curve: "
         "the ghost proves it.");
+    step.explanation = curvedLegsExplanation();
     step.tries = curvedLegsTries();
     step.scene = curved_legs::setUp;
     step.look = curvedLegs;
@@ -110,6 +134,7 @@ Step swingStep()
         "At 0.05 rad a frame a full turn (2π, 6.28 rad) takes 126 frames.\n\n"
         "A foot is on a spring: it doesn't follow exactly. At this speed it goes round on 50.6 px where its "
         "place is 50 px out. Near the speed at which it would swing by itself, it goes much farther.");
+    step.explanation = swingExplanation();
     step.tries = swingTries();
     step.scene = swing::setUp;
     step.look = curvedLegs;
@@ -129,6 +154,7 @@ Step bodyPulledStep()
         "can change it. Only damping takes from it, and your hand.\n\n"
         "Let it run: the legs pull the body left and right just as hard at every moment. It stays where it "
         "is. Legs alone get nowhere: there must be something to stand on.");
+    step.explanation = bodyPulledExplanation();
     step.tries = bodyPulledTries();
     step.scene = body_pulled::setUp;
     step.look = curvedLegs;
@@ -153,6 +179,7 @@ Step groundStep()
         "A standing foot is stopped **after** it moved. So it slips a little in each frame, 0.4 px on the "
         "average. In steps of half a frame it slips 0.25 px, and walks 1.4 px a frame instead of 1.2.\n\n"
         "From here on k is 0.1.");
+    step.explanation = groundExplanation();
     step.tries = groundTries();
     step.scene = walking_gait::ground::setUp;
     step.look = onGround;
@@ -160,54 +187,6 @@ Step groundStep()
     step.guides = places;
     step.measures = {walkingSpeed(), slip()};
     return step;
-}
-
-namespace {
-
-/// A step whose creature walks on the ground.
-Step stepOnGround(const char *id, const QString &title)
-{
-    Step step = lessons::stepCalled("walking_gait", id, title);
-    step.look = onGround;
-    step.stands = stands;
-    step.guides = places;
-    step.measures = {walkingSpeed(), slip()};
-    return step;
-}
-
-/// Adds the parameters that all steps on the ground share, after those of `step`.
-void addCommon(Step &step)
-{
-    step.addParameters({lessons::gravity(), footBounce(), traction(), stiffness(0.1), damping(), leg(),
-                        drop(), curve(), lessons::ground()});
-}
-
-/// `left` and `right`.
-std::vector<Parameter> sideWalls()
-{
-    std::vector<Parameter> all = room();
-    all.pop_back(); // the floor
-    return all;
-}
-
-std::vector<Preset> gaits()
-{
-    return {
-        {Text::tr("Centipede"),
-         Text::tr("Twelve feet, one after the other: the body glides."),
-         {{"feet", 12.0}}},
-        {Text::tr("Trot"),
-         Text::tr("Four feet in two pairs: it bobs like one with two feet."),
-         {{"feet", 4.0}, {"spread", 720.0}}},
-        {Text::tr("Limp"),
-         Text::tr("Three feet close behind each other, then a pause."),
-         {{"feet", 3.0}, {"spread", 180.0}}},
-        {Text::tr("Runner"),
-         Text::tr("A fast clock: no foot touches the ground for long."),
-         {{"feet", 4.0}, {"speed", 0.15}}},
-    };
-}
-
 }
 
 Step moreFeetStep()
@@ -221,6 +200,7 @@ Step moreFeetStep()
         "Two feet carry the body up and down by 55 px. With five it is 4 px, with twelve 1 px: some foot is "
         "always on its way down. They walk faster, too, 1.4 px a frame instead of 1.2.\n\n"
         "At a spread of 0 all step together. The body falls and rises, and it gets nowhere.");
+    step.explanation = moreFeetExplanation();
     step.tries = moreFeetTries();
     step.scene = more_feet::setUp;
     step.presetGallery = gaits();
@@ -241,6 +221,7 @@ Step steeringStep()
         "**top speed**, half as far for half of it, and to the left it is negative.\n\n"
         "Neither gets past the top speed, 0.15 either way. Let go, and the creature keeps the speed that it "
         "has.");
+    step.explanation = steeringExplanation();
     step.tries = steeringTries();
     step.scene = steering::setUp;
     step.does = {Does::hand, Does::pointer, Does::keys};
@@ -263,6 +244,7 @@ Step wallsStep()
         "*walk on* it walks against the wall for good. Its standing feet then slip 1.1 px a frame, more than "
         "twice as much as on its way.\n\n"
         "You can steer it, as before: with the arrow keys, or with the pointer while its button is down.");
+    step.explanation = wallsExplanation();
     step.tries = wallsTries();
     step.scene = walls::setUp;
     step.look = inRoom;
@@ -285,6 +267,7 @@ Step companyStep()
         "and two creatures that meet share their momentum out anew; the push makes none and loses none. "
         "(The ground does: it stops feet.) With **felt by** on one, the second feels nothing. Then each "
         "push makes momentum from nothing.");
+    step.explanation = companyExplanation();
     step.tries = companyTries();
     step.scene = company::setUp;
     step.look = inRoom;

@@ -1,5 +1,7 @@
 #include "sim/analysis/gathered.h"
 
+#include "sim/run/script/segment.h"
+
 #include <algorithm>
 
 namespace sim {

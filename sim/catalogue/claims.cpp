@@ -4,6 +4,7 @@
 #include "sim/effects/drags/damping.h"
 #include "sim/effects/springs/body_spring.h"
 #include "sim/methods/adaptive/advance.h"
+#include "sim/pipeline/pipeline.h"
 #include "sim/simd/flush.h"
 
 #include <algorithm>

@@ -1,5 +1,7 @@
 #include "sim/catalogue/hard_case.h"
 
+#include "sim/pipeline/method.h"
+
 #include <algorithm>
 
 namespace sim {

@@ -1,6 +1,7 @@
 #include "sim/catalogue/hard_cases.h"
 
 #include "sim/catalogue/families/families.h"
+#include "sim/scene/scene.h"
 
 #include <iterator>
 

@@ -2,6 +2,7 @@
 
 #include "sim/analysis/accuracy/run.h"
 #include "sim/analysis/stability/remedies/stick_fit.h"
+#include "sim/run/script/segment.h"
 
 #include <cmath>
 #include <sstream>

@@ -7,9 +7,6 @@
 
 namespace sim {
 
-struct Blueprint;
-class Values;
-
 /// A variable of an effect's shown code.
 struct Variable
 {

@@ -12,9 +12,6 @@
 
 namespace sim {
 
-/// Whether somebody still waits for what may take long; asked now and then on the way.
-using GoesOn = std::function<bool()>;
-
 /// Work on some of a scene's points: found out once, done again each step.
 using PartWork = std::function<void(State &)>;
 
@@ -134,7 +131,5 @@ public:
     /// @throws Error "method-does-not-fit" (method, effect) for an effect that the method cannot handle
     virtual std::vector<Phase> phases(const Scene &scene, StepSize step) const = 0;
 };
-
-using MethodPtr = std::shared_ptr<const Method>;
 
 }

@@ -1,5 +1,6 @@
 #include "sim/run/phase_before.h"
 
+#include "sim/run/script/segment.h"
 #include "sim/simd/flush.h"
 
 namespace sim {

@@ -1,5 +1,7 @@
 #include "sim/run/timeline.h"
 
+#include "sim/run/script/segment.h"
+
 #include <algorithm>
 
 namespace sim {
@@ -7,6 +9,11 @@ namespace sim {
 Timeline::Timeline(Script script, std::size_t budget)
     : m_track(std::move(script), budget / 2), m_budget(budget)
 {
+}
+
+const Values &Timeline::values() const
+{
+    return m_track.next()->values;
 }
 
 void Timeline::seek(Cursor target)

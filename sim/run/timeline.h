@@ -2,6 +2,12 @@
 
 #include "sim/run/track.h"
 
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
 namespace sim {
 
 /// A run that a learner steers: a cursor that goes anywhere, input at the cursor, and the run as it was before
@@ -52,7 +58,7 @@ public:
     /// Whether input waits for the row at the cursor that has not been computed since.
     bool hasPending() const;
     /// The parameters in force for the row at the cursor.
-    const Values &values() const { return m_track.next()->values; }
+    const Values &values() const;
 
     /// The run as it was before the last change to its past, at the cursor's frame; null if there is none.
     const Track *ghost() const { return m_ghost ? &*m_ghost : nullptr; }

@@ -4,6 +4,7 @@
 #include "sim/run/finite.h"
 #include "sim/run/guilt.h"
 #include "sim/run/script/row_start.h"
+#include "sim/run/script/segment.h"
 #include "sim/simd/flush.h"
 
 #include <algorithm>
@@ -79,6 +80,11 @@ Track::NewInput Track::prepared(std::vector<Event> events, std::int64_t frame) c
     segments.replace(changed);
     segments.check(changed, frame);
     return {std::move(changed.input), frame, std::move(segments)};
+}
+
+int Track::phasesPerRow() const
+{
+    return next()->pipeline.phasesPerRow();
 }
 
 void Track::seek(Cursor target)

@@ -1,14 +1,20 @@
 #pragma once
 
+#include "sim/forward.h"
 #include "sim/run/history.h"
 #include "sim/run/script/segments.h"
 #include "sim/run/sleeping/block_sleep.h"
+#include "sim/scene/live.h"
 #include "sim/simd/crew.h"
 
 #include <compare>
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace sim {
 
@@ -72,7 +78,7 @@ public:
     std::shared_ptr<const Segment> shownPtr() const { return m_segment; }
     /// The segment whose phases run next.
     std::shared_ptr<const Segment> next() const { return segmentAt(m_at.frame + rowFrames()); }
-    int phasesPerRow() const { return next()->pipeline.phasesPerRow(); }
+    int phasesPerRow() const;
 
     /// Goes to `target`. A frame between two rows is rounded down to a row; a phase past the row's last leads to
     /// the next row; past the end of the run it goes to stop()->frame, from inside the row that fails to the last

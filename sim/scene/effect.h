@@ -1,6 +1,9 @@
 #pragma once
 
 #include "sim/base/direction.h"
+#include "sim/forward.h"
+#include "sim/scene/live.h"
+#include "sim/scene/region.h"
 #include "sim/scene/state.h"
 
 #include <functional>
@@ -16,14 +19,6 @@
 
 namespace sim {
 
-/// A part of a source file between two lines `//! [marker]`: what the code panel shows.
-struct Region
-{
-    std::string file; ///< from the project's top folder, with slashes
-    std::string marker;
-    friend auto operator<=>(const Region &, const Region &) = default;
-};
-
 /// A run of neighbouring points.
 struct Points
 {
@@ -37,14 +32,6 @@ struct Points
 /// What kind of thing acts. It decides the colour.
 enum class Kind { spring, gravity, damping, contact, driver, wind, stick, motion };
 
-/// A named number (or pair) that a formula computed: `name` is the variable's name in the shown code.
-struct Live
-{
-    std::string name;
-    std::variant<double, Vec2> value;
-    std::optional<std::variant<double, Vec2>> before = {}; ///< set when the line changes what it had
-};
-
 /// What the work of an effect on a point depends on, besides the effect's own numbers.
 enum class Sees {
     tied, ///< that point, and those that Effect::ties() ties to it, straight or by way of others; nothing else
@@ -56,7 +43,6 @@ enum class Sees {
 using Tie = std::pair<int, int>;
 
 struct RestEnd;
-struct Taken;
 class Driver;
 class Force;
 class Torque;
@@ -260,8 +246,6 @@ public:
     /// The surfaces that `point` meets: what resolve() comes to when steps get small.
     virtual std::vector<Surface> surfaces(int point) const = 0;
 };
-
-using EffectPtr = std::shared_ptr<const Effect>;
 
 /// Returns `effect` as a Force, a Drag, ...; null where it has another role.
 template <class Type>

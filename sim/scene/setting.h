@@ -12,11 +12,11 @@ enum class Meaning {
 /// A number that a learner sets: of the whole scene, or of each point. Texts are in English; see SIM_TEXT.
 struct Setting
 {
-    const char *id; ///< in files and in the shown code: lower case with underscores
-    const char *name;
-    const char *symbol; ///< as formulas write it; may be empty
-    const char *unit;   ///< may be empty
-    const char *help;   ///< one sentence: what it does
+    const char *id = ""; ///< in files and in the shown code: lower case with underscores
+    const char *name = "";
+    const char *symbol = ""; ///< as formulas write it; may be empty
+    const char *unit = "";   ///< may be empty
+    const char *help = "";   ///< one sentence: what it does
     double preset = 0.0;
     double min = 0.0; ///< the least and the most that files may give
     double max = 1.0;

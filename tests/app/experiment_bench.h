@@ -1,6 +1,8 @@
 #pragma once
 
 #include "app/model/experiment.h"
+#include "sim/pipeline/method.h"
+#include "sim/scene/scene.h"
 
 #include <QTest>
 

@@ -4,6 +4,9 @@
 #include "app/model/lesson_library.h"
 #include "sim/base/error.h"
 #include "sim/methods/methods.h"
+#include "sim/pipeline/pipeline.h"
+#include "sim/run/script/script.h"
+#include "sim/run/script/segment.h"
 
 #include <QTest>
 

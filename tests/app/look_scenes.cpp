@@ -1,5 +1,8 @@
 #include "look_scenes.h"
 
+#include "lessons/api/view/look.h"
+#include "sim/scene/scene.h"
+
 #include <cmath>
 #include <numbers>
 

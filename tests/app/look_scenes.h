@@ -1,6 +1,8 @@
 #pragma once
 
 #include "lessons/api/step.h"
+#include "lessons/api/view/look.h"
+#include "sim/scene/scene.h"
 #include "sim/scenes/points.h"
 
 /// Small scenes for what a look can say, each with points that go where a formula puts them.

@@ -1,6 +1,7 @@
 #include "random_experiment.h"
 
 #include "random_sheet.h"
+#include "sim/run/script/script.h"
 
 #include "sim/base/error.h"
 #include "sim/base/random.h"

@@ -1,6 +1,7 @@
 #include "random_gestures.h"
 
 #include "sim/methods/methods.h"
+#include "sim/run/script/segment.h"
 
 #include <QCoreApplication>
 

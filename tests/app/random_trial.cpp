@@ -5,6 +5,8 @@
 #include "app/model/guides.h"
 #include "app/model/numbers.h"
 #include "app/model/sentences.h"
+#include "lessons/api/view/look.h"
+#include "sim/run/script/segment.h"
 
 #include <QRegularExpression>
 

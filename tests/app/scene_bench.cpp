@@ -2,10 +2,12 @@
 
 #include "lessons/api/creature.h"
 #include "lessons/api/parameters.h"
+#include "lessons/api/view/creature_look.h"
 #include "sim/effects/contacts/walls.h"
 #include "sim/effects/drags/damping.h"
 #include "sim/effects/fields/gravity.h"
 #include "sim/effects/springs/point_spring.h"
+#include "sim/run/script/segment.h"
 
 #include <QApplication>
 #include <QMouseEvent>
@@ -72,8 +74,9 @@ LessonLibrary sceneLibrary()
     lone.look = [](const sim::Scene &scene, const sim::Values &) { return lessons::creatureLook(scene); };
     lone.guides = [](const sim::Scene &, const sim::State &state, const sim::Values &) {
         using Shape = lessons::Guide::Shape;
-        return std::vector<lessons::Guide>{{Shape::ring, {270, 200}, {}, 30.0, {}},
-                                           {Shape::line, {270, 200}, state.at(0), 0.0, "dx"}};
+        return std::vector<lessons::Guide>{
+            {.shape = Shape::ring, .a = {270, 200}, .size = 30.0},
+            {.shape = Shape::line, .a = {270, 200}, .b = state.at(0), .label = "dx"}};
     };
     LessonEntry entry;
     entry.id = "scene";

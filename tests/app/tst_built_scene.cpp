@@ -3,6 +3,7 @@
 #include "app/model/blueprint_limits.h"
 #include "app/model/experiment.h"
 #include "refusals.h"
+#include "sim/effects/all_effects.h"
 
 #include <QTest>
 

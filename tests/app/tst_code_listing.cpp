@@ -1,3 +1,5 @@
+#include "sim/run/script/script.h"
+#include "sim/run/script/segment.h"
 #include "tests/app/listing_bench.h"
 
 #include <QFile>

@@ -1,5 +1,6 @@
 // What is measured of a run, and how it is shown.
 
+#include "lessons/api/view/look.h"
 #include "look_scenes.h"
 
 #include "app/model/course.h"
@@ -73,13 +74,14 @@ lessons::Step whole()
     sim::Scene scene = scenes::pointsAt({{start, 100}});
     look_scenes::letGlide(scene, {speed, 0.0});
     lessons::Step step = look_scenes::step("whole", scene, look_scenes::feetOnly(scene));
-    lessons::Measure measure = {"Step", "frames", "The step of the run.", 2, {}};
+    lessons::Measure measure = {
+        .name = "Step", .unit = "frames", .help = "The step of the run.", .decimals = 2};
     measure.ofRun = [](const sim::Script &script, const sim::Scene &, const sim::State &, const sim::State *,
                        const sim::Values &) { return script.step.h; };
     step.measures = {measure};
     step.guidesOfRun = [](const sim::Script &script, const sim::State &, std::int64_t frame) {
         return std::vector<lessons::Guide>{
-            {lessons::Guide::Shape::cross, {double(frame), script.step.h}, {}, 0.0, {}}};
+            {.shape = lessons::Guide::Shape::cross, .a = {double(frame), script.step.h}}};
     };
     const auto came = [](const sim::Timeline &run) { return run.at().frame >= 10; };
     const double anyPrice = std::numeric_limits<double>::infinity();

@@ -1,5 +1,7 @@
 #include "experiment_bench.h"
 #include "sim/methods/methods.h"
+#include "sim/pipeline/method.h"
+#include "sim/run/track.h"
 
 #include <QDir>
 #include <QFile>

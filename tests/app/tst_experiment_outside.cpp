@@ -1,6 +1,7 @@
 // Events that only some steps let in, and points and sticks that a file gives in place of a step's own.
 
 #include "refusals.h"
+#include "sim/run/timeline.h"
 
 #include <QTest>
 

@@ -20,7 +20,7 @@ LessonLibrary teaching(const std::vector<lessons::Term> &terms)
         lessons::Step step;
         step.id = "step" + QString::number(lesson.steps.size());
         step.title = "Step " + QString::number(lesson.steps.size());
-        step.terms = {term};
+        step.explanation.terms = {term};
         lesson.steps.push_back(step);
     }
     LessonLibrary library;

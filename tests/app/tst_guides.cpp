@@ -1,6 +1,9 @@
 // Which of a step's explaining lines are drawn.
 
 #include "app/model/guides.h"
+#include "lessons/api/view/look.h"
+#include "sim/run/script/segment.h"
+#include "sim/run/track.h"
 
 #include "app/model/experiment.h"
 

@@ -32,13 +32,13 @@ LessonLibrary toldLessons()
     LessonLibrary library = twoLessons();
     lessons::Step &first = library.lessons[0].steps[0];
     first.narration = "A **spring** pulls the foot. It is a spring.";
-    first.learnt = "A spring pulls.";
+    first.explanation.learnt = "A spring pulls.";
     first.tries[0].hint = "Press **Right** five times.";
     first.tries.push_back(first.tries[0]);
     first.tries[1].hint = "Press it once more.";
-    first.whys = {{"Why twice the pull?", "Because\n\n`pull = k × distance`"}};
-    first.terms = {{"Spring", "spring|springs", "It pulls together what is too far apart."}};
-    library.lessons[1].steps[0].terms = {{"Damping", "damping", "A share that is kept."}};
+    first.explanation.whys = {{"Why twice the pull?", "Because\n\n`pull = k × distance`"}};
+    first.explanation.terms = {{"Spring", "spring|springs", "It pulls together what is too far apart."}};
+    library.lessons[1].steps[0].explanation.terms = {{"Damping", "damping", "A share that is kept."}};
     return library;
 }
 
@@ -216,7 +216,9 @@ void LearningAidsTest::whatIsBegunSaysWhatIsMissing()
 
 void LearningAidsTest::whatIsToStopCountsOnlyWhileTheRunStands()
 {
-    World world{lessonsWith(toFrameFive().stopped())};
+    lessons::Try one = toFrameFive();
+    one.whileStopped = true;
+    World world{lessonsWith(one)};
     LearnPanel panel(world.session, world.theme);
     show(panel, {280, 732});
     const TryBox &box = *panel.findChild<TryBox *>();
@@ -231,7 +233,9 @@ void LearningAidsTest::whatIsToStopCountsOnlyWhileTheRunStands()
 
 void LearningAidsTest::anAnswerAppearsWhenItsQuestionIsTickedOff()
 {
-    World world{lessonsWith(toFrameFive().answered("Nothing *new*."))};
+    lessons::Try one = toFrameFive();
+    one.answer = "Nothing *new*.";
+    World world{lessonsWith(one)};
     LearnPanel panel(world.session, world.theme);
     show(panel, {280, 732});
     const auto found = panel.findChildren<TryBox *>();

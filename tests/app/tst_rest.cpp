@@ -2,7 +2,7 @@
 
 #include "tests/app/time_bench.h"
 
-#include "lessons/api/checks.h"
+#include "lessons/api/checks/run_queries.h"
 
 #include <QSignalSpy>
 #include <QTest>

@@ -1,7 +1,10 @@
 // The scenes that come with the sandbox: each does what it is there for.
 
 #include "app/model/experiment.h"
+#include "lessons/api/view/look.h"
 #include "sim/analysis/energy/stock.h"
+#include "sim/run/script/segment.h"
+#include "sim/run/track.h"
 
 #include <QDir>
 #include <QTest>

@@ -3,6 +3,7 @@
 #include "app/model/rest_marks.h"
 #include "app/ui/scene/arrows.h"
 #include "lessons/api/creature.h"
+#include "lessons/api/view/creature_look.h"
 #include "look_scenes.h"
 #include "scene_bench.h"
 #include "sim/effects/springs/springs.h"
@@ -247,7 +248,7 @@ void SceneDrawingTest::noArrowRunsThroughTheLegend()
         // A wide line along the row of the legend, at whatever height that is.
         std::vector<lessons::Guide> lines;
         for (double y = 300.0; y < 500.0; y += 0.5)
-            lines.push_back({lessons::Guide::Shape::line, {0, y}, {1000, y}, 0.0, {}});
+            lines.push_back({.shape = lessons::Guide::Shape::line, .a = {0, y}, .b = {1000, y}});
         return lines;
     };
     SceneBench bench({step});

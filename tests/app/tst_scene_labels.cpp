@@ -5,6 +5,7 @@
 #include "app/ui/scene/free_area.h"
 #include "app/ui/scene/guide_labels.h"
 #include "app/ui/scene/label_places.h"
+#include "lessons/api/view/look.h"
 #include "look_scenes.h"
 #include "scene_bench.h"
 
@@ -125,8 +126,10 @@ void SceneLabelsTest::aNameCoversNoArrow()
     shown.text = bench.theme.ui(12);
     const double angle = degrees * std::numbers::pi / 180.0;
     const sim::Vec2 pull = {3.0 * std::cos(angle), 3.0 * std::sin(angle)};
-    shown.picture.guides = {
-        {lessons::Guide::Shape::arrow, shown.state().at(0), pull, 0.0, "a pull with a long name"}};
+    shown.picture.guides = {{.shape = lessons::Guide::Shape::arrow,
+                             .a = shown.state().at(0),
+                             .b = pull,
+                             .label = "a pull with a long name"}};
     const Camera camera(bench.view.viewportTransform());
     const QRectF view(bench.view.viewport()->rect());
     const std::vector<GuideLabel> labels = guideLabels(shown, camera, bench.theme, view);
@@ -164,8 +167,10 @@ void SceneLabelsTest::aPullThatIsNotSeenHasNoName()
     const Camera camera(bench.view.viewportTransform());
     const QRectF view(bench.view.viewport()->rect());
     for (const auto &[pull, labels] : {std::pair{3.0, 1U}, {0.0, 0U}}) {
-        shown.picture.guides = {
-            {lessons::Guide::Shape::arrow, shown.state().at(0), {pull, 0.0}, 0.0, "a pull"}};
+        shown.picture.guides = {{.shape = lessons::Guide::Shape::arrow,
+                                 .a = shown.state().at(0),
+                                 .b = {pull, 0.0},
+                                 .label = "a pull"}};
         QCOMPARE(guideLabels(shown, camera, bench.theme, view).size(), labels);
     }
 }

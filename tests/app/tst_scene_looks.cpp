@@ -1,6 +1,7 @@
 // What a look can say, as it is drawn: legs, sticks, skins, tentacles, what is hidden.
 
 #include "app/ui/scene/sticks.h"
+#include "lessons/api/view/look.h"
 #include "look_scenes.h"
 #include "scene_bench.h"
 
@@ -484,7 +485,7 @@ void SceneLooksTest::windStandsStillWithTime()
     sim::Scene scene = scenes::pointsAt({{100, 100}});
     lessons::Step step = look_scenes::step("wind", scene, withoutGridOrDiscs(scene));
     step.guides = [](const sim::Scene &, const sim::State &, const sim::Values &) {
-        return std::vector<lessons::Guide>{{lessons::Guide::Shape::wind, {270, 200}, {}, 0.0, {}}};
+        return std::vector<lessons::Guide>{{.shape = lessons::Guide::Shape::wind, .a = {270, 200}}};
     };
     SceneBench bench({step});
     const auto streaks = [&bench](std::int64_t frame) {

@@ -2,6 +2,8 @@
 // of SUNDIALS with a right-hand side written by hand. See creature_in_air.h.
 
 #include "creature_in_air.h"
+#include "sim/pipeline/pipeline.h"
+#include "sim/run/script/script.h"
 #include "support.h"
 
 #include "sim/effects/drags/damping.h"

@@ -1,5 +1,6 @@
 #include "tests/lessons/course.h"
 
+#include "sim/run/script/segment.h"
 #include "sim/run/track.h"
 
 #include <algorithm>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "sim/run/track.h"
+#include "sim/scene/state.h"
 #include "tests/lessons/support.h"
 
 #include <cmath>

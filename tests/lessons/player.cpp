@@ -1,6 +1,8 @@
 #include "tests/lessons/player.h"
 
 #include "sim/methods/methods.h"
+#include "sim/run/script/segment.h"
+#include "sim/run/timeline.h"
 
 #include <limits>
 

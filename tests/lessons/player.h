@@ -1,6 +1,7 @@
 #pragma once
 
 #include "lessons/api/step.h"
+#include "sim/run/timeline.h"
 
 #include <cstdint>
 #include <string>

@@ -1,6 +1,8 @@
 #include "tests/lessons/published_files.h"
 
 #include "sim/methods/methods.h"
+#include "sim/run/script/segment.h"
+#include "sim/run/timeline.h"
 
 #include <QDir>
 #include <QFile>

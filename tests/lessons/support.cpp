@@ -2,6 +2,8 @@
 
 #include "lessons/api/lesson.h"
 #include "sim/methods/methods.h"
+#include "sim/run/script/script.h"
+#include "sim/run/track.h"
 
 #include <QDir>
 #include <QFile>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "lessons/api/step.h"
+#include "sim/run/script/script.h"
 
 #include <QJsonObject>
 #include <QString>

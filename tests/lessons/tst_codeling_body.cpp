@@ -1,5 +1,7 @@
 // The soft body of a codeling: spine, volume and tentacles, over many moves.
 
+#include "sim/run/track.h"
+#include "sim/scene/scene.h"
 #include "tests/lessons/codeling_targets.h"
 #include "tests/lessons/support.h"
 

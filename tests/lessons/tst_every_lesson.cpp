@@ -1,3 +1,7 @@
+#include "lessons/api/view/look.h"
+#include "sim/run/script/script.h"
+#include "sim/run/script/segment.h"
+#include "sim/run/timeline.h"
 #include "tests/lessons/support.h"
 #include "tests/sizes.h"
 

@@ -1,8 +1,11 @@
 // The exact run beside a run, and the budgets that it decides: on the lesson `accuracy`, against other solutions.
 
-#include "lessons/api/budget.h"
-#include "lessons/api/exact_run.h"
+#include "lessons/api/checks/budget.h"
+#include "lessons/api/checks/exact_run.h"
+#include "lessons/api/view/look.h"
 #include "sim/methods/methods.h"
+#include "sim/run/script/script.h"
+#include "sim/run/track.h"
 #include "tests/lessons/accuracy_truths.h"
 #include "tests/lessons/support.h"
 

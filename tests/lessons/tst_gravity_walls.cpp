@@ -1,3 +1,7 @@
+#include "lessons/api/view/look.h"
+#include "sim/pipeline/pipeline.h"
+#include "sim/run/script/script.h"
+#include "sim/scene/scene.h"
 #include "tests/lessons/attempts.h"
 #include "tests/lessons/published_files.h"
 #include "tests/lessons/tutorial_match.h"

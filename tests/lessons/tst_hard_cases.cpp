@@ -1,6 +1,8 @@
 // The lesson of hard cases: what breaks, and where its texts say so.
 
 #include "hard_cases_bench.h"
+#include "sim/run/script/script.h"
+#include "sim/scene/scene.h"
 
 #include "sim/base/direction.h"
 #include "tests/lessons/attempts.h"

@@ -1,6 +1,7 @@
 // The lesson of hard cases: small steps, implicit methods, sticks, and methods that lose nothing, which hold.
 
 #include "hard_cases_bench.h"
+#include "sim/run/script/script.h"
 
 #include <QTest>
 

@@ -1,3 +1,4 @@
+#include "sim/run/script/script.h"
 #include "tests/lessons/support.h"
 
 #include "sim/base/error.h"

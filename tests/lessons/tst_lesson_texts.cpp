@@ -76,7 +76,7 @@ private slots:
     {
         if (stepOfRow().points == lessons::PointsFrom::scene)
             return; // what is learnt there, the learner decides
-        const QString learnt = stepOfRow().learnt;
+        const QString learnt = stepOfRow().explanation.learnt;
         QVERIFY(learnt.size() >= 30 && learnt.size() <= 160);
         QVERIFY2(learnt.endsWith(u'.') && !learnt.contains(QRegularExpression(u"[.!?] "_qs)), "one sentence");
     }
@@ -85,7 +85,7 @@ private slots:
     void formulasOfAnswersFitIntoALine_data() { addStepRows(); }
     void formulasOfAnswersFitIntoALine()
     {
-        for (const lessons::Why &why : stepOfRow().whys) {
+        for (const lessons::Why &why : stepOfRow().explanation.whys) {
             QVERIFY2(why.question.endsWith(u'?'), qPrintable(why.question));
             QVERIFY2(why.answer.contains(u'`'), qPrintable(why.question));
             for (const QString &part : why.answer.split(u"\n\n"_qs)) {

@@ -1,3 +1,4 @@
+#include "sim/scene/scene.h"
 #include "tests/lessons/attempts.h"
 #include "tests/lessons/published_files.h"
 #include "tests/lessons/tutorial_match.h"

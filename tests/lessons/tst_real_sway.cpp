@@ -1,4 +1,9 @@
 #include "sim/effects/tree/torsion.h"
+#include "sim/run/script/script.h"
+#include "sim/run/script/segment.h"
+#include "sim/run/track.h"
+#include "sim/scene/scene.h"
+#include "sim/scene/values.h"
 #include "tests/lessons/support.h"
 
 #include <QTest>

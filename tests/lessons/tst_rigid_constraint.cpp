@@ -1,3 +1,4 @@
+#include "sim/run/script/script.h"
 #include "tests/lessons/attempts.h"
 #include "tests/lessons/published_files.h"
 

@@ -1,5 +1,8 @@
 // Points and sticks that move by themselves: steps `verlet` and `ragdoll`.
 
+#include "sim/run/script/script.h"
+#include "sim/run/track.h"
+#include "sim/scene/scene.h"
 #include "tests/lessons/support.h"
 
 #include "sim/effects/constraints/sticks.h"

@@ -1,5 +1,8 @@
+#include "lessons/api/view/look.h"
 #include "sim/base/direction.h"
 #include "sim/effects/tree/tree_wind.h"
+#include "sim/run/script/segment.h"
+#include "sim/run/timeline.h"
 #include "tests/lessons/attempts.h"
 #include "tests/lessons/printed_tree.h"
 #include "tests/lessons/published_files.h"

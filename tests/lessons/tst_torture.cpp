@@ -1,8 +1,10 @@
 // The torture panel: each hard case under any method, with a note on what the method claims and what came of it.
 
+#include "lessons/api/view/look.h"
 #include "sim/catalogue/hard_cases.h"
 #include "sim/catalogue/judge.h"
 #include "sim/methods/methods.h"
+#include "sim/run/track.h"
 #include "tests/lessons/support.h"
 
 #include <QTest>

@@ -1,4 +1,6 @@
 #include "sim/base/error.h"
+#include "sim/run/script/segment.h"
+#include "sim/run/timeline.h"
 #include "tests/lessons/support.h"
 
 #include <QTest>

@@ -1,5 +1,10 @@
+#include "lessons/api/view/look.h"
 #include "sim/effects/drivers/gust.h"
 #include "sim/effects/tree/wind_torque.h"
+#include "sim/run/script/script.h"
+#include "sim/run/script/segment.h"
+#include "sim/run/track.h"
+#include "sim/scene/scene.h"
 #include "tests/lessons/support.h"
 
 #include <QTest>

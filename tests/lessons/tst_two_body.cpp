@@ -1,8 +1,10 @@
+#include "lessons/api/view/look.h"
+#include "sim/scene/scene.h"
 #include "tests/lessons/attempts.h"
 #include "tests/lessons/published_files.h"
 #include "tests/lessons/tutorial_match.h"
 
-#include "lessons/api/checks.h"
+#include "lessons/api/checks/run_queries.h"
 
 #include <QTest>
 

@@ -1,3 +1,5 @@
+#include "lessons/api/view/look.h"
+#include "sim/run/track.h"
 #include "tests/lessons/course.h"
 #include "tests/lessons/support.h"
 

@@ -1,3 +1,4 @@
+#include "lessons/api/view/look.h"
 #include "tests/lessons/attempts.h"
 #include "tests/lessons/published_files.h"
 #include "tests/lessons/walking_tutorial.h"

@@ -1,3 +1,6 @@
+#include "sim/run/script/script.h"
+#include "sim/run/script/segment.h"
+#include "sim/run/track.h"
 #include "tests/lessons/support.h"
 
 #include "sim/methods/methods.h"

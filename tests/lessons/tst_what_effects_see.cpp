@@ -1,3 +1,5 @@
+#include "sim/run/script/script.h"
+#include "sim/run/script/segment.h"
 #include "tests/lessons/support.h"
 
 #include <QTest>

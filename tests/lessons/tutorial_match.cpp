@@ -1,5 +1,8 @@
 #include "tests/lessons/tutorial_match.h"
 
+#include "sim/run/track.h"
+#include "sim/scene/scene.h"
+
 #include <algorithm>
 #include <cmath>
 

@@ -1,5 +1,6 @@
 #include "tests/lessons/walking_tutorial.h"
 
+#include "sim/run/track.h"
 #include "tests/lessons/tutorial_match.h"
 
 #include <algorithm>

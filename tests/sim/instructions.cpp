@@ -7,6 +7,8 @@
 #include "sim/analysis/cost/touched.h"
 #include "sim/effects/fields/gravity.h"
 #include "sim/methods/methods.h"
+#include "sim/pipeline/pipeline.h"
+#include "sim/run/script/script.h"
 #include "support.h"
 
 #include <valgrind/callgrind.h>

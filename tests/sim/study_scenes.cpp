@@ -1,5 +1,9 @@
 #include "study_scenes.h"
 
+#include "sim/effects/drags/damping.h"
+#include "sim/effects/springs/point_spring.h"
+#include "sim/pipeline/method.h"
+#include "sim/scene/scene.h"
 #include <cmath>
 
 namespace support {

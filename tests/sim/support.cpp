@@ -13,6 +13,8 @@
 #include "sim/effects/springs/offset_spring.h"
 #include "sim/effects/springs/push.h"
 #include "sim/methods/methods.h"
+#include "sim/pipeline/pipeline.h"
+#include "sim/run/script/script.h"
 #include "sim/simd/flush.h"
 
 #include <stdexcept>

@@ -1,6 +1,7 @@
 // Methods of higher order and those that choose their steps, against closed forms: order, tolerance, contacts located
 // in time, and that what they compute ahead changes nothing.
 
+#include "sim/pipeline/pipeline.h"
 #include "support.h"
 
 #include "sim/base/error.h"

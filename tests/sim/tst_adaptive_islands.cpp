@@ -2,6 +2,7 @@
 // whoever is in company run alike.
 
 #include "energy_bench.h"
+#include "sim/pipeline/pipeline.h"
 #include "support.h"
 
 #include "sim/effects/contacts/walls.h"

@@ -1,3 +1,4 @@
+#include "sim/run/script/segment.h"
 #include "support.h"
 
 #include "tests/bench/crowd.h"

@@ -1,5 +1,6 @@
 // Charges: the force law, its derivative and its energy against independent numbers, and that only charged points act.
 
+#include "sim/pipeline/pipeline.h"
 #include "support.h"
 
 #include "sim/effects/all_effects.h"

@@ -1,5 +1,6 @@
 // The direction between two points, and the rule for two points in one place.
 
+#include "sim/scene/scene.h"
 #include "support.h"
 
 #include "sim/effects/drags/damping.h"

@@ -1,5 +1,7 @@
 // Changing the past: ghosts, what happens to later input, and what an edit does to the bodies.
 
+#include "sim/scene/scene.h"
+#include "sim/scene/values.h"
 #include "support.h"
 
 #include "sim/base/error.h"

@@ -3,6 +3,7 @@
 #include "energy_bench.h"
 #include "energy_scenes.h"
 #include "implicit_scenes.h"
+#include "sim/run/script/segment.h"
 #include "support.h"
 
 #include "sim/analysis/energy/ledger.h"

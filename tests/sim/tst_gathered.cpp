@@ -1,5 +1,6 @@
 // The arrows of a half-done step: what each effect has gathered and no move has spent yet.
 
+#include "sim/run/script/segment.h"
 #include "support.h"
 
 #include "sim/analysis/gathered.h"

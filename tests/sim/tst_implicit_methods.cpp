@@ -1,6 +1,7 @@
 // Methods that solve for where things come to: their order, what they keep, and what no stiffness can break.
 
 #include "implicit_scenes.h"
+#include "sim/pipeline/pipeline.h"
 #include "support.h"
 
 #include "sim/base/error.h"

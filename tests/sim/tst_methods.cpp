@@ -1,5 +1,6 @@
 // The methods against closed forms and against each other.
 
+#include "sim/pipeline/pipeline.h"
 #include "support.h"
 
 #include "sim/effects/constraints/sticks.h"

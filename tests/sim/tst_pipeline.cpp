@@ -1,5 +1,6 @@
 // How a scene and a method become the phases of a frame.
 
+#include "sim/pipeline/pipeline.h"
 #include "support.h"
 
 #include "sim/base/error.h"

@@ -1,5 +1,6 @@
 // The published rule, v = (v + a) damp; x += v in turn, written out by hand and compared bit for bit.
 
+#include "sim/scene/scene.h"
 #include "support.h"
 
 #include "sim/effects/contacts/walls.h"

@@ -1,5 +1,6 @@
 // What keeps runs whole where they would break: each safeguard beside what happens without it.
 
+#include "sim/pipeline/pipeline.h"
 #include "support.h"
 
 #include "sim/base/direction.h"

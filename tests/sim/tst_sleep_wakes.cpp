@@ -1,5 +1,6 @@
 // What wakes a run that sleeps, and what keeps it awake.
 
+#include "sim/run/script/segment.h"
 #include "sleep_bench.h"
 
 #include <QTest>

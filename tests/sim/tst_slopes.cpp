@@ -1,5 +1,6 @@
 // How forces say that they change with places, against differences of what they add.
 
+#include "sim/pipeline/pipeline.h"
 #include "support.h"
 
 #include "sim/base/error.h"

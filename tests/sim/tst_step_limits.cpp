@@ -1,5 +1,6 @@
 // Where steps begin to fail: predicted from slopes, against closed forms and against runs.
 
+#include "sim/run/script/segment.h"
 #include "stability_bench.h"
 #include "support.h"
 

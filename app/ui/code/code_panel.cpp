@@ -5,6 +5,7 @@
 #include "app/ui/code/code_view.h"
 #include "app/ui/code/stop_list.h"
 #include "app/ui/theme/theme.h"
+#include "sim/run/script/segment.h"
 
 #include <QApplication>
 #include <QClipboard>

@@ -3,6 +3,7 @@
 #include "app/model/code_listing.h"
 #include "app/model/refusal.h"
 #include "app/ui/theme/theme.h"
+#include "sim/run/script/segment.h"
 
 #include <QCheckBox>
 #include <QHBoxLayout>

@@ -1,5 +1,7 @@
 #include "app/ui/measure/work_precision_layout.h"
 
+#include "sim/pipeline/method.h"
+
 #include <algorithm>
 #include <cmath>
 

@@ -1,6 +1,6 @@
 #include "app/ui/panels/grouped_choice.h"
 
-#include "lessons/api/choice_group.h"
+#include "lessons/api/parameter.h"
 
 #include <QMenu>
 

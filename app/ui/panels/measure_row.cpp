@@ -1,5 +1,7 @@
 #include "app/ui/panels/measure_row.h"
 
+#include "sim/run/script/segment.h"
+
 #include <QLocale>
 #include <QPainter>
 #include <QPainterPath>

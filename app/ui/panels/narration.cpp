@@ -172,7 +172,7 @@ void Narration::addWhys()
 {
     qDeleteAll(m_whys);
     m_whys.clear();
-    for (const lessons::Why &why : m_session.step().whys) {
+    for (const lessons::Why &why : m_session.step().explanation.whys) {
         m_whys.push_back(new WhyBox(why, m_theme, m_area->widget()));
         m_whyColumn->addWidget(m_whys.back());
         connect(m_whys.back(), &WhyBox::unfolded, this, [this, box = m_whys.back()](bool open) {

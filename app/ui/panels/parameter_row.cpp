@@ -1,11 +1,12 @@
 #include "app/ui/panels/parameter_row.h"
 
 #include "app/model/numbers.h"
+#include "sim/run/script/segment.h"
 
 #include "app/ui/panels/grouped_choice.h"
 #include "app/ui/panels/number_box.h"
 #include "app/ui/panels/parameter_slider.h"
-#include "lessons/api/choice_group.h"
+#include "lessons/api/parameter.h"
 
 #include <QAbstractItemView>
 #include <QComboBox>

@@ -3,6 +3,7 @@
 #include "app/model/quantity_words.h"
 #include "app/ui/plots/plot_card.h"
 #include "app/ui/plots/plots_panel.h"
+#include "sim/run/script/segment.h"
 
 #include <QLabel>
 #include <QMenu>

@@ -2,6 +2,7 @@
 
 #include "app/model/plot_list.h"
 #include "app/model/session.h"
+#include "sim/run/script/segment.h"
 
 #include <QMenu>
 

@@ -1,6 +1,7 @@
 #include "app/ui/sandbox/effect_switches.h"
 
 #include "app/model/sentences.h"
+#include "sim/effects/all_effects.h"
 
 #include <QCheckBox>
 #include <QGridLayout>

@@ -1,5 +1,7 @@
 #include "app/ui/scene/crowd.h"
 
+#include "lessons/api/view/look.h"
+
 #include <algorithm>
 #include <cmath>
 

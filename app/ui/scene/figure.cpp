@@ -1,6 +1,7 @@
 #include "app/ui/scene/figure.h"
 
 #include "app/ui/scene/crowd.h"
+#include "lessons/api/view/look.h"
 
 #include <algorithm>
 #include <cmath>

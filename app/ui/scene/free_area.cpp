@@ -2,6 +2,7 @@
 
 #include "app/model/sentences.h"
 #include "app/ui/scene/body_text.h"
+#include "sim/run/script/segment.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,6 +2,7 @@
 
 #include "app/ui/scene/free_area.h"
 #include "app/ui/scene/label_places.h"
+#include "lessons/api/view/look.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,6 +2,7 @@
 
 #include "app/ui/scene/layers.h"
 #include "app/ui/scene/material.h"
+#include "lessons/api/view/look.h"
 
 #include <cmath>
 

@@ -1,5 +1,7 @@
 #include "app/ui/scene/shown.h"
 
+#include "lessons/api/view/look.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 #include "app/ui/scene/sky.h"
 
+#include "lessons/api/view/look.h"
 #include "sim/base/random.h"
 
 #include <QPainterPath>

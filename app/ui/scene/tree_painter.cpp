@@ -2,6 +2,7 @@
 
 #include "app/ui/scene/crowd.h"
 #include "app/ui/scene/sky.h"
+#include "lessons/api/view/look.h"
 #include "sim/base/random.h"
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 #include "app/ui/time/phase_strip.h"
 
 #include "app/model/sentences.h"
+#include "sim/run/script/segment.h"
 
 #include <QFontMetricsF>
 #include <QPainterPath>

@@ -1,6 +1,7 @@
 #include "app/ui/time/run_view.h"
 
 #include "app/model/session.h"
+#include "sim/run/script/segment.h"
 
 #include <algorithm>
 #include <map>

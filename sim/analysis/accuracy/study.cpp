@@ -3,6 +3,7 @@
 #include "sim/analysis/accuracy/errors.h"
 #include "sim/analysis/accuracy/reference.h"
 #include "sim/analysis/accuracy/timing.h"
+#include "sim/scene/scene.h"
 
 #include <algorithm>
 #include <limits>

@@ -3,6 +3,8 @@
 #include "sim/analysis/accuracy/run.h"
 #include "sim/analysis/accuracy/samples.h"
 #include "sim/base/cpu_clock.h"
+#include "sim/pipeline/pipeline.h"
+#include "sim/scene/scene.h"
 #include "sim/simd/flush.h"
 
 #include <memory>

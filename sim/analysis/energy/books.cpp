@@ -1,5 +1,7 @@
 #include "sim/analysis/energy/books.h"
 
+#include "sim/pipeline/method.h"
+#include "sim/run/script/segment.h"
 #include "sim/simd/flush.h"
 
 #include <optional>

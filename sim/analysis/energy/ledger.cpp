@@ -2,6 +2,7 @@
 
 #include "sim/analysis/energy/books.h"
 #include "sim/run/script/carry_over.h"
+#include "sim/run/script/segment.h"
 
 #include <algorithm>
 

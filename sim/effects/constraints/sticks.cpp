@@ -142,9 +142,20 @@ bool Sticks::takeInto(Taken &into) const
 
 namespace {
 
-constexpr Setting sticksSettings[] = {{"iterations", SIM_TEXT("Iterations"), "", SIM_TEXT("passes"),
-                                       SIM_TEXT("How often each frame goes through the list of sticks."),
-                                       10.0, 1.0, 1000.0, 1.0, 50.0, 0, Meaning::passes, true}};
+constexpr Setting sticksSettings[] = {{
+    .id = "iterations",
+    .name = SIM_TEXT("Iterations"),
+    .unit = SIM_TEXT("passes"),
+    .help = SIM_TEXT("How often each frame goes through the list of sticks."),
+    .preset = 10.0,
+    .min = 1.0,
+    .max = 1000.0,
+    .sliderMin = 1.0,
+    .sliderMax = 50.0,
+    .decimals = 0,
+    .meaning = Meaning::passes,
+    .whole = true,
+}};
 
 }
 

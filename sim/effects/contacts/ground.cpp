@@ -70,9 +70,18 @@ bool Ground::takeInto(Taken &into) const
 
 namespace {
 
-constexpr Setting groundSettings[] = {{"ground", SIM_TEXT("Ground"), "", SIM_TEXT("px"),
-                                       SIM_TEXT("How far down the ground lies."), 380.0, -1e6, 1e6, 0.0,
-                                       440.0, 0}};
+constexpr Setting groundSettings[] = {{
+    .id = "ground",
+    .name = SIM_TEXT("Ground"),
+    .unit = SIM_TEXT("px"),
+    .help = SIM_TEXT("How far down the ground lies."),
+    .preset = 380.0,
+    .min = -1e6,
+    .max = 1e6,
+    .sliderMin = 0.0,
+    .sliderMax = 440.0,
+    .decimals = 0,
+}};
 
 EffectPtr buildGround(const Blueprint &plan, const Values &values)
 {

@@ -52,13 +52,43 @@ namespace {
 
 constexpr Setting rampSettings[] = {
     settings::bounce,
-    {"ramp", SIM_TEXT("Ramp"), "", SIM_TEXT("°"),
-     SIM_TEXT("How steeply it rises to the right. 0: level. 90: a wall on the right. 180: a ceiling."), 20.0,
-     -180.0, 180.0, -180.0, 180.0, 0},
-    {"ramp_x", SIM_TEXT("Ramp x"), "", SIM_TEXT("px"),
-     SIM_TEXT("How far to the right a place of the ramp is."), 270.0, -1e6, 1e6, 0.0, 540.0, 0},
-    {"ramp_y", SIM_TEXT("Ramp y"), "", SIM_TEXT("px"), SIM_TEXT("How far down that place is."), 320.0, -1e6,
-     1e6, 0.0, 400.0, 0}};
+    {
+        .id = "ramp",
+        .name = SIM_TEXT("Ramp"),
+        .unit = SIM_TEXT("°"),
+        .help =
+            SIM_TEXT("How steeply it rises to the right. 0: level. 90: a wall on the right. 180: a ceiling."),
+        .preset = 20.0,
+        .min = -180.0,
+        .max = 180.0,
+        .sliderMin = -180.0,
+        .sliderMax = 180.0,
+        .decimals = 0,
+    },
+    {
+        .id = "ramp_x",
+        .name = SIM_TEXT("Ramp x"),
+        .unit = SIM_TEXT("px"),
+        .help = SIM_TEXT("How far to the right a place of the ramp is."),
+        .preset = 270.0,
+        .min = -1e6,
+        .max = 1e6,
+        .sliderMin = 0.0,
+        .sliderMax = 540.0,
+        .decimals = 0,
+    },
+    {
+        .id = "ramp_y",
+        .name = SIM_TEXT("Ramp y"),
+        .unit = SIM_TEXT("px"),
+        .help = SIM_TEXT("How far down that place is."),
+        .preset = 320.0,
+        .min = -1e6,
+        .max = 1e6,
+        .sliderMin = 0.0,
+        .sliderMax = 400.0,
+        .decimals = 0,
+    }};
 
 EffectPtr buildRamp(const Blueprint &plan, const Values &values)
 {

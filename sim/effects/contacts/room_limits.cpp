@@ -49,9 +49,16 @@ constexpr Setting roomSettings[] = {
     settings::left,
     settings::right,
     settings::floor,
-    {"friction", SIM_TEXT("Friction"), "", "",
-     SIM_TEXT("How much a wall’s push holds back what slides along it. 0: like ice."), 0.5, 0.0, 10.0, 0.0,
-     2.0}};
+    {
+        .id = "friction",
+        .name = SIM_TEXT("Friction"),
+        .help = SIM_TEXT("How much a wall’s push holds back what slides along it. 0: like ice."),
+        .preset = 0.5,
+        .min = 0.0,
+        .max = 10.0,
+        .sliderMin = 0.0,
+        .sliderMax = 2.0,
+    }};
 
 EffectPtr buildRoom(const Blueprint &plan, const Values &values)
 {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/effects/contacts/room.h"
 #include "sim/effects/description.h"
 
 #include <cmath>
@@ -10,60 +11,52 @@ namespace described {
 extern const Description walls;
 }
 
-/// Where a room ends, and how much of its speed a body keeps when it bounces there.
-struct Room
-{
-    double left = 0.0;   ///< px
-    double right = 0.0;  ///< px
-    double floor = 0.0;  ///< px
-    double bounce = 1.0; ///< share of the speed across the wall that is kept, turned round
-
-    /// Whether neither side wall can ever be reached.
-    bool sidesAreFar() const { return std::isinf(left) && left < 0.0 && std::isinf(right) && right > 0.0; }
-};
-
 // The settings of rooms, which several effects read.
 namespace settings {
 
-inline constexpr Setting left = {"left",
-                                 SIM_TEXT("Left wall"),
-                                 "",
-                                 SIM_TEXT("px"),
-                                 SIM_TEXT("Where the left wall stands."),
-                                 20.0,
-                                 -1e6,
-                                 1e6,
-                                 0.0,
-                                 540.0,
-                                 0};
-inline constexpr Setting right = {"right",
-                                  SIM_TEXT("Right wall"),
-                                  "",
-                                  SIM_TEXT("px"),
-                                  SIM_TEXT("Where the right wall stands."),
-                                  520.0,
-                                  -1e6,
-                                  1e6,
-                                  0.0,
-                                  540.0,
-                                  0};
-inline constexpr Setting floor = {"floor",
-                                  SIM_TEXT("Floor"),
-                                  "",
-                                  SIM_TEXT("px"),
-                                  SIM_TEXT("How far down the floor lies."),
-                                  380.0,
-                                  -1e6,
-                                  1e6,
-                                  0.0,
-                                  400.0,
-                                  0};
-inline constexpr Setting bounce = {"bounce",
-                                   SIM_TEXT("Bounce"),
-                                   "",
-                                   SIM_TEXT("kept"),
-                                   SIM_TEXT("The share of its speed that a body keeps at a wall."),
-                                   0.5};
+inline constexpr Setting left = {
+    .id = "left",
+    .name = SIM_TEXT("Left wall"),
+    .unit = SIM_TEXT("px"),
+    .help = SIM_TEXT("Where the left wall stands."),
+    .preset = 20.0,
+    .min = -1e6,
+    .max = 1e6,
+    .sliderMin = 0.0,
+    .sliderMax = 540.0,
+    .decimals = 0,
+};
+inline constexpr Setting right = {
+    .id = "right",
+    .name = SIM_TEXT("Right wall"),
+    .unit = SIM_TEXT("px"),
+    .help = SIM_TEXT("Where the right wall stands."),
+    .preset = 520.0,
+    .min = -1e6,
+    .max = 1e6,
+    .sliderMin = 0.0,
+    .sliderMax = 540.0,
+    .decimals = 0,
+};
+inline constexpr Setting floor = {
+    .id = "floor",
+    .name = SIM_TEXT("Floor"),
+    .unit = SIM_TEXT("px"),
+    .help = SIM_TEXT("How far down the floor lies."),
+    .preset = 380.0,
+    .min = -1e6,
+    .max = 1e6,
+    .sliderMin = 0.0,
+    .sliderMax = 400.0,
+    .decimals = 0,
+};
+inline constexpr Setting bounce = {
+    .id = "bounce",
+    .name = SIM_TEXT("Bounce"),
+    .unit = SIM_TEXT("kept"),
+    .help = SIM_TEXT("The share of its speed that a body keeps at a wall."),
+    .preset = 0.5,
+};
 
 }
 

@@ -102,10 +102,18 @@ bool Damping::takeInto(Taken &into) const
 
 namespace {
 
-constexpr Setting dampingSettings[] = {
-    {"damp", SIM_TEXT("Damping"), "", SIM_TEXT("per frame"),
-     SIM_TEXT("The share of its speed that everything keeps each frame. 1 keeps it all."), 0.99, 0.0, 1.0,
-     0.0, 1.0, 2, Meaning::keptSpeed}};
+constexpr Setting dampingSettings[] = {{
+    .id = "damp",
+    .name = SIM_TEXT("Damping"),
+    .unit = SIM_TEXT("per frame"),
+    .help = SIM_TEXT("The share of its speed that everything keeps each frame. 1 keeps it all."),
+    .preset = 0.99,
+    .min = 0.0,
+    .max = 1.0,
+    .sliderMin = 0.0,
+    .sliderMax = 1.0,
+    .meaning = Meaning::keptSpeed,
+}};
 
 EffectPtr buildDamping(const Blueprint &, const Values &values)
 {

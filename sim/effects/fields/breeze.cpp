@@ -54,11 +54,25 @@ bool Breeze::takeInto(Taken &into) const
 namespace {
 
 constexpr Setting breezeSettings[] = {
-    {"wind", SIM_TEXT("Wind"), "", SIM_TEXT("px/frame²"),
-     SIM_TEXT("How hard it blows to the right on a body 10 px wide. Below 0: to the left."), 0.1, -1e6, 1e6,
-     -1.0, 1.0},
-    {"gusts", SIM_TEXT("Gusts"), "", "", SIM_TEXT("The share by which the wind swells and ebbs."), 0.5, 0.0,
-     1.0}};
+    {
+        .id = "wind",
+        .name = SIM_TEXT("Wind"),
+        .unit = SIM_TEXT("px/frame²"),
+        .help = SIM_TEXT("How hard it blows to the right on a body 10 px wide. Below 0: to the left."),
+        .preset = 0.1,
+        .min = -1e6,
+        .max = 1e6,
+        .sliderMin = -1.0,
+        .sliderMax = 1.0,
+    },
+    {
+        .id = "gusts",
+        .name = SIM_TEXT("Gusts"),
+        .help = SIM_TEXT("The share by which the wind swells and ebbs."),
+        .preset = 0.5,
+        .min = 0.0,
+        .max = 1.0,
+    }};
 
 EffectPtr buildBreeze(const Blueprint &plan, const Values &values)
 {

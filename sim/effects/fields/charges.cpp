@@ -79,15 +79,43 @@ std::vector<Live> ChargeLaw::live(Vec2 one, Vec2 other, Vec2 parting, const Numb
 namespace {
 
 constexpr Setting chargeSettings[] = {
-    {"charge_strength", SIM_TEXT("Charge strength"), "", SIM_TEXT("px³/frame²"),
-     SIM_TEXT("How hard charges push and pull each other."), 1000.0, 0.0, 1e9, 0.0, 5000.0, 0},
-    {"softening", SIM_TEXT("Softening"), "", SIM_TEXT("px"),
-     SIM_TEXT("Weakens the force where charges come closer than about this, so that it stays finite."), 10.0,
-     1.0, 1e6, 1.0, 50.0, 0}};
-constexpr Setting ofPoints[] = {
-    {"charge", SIM_TEXT("Charge"), "q", "",
-     SIM_TEXT("Charges of the same sign repel each other, and others attract. 0: it carries none."), 0.0,
-     -100.0, 100.0, -10.0, 10.0, 1}};
+    {
+        .id = "charge_strength",
+        .name = SIM_TEXT("Charge strength"),
+        .unit = SIM_TEXT("px³/frame²"),
+        .help = SIM_TEXT("How hard charges push and pull each other."),
+        .preset = 1000.0,
+        .min = 0.0,
+        .max = 1e9,
+        .sliderMin = 0.0,
+        .sliderMax = 5000.0,
+        .decimals = 0,
+    },
+    {
+        .id = "softening",
+        .name = SIM_TEXT("Softening"),
+        .unit = SIM_TEXT("px"),
+        .help =
+            SIM_TEXT("Weakens the force where charges come closer than about this, so that it stays finite."),
+        .preset = 10.0,
+        .min = 1.0,
+        .max = 1e6,
+        .sliderMin = 1.0,
+        .sliderMax = 50.0,
+        .decimals = 0,
+    }};
+constexpr Setting ofPoints[] = {{
+    .id = "charge",
+    .name = SIM_TEXT("Charge"),
+    .symbol = "q",
+    .help = SIM_TEXT("Charges of the same sign repel each other, and others attract. 0: it carries none."),
+    .preset = 0.0,
+    .min = -100.0,
+    .max = 100.0,
+    .sliderMin = -10.0,
+    .sliderMax = 10.0,
+    .decimals = 1,
+}};
 constexpr Variable variables[] = {
     {"from", "px", SIM_TEXT("Where this charge is, seen from the other one.")},
     {"length", "px", SIM_TEXT("How far apart the two charges are.")},

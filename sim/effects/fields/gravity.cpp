@@ -69,9 +69,18 @@ bool Gravity::takeInto(Taken &into) const
 
 namespace {
 
-constexpr Setting gravitySettings[] = {{"gravity", SIM_TEXT("Gravity"), "g", SIM_TEXT("px/frame²"),
-                                        SIM_TEXT("How much speed everything gains downwards each frame."),
-                                        0.3, -1e6, 1e6, 0.0, 3.0}};
+constexpr Setting gravitySettings[] = {{
+    .id = "gravity",
+    .name = SIM_TEXT("Gravity"),
+    .symbol = "g",
+    .unit = SIM_TEXT("px/frame²"),
+    .help = SIM_TEXT("How much speed everything gains downwards each frame."),
+    .preset = 0.3,
+    .min = -1e6,
+    .max = 1e6,
+    .sliderMin = 0.0,
+    .sliderMax = 3.0,
+}};
 
 EffectPtr buildGravity(const Blueprint &, const Values &values)
 {

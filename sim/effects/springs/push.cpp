@@ -62,10 +62,28 @@ std::vector<Live> PushLaw::live(Vec2 one, Vec2 other, Vec2 parting, const Number
 namespace {
 
 constexpr Setting pushSettings[] = {
-    {"push", SIM_TEXT("Push"), "k", SIM_TEXT("1/frame²"),
-     SIM_TEXT("How hard two bodies push: this share of the missing distance, each frame."), 0.2, 0.0, 1e9},
-    {"distance", SIM_TEXT("Distance"), "", SIM_TEXT("px"),
-     SIM_TEXT("Two bodies closer than this push each other."), 20.0, 0.0, 1e6, 0.0, 100.0, 0}};
+    {
+        .id = "push",
+        .name = SIM_TEXT("Push"),
+        .symbol = "k",
+        .unit = SIM_TEXT("1/frame²"),
+        .help = SIM_TEXT("How hard two bodies push: this share of the missing distance, each frame."),
+        .preset = 0.2,
+        .min = 0.0,
+        .max = 1e9,
+    },
+    {
+        .id = "distance",
+        .name = SIM_TEXT("Distance"),
+        .unit = SIM_TEXT("px"),
+        .help = SIM_TEXT("Two bodies closer than this push each other."),
+        .preset = 20.0,
+        .min = 0.0,
+        .max = 1e6,
+        .sliderMin = 0.0,
+        .sliderMax = 100.0,
+        .decimals = 0,
+    }};
 
 EffectPtr buildPush(const Blueprint &plan, const Values &values)
 {

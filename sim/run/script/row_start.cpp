@@ -1,6 +1,7 @@
 #include "sim/run/script/row_start.h"
 
 #include "sim/run/script/carry_over.h"
+#include "sim/run/script/segment.h"
 
 #include <algorithm>
 

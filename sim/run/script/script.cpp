@@ -1,6 +1,8 @@
 #include "sim/run/script/script.h"
 
 #include "sim/base/error.h"
+#include "sim/pipeline/method.h"
+#include "sim/scene/scene.h"
 
 #include <algorithm>
 #include <cmath>

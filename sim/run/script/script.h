@@ -1,13 +1,21 @@
 #pragma once
 
-#include "sim/pipeline/pipeline.h"
+#include "sim/base/step_size.h"
+#include "sim/base/vec2.h"
+#include "sim/forward.h"
 #include "sim/scene/values.h"
 
 #include <cstdint>
+#include <functional>
 #include <map>
+#include <optional>
+#include <string>
 #include <variant>
+#include <vector>
 
 namespace sim {
+
+struct Keys;
 
 /// A hand takes hold of a body.
 struct Grab

@@ -1,5 +1,7 @@
 #include "sim/run/script/segments.h"
 
+#include "sim/run/script/segment.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>

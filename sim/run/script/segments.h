@@ -9,15 +9,7 @@
 
 namespace sim {
 
-/// A stretch of a run in which no parameter changes: the scene, composed.
-struct Segment
-{
-    Values values;
-    Scene scene;
-    Pipeline pipeline;
-};
-
-/// The stretches of a run, each composed when it is asked for: once for all those in which the values are the same, as long
+/// The segments of a run, each composed when it is asked for: once for all those in which the values are the same, as long
 /// as they are among the last ones.
 class Segments
 {

@@ -1,5 +1,7 @@
 #include "sim/run/sleeping/awake.h"
 
+#include "sim/pipeline/pipeline.h"
+
 namespace sim {
 
 Awake awakeBy(const Pipeline &pipeline, const State &state)

@@ -1,5 +1,8 @@
 #include "sim/run/sleeping/block_sleep.h"
 
+#include "sim/pipeline/pipeline.h"
+#include "sim/scene/state.h"
+
 #include <algorithm>
 #include <cstring>
 

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "sim/pipeline/pipeline.h"
-#include "sim/scene/state.h"
+#include "sim/forward.h"
 
 #include <vector>
 

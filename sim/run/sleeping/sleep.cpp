@@ -1,5 +1,7 @@
 #include "sim/run/sleeping/sleep.h"
 
+#include "sim/pipeline/pipeline.h"
+
 #include <algorithm>
 #include <cstring>
 

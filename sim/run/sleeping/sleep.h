@@ -1,6 +1,7 @@
 #pragma once
 
-#include "sim/pipeline/pipeline.h"
+#include "sim/forward.h"
+#include "sim/scene/state.h"
 
 #include <cstdint>
 #include <memory>

@@ -77,7 +77,7 @@ void ByHand::aStepIsReadAndDone()
     for (const QString &hint : hints)
         QVERIFY(!hint.isEmpty());
     const QStringList answers = m_learner->answers();
-    QCOMPARE(answers.size(), static_cast<qsizetype>(step.whys.size()));
+    QCOMPARE(answers.size(), static_cast<qsizetype>(step.explanation.whys.size()));
     for (const QString &answer : answers)
         QVERIFY(!answer.isEmpty());
 

@@ -2,6 +2,7 @@
 
 #include "sim/base/error.h"
 #include "sim/methods/methods.h"
+#include "sim/pipeline/pipeline.h"
 
 #include <algorithm>
 #include <cmath>

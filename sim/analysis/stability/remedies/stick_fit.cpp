@@ -2,6 +2,7 @@
 
 #include "sim/base/error.h"
 #include "sim/effects/constraints/sticks.h"
+#include "sim/run/script/segment.h"
 
 #include <algorithm>
 #include <cmath>

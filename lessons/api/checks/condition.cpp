@@ -1,0 +1,205 @@
+#include "lessons/api/checks/condition.h"
+
+#include "lessons/api/checks/hand.h"
+#include "lessons/api/checks/run_queries.h"
+#include "sim/run/timeline.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lessons {
+
+namespace {
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(Conditions)
+};
+
+/// `text` with the number that is asked for in place of %2.
+QString asking(QString text, double number)
+{
+    return text.replace(QStringLiteral("%2"), QLocale().toString(number, 'g', 6));
+}
+
+double speedLetGo(const sim::Timeline &run)
+{
+    const std::optional<Carry> carry = lastLetGo(run);
+    return carry ? sim::length(carry->throwVelocity()) : 0.0;
+}
+
+double lastReach(const sim::Timeline &run)
+{
+    const std::vector<Carry> all = carries(run);
+    if (all.empty() || all.back().path.empty())
+        return 0.0;
+    const sim::Vec2 from = takenFrom(run, all.back());
+    double farthest = 0.0;
+    for (const HandPlace &place : all.back().path)
+        farthest = std::max(farthest, sim::length(place.at - from));
+    return farthest;
+}
+
+}
+
+bool Conditions::hold(const sim::Timeline &run) const
+{
+    return std::all_of(m_all.begin(), m_all.end(), [&](const Condition &one) { return one.holds(run); });
+}
+
+bool Conditions::begun(const sim::Timeline &run) const
+{
+    return !m_all.empty() && m_all.front().holds(run);
+}
+
+QString Conditions::todo(const sim::Timeline &run) const
+{
+    if (!begun(run))
+        return {};
+    const auto missing =
+        std::find_if(m_all.begin(), m_all.end(), [&](const Condition &one) { return !one.holds(run); });
+    if (missing == m_all.end())
+        return {};
+    QString todo = missing->todo;
+    if (missing->measured) {
+        const double number = missing->measured(run);
+        QLocale plain;
+        plain.setNumberOptions(QLocale::OmitGroupSeparator);
+        const QString written = plain.toString(number, 'f', missing->decimals);
+        todo.replace(QStringLiteral("%1"),
+                     std::isfinite(number) ? QString(written).replace(u'-', u'−') : QStringLiteral("–"));
+    }
+    return todo;
+}
+
+Condition letGoOf(const std::string &body)
+{
+    return {[body](const sim::Timeline &run) { return lastLetGo(run, body).has_value(); },
+            Text::tr("take it with the mouse, and let go of it.")};
+}
+
+Condition letGoSinceSet(const std::string &id, const std::string &body)
+{
+    Condition condition = letGoOf(body);
+    condition.holds = [id, body](const sim::Timeline &run) {
+        const std::optional<Carry> carry = lastLetGo(run, body);
+        const std::int64_t set = frameOfSet(run, id);
+        return carry && (carry->grabbed >= set || *carry->letGo > set);
+    };
+    return condition;
+}
+
+Condition fastEnough(double leastSpeed)
+{
+    return atLeast(
+        leastSpeed, speedLetGo,
+        asking(Text::tr("let go while the mouse moves, at %2 px per frame or more. Yours left at %1."),
+               leastSpeed));
+}
+
+Condition tookLast(const std::string &body)
+{
+    return {[body](const sim::Timeline &run) {
+                const std::vector<Carry> all = carries(run);
+                return !all.empty() && all.back().body == body;
+            },
+            Text::tr("take it with the mouse.")};
+}
+
+Condition holding(const std::string &body)
+{
+    return {[body](const sim::Timeline &run) { return heldBody(run) == body; },
+            Text::tr("take it with the mouse, and hold it.")};
+}
+
+Condition carriedFar(double least)
+{
+    return atLeast(least, lastReach, asking(Text::tr("carry it %2 px or more. It came %1 px."), least), 0);
+}
+
+Condition allStill()
+{
+    return {isStill, Text::tr("let time run (**Space**) until nothing moves.")};
+}
+
+Condition handsOff(std::int64_t frames)
+{
+    return atLeast(
+        static_cast<double>(frames),
+        [](const sim::Timeline &run) {
+            return run.at().phase > 0 ? 0.0 : static_cast<double>(framesWithoutHand(run));
+        },
+        asking(Text::tr("hands off, and let time run for %2 frames. So far: %1."),
+               static_cast<double>(frames)),
+        0);
+}
+
+Condition keptFor(const std::string &id, std::int64_t frames)
+{
+    return atLeast(
+        static_cast<double>(frames),
+        [id](const sim::Timeline &run) { return static_cast<double>(framesSinceSet(run, id)); },
+        asking(Text::tr("let time run for %2 frames with this value. So far: %1."),
+               static_cast<double>(frames)),
+        0);
+}
+
+Condition playedTo(std::int64_t frame)
+{
+    return {[frame](const sim::Timeline &run) { return run.at().phase == 0 && run.at().frame >= frame; },
+            asking(Text::tr("go on to frame %2. This is frame %1."), static_cast<double>(frame)),
+            [](const sim::Timeline &run) { return static_cast<double>(run.at().frame); }, 0};
+}
+
+Condition isSet(const std::string &id, double value, const QString &todo)
+{
+    return {[id, value](const sim::Timeline &run) { return isSetTo(run, id, value); }, todo};
+}
+
+Condition byMethod(const std::string &id, const QString &todo)
+{
+    return {[id](const sim::Timeline &run) { return usesMethod(run, id); }, todo};
+}
+
+Condition insideAFrame()
+{
+    return {[](const sim::Timeline &run) { return run.at().phase > 0; },
+            Text::tr("stop, and go into a frame: **Shift+→**.")};
+}
+
+Condition onlyPulled()
+{
+    return {springPulledNothingMoved,
+            Text::tr("press **Shift+→** or **Shift+←** until a spring has pulled and nothing has moved.")};
+}
+
+Condition ghostDiffers(const std::string &id)
+{
+    return {[id](const sim::Timeline &run) { return differsFromGhost(run, id); }};
+}
+
+Condition besideGhost()
+{
+    return atLeast(
+        10.0, [](const sim::Timeline &run) { return static_cast<double>(run.at().frame - run.fork()); },
+        Text::tr("play on for 10 frames from where the two part. So far: %1."), 0);
+}
+
+Condition atLeast(double least, std::function<double(const sim::Timeline &)> measured, const QString &todo,
+                  int decimals)
+{
+    return {[measured, least](const sim::Timeline &run) { return measured(run) >= least; }, todo, measured,
+            decimals};
+}
+
+Condition atMost(double most, std::function<double(const sim::Timeline &)> measured, const QString &todo,
+                 int decimals)
+{
+    return {[measured, most](const sim::Timeline &run) { return measured(run) <= most; }, todo, measured,
+            decimals};
+}
+
+}

@@ -1,0 +1,401 @@
+#include "checks.h"
+
+#include "lessons/api/checks/hand.h"
+#include "lessons/api/checks/run_queries.h"
+#include "scenes.h"
+#include "sim/run/script/segment.h"
+#include "sim/run/timeline.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace lessons;
+using sim::Timeline;
+
+namespace codeling {
+
+namespace {
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(Codeling)
+};
+
+/// Whether a click has set a target up to the cursor.
+bool wasSent(const Timeline &run)
+{
+    const std::vector<sim::Event> &input = run.script().input;
+    const std::int64_t begun = run.at().frame + (run.at().phase > 0 ? run.track().rowFrames() : 0);
+    return std::any_of(input.begin(), input.end(), [&](const sim::Event &event) {
+        return std::holds_alternative<sim::Target>(event.what) && event.frame <= begun && begun > 0;
+    });
+}
+
+/// Whether a click came after the parameter `id` was set.
+bool wasSentSince(const Timeline &run, const std::string &id)
+{
+    const std::vector<sim::Event> &input = run.script().input;
+    const std::int64_t set = frameOfSet(run, id);
+    return wasSent(run) && std::any_of(input.begin(), input.end(), [&](const sim::Event &event) {
+               return std::holds_alternative<sim::Target>(event.what) && event.frame >= set;
+           });
+}
+
+/// How many frames ago the last click was.
+double framesSinceSent(const Timeline &run)
+{
+    std::int64_t last = 0;
+    for (const sim::Event &event : run.script().input) {
+        if (std::holds_alternative<sim::Target>(event.what) &&
+            event.frame <= run.at().frame + run.track().rowFrames())
+            last = std::max(last, event.frame);
+    }
+    return static_cast<double>(run.at().frame - last);
+}
+
+sim::Vec2 toTarget(const Timeline &run)
+{
+    return run.now().outside.target - run.now().at(lead);
+}
+
+/// How far away the last click was from the lead, as that was then, in px.
+double clickedAway(const Timeline &run)
+{
+    std::optional<double> away;
+    for (const sim::Event &event : run.script().input) {
+        const auto *target = std::get_if<sim::Target>(&event.what);
+        if (!target || event.frame > run.at().frame + run.track().rowFrames())
+            continue;
+        const std::int64_t before = std::clamp<std::int64_t>(event.frame - 1, 0, run.at().frame);
+        away = sim::length(target->at - run.track().stateAt(before).at(lead));
+    }
+    return away.value_or(0.0);
+}
+
+Condition sent()
+{
+    return {wasSent, Text::tr("click the background.")};
+}
+
+Condition sentSince(const std::string &id)
+{
+    return {[id](const Timeline &run) { return wasSentSince(run, id); }, sent().todo};
+}
+
+Condition arrived()
+{
+    return {[](const Timeline &run) { return sim::length(toTarget(run)) < 1.0 && isStill(run); },
+            Text::tr("let time run (**Space**) until it lies still at its target.")};
+}
+
+/// How fast the lead goes away from its target, in px/frame.
+double backingUp(const Timeline &run)
+{
+    const sim::Vec2 v = run.now().speed(lead), way = toTarget(run);
+    return -dot(v, way) / std::max(1.0, sim::length(way));
+}
+
+Condition backsUp()
+{
+    return atLeast(3.0, backingUp,
+                   Text::tr("click farther away: it has to back up at 3 px per frame or more. Now: %1."));
+}
+
+double spine(const Timeline &run)
+{
+    return distance(run, "lead", "tail");
+}
+
+double width(const Timeline &run)
+{
+    return distance(run, "side0", "side1");
+}
+
+double tailRightOfLead(const Timeline &run)
+{
+    return placeOf(run, "tail").x - placeOf(run, "lead").x;
+}
+
+/// px; 0 where it is too near.
+double tailTooFar(const Timeline &run)
+{
+    return std::max(0.0, spine(run) - run.values()["rest_length"]);
+}
+
+/// How fast the fastest point of a tentacle moves, in px/frame.
+double whip(const Timeline &run)
+{
+    const auto &v = run.now().velocity;
+    const Eigen::Index count = v.rows() - firstOfTentacles;
+    return count > 0 ? v.bottomRows(count).matrix().rowwise().norm().maxCoeff() : 0.0;
+}
+
+}
+
+std::vector<Try> motorTries()
+{
+    return {
+        {
+            .text = Text::tr("Click at least 100 px away, and wait until it has arrived."),
+            .conditions =
+                {
+                    sent(),
+                    atLeast(100.0, clickedAway, Text::tr("click 100 px away or more. That was %1 px."), 0),
+                    arrived(),
+                },
+            .hint = Text::tr("Press **Space**, and click the background near the edge of the picture. Then "
+                             "wait."),
+        },
+        {
+            .text = Text::tr(
+                "Take the lead in your hand and throw it, at 5 px per frame or more. It comes back."),
+            .conditions = {letGoOf("lead"), fastEnough(), arrived()},
+            .hint = Text::tr(
+                "Press **Space**. Take the head (the lead), swing it quickly, let go on the way, and "
+                "wait."),
+        },
+        {
+            .text = Text::tr("Set **keep** to 1 and click somewhere else. After 100 frames it still swings."),
+            .conditions =
+                {
+                    isSet("keep", 1.0),
+                    sentSince("keep"),
+                    {[](const Timeline &run) { return run.at().phase == 0 && !isStill(run); },
+                     Text::tr("click somewhere else: it stands still.")},
+                    atLeast(100.0, framesSinceSent,
+                            Text::tr("let time run for 100 frames after the click. So far: %1."), 0),
+                },
+            .hint =
+                Text::tr("Type 1 into the field beside **Keep**. Press **Space**, click the background, and "
+                         "wait four seconds."),
+        },
+    };
+}
+
+std::vector<Try> orientationTries()
+{
+    return {
+        {
+            .text = Text::tr(
+                "Send it to places so that it turns round: the tail at least 30 px to the right of the "
+                "lead."),
+            .conditions =
+                {
+                    sent(),
+                    atLeast(30.0, tailRightOfLead,
+                            Text::tr("send it to the left. The tail is %1 px to the right of the lead."), 0),
+                },
+            .hint = Text::tr(
+                "Press **Space**. Click far up in the picture, and when it is under way, click far to "
+                "the left."),
+        },
+        {
+            .text = Text::tr("Pull it at least 75 px away by its tail, let go, and wait until it is back."),
+            .conditions = {letGoOf("tail"), carriedFar(75.0), arrived()},
+            .hint =
+                Text::tr("Press **Space**. Take the tail, carry it across the picture, let go, and wait."),
+        },
+        {
+            .text =
+                Text::tr("Stop inside a frame when the lead has moved, and the tail is 5 px too far away."),
+            .conditions =
+                {
+                    insideAFrame(),
+                    {[](const Timeline &run) { return hasMoved(run); },
+                     Text::tr("press **Shift+→** until the lead has moved.")},
+                    atLeast(
+                        5.0, tailTooFar,
+                        Text::tr(
+                            "stop while it is fast: click far away first. The tail is %1 px too far away.")),
+                },
+            .hint =
+                Text::tr("Stop. Click the background far off, on the side away from its tail, and go on with "
+                         "**→** until it is "
+                         "fast. Then press **Shift+→** until the strip under the timeline marks the move."),
+        },
+    };
+}
+
+std::vector<Try> anticipationTries()
+{
+    return {
+        {
+            .text = Text::tr(
+                "Click far away, and stop inside a frame right after the anticipation, when it backs up at "
+                "3 px per "
+                "frame or more."),
+            .conditions =
+                {
+                    sent(),
+                    insideAFrame(),
+                    {[](const Timeline &run) {
+                         const sim::Phase *last = lastPhase(run);
+                         return last && last->kind == sim::Kind::driver;
+                     },
+                     Text::tr("press **Shift+→** until the anticipation is the last phase that was done.")},
+                    backsUp(),
+                },
+            .hint =
+                Text::tr("Stop. Click the background far from the creature, and press **Shift+→** until the "
+                         "strip under the timeline marks the anticipation."),
+        },
+        {
+            .text = Text::tr("Set **anticipation** to 0.6 and click far away. It winds up like a spring."),
+            .conditions = {isSet("anticipation", 0.6), sent(), backsUp()},
+            .hint = Text::tr("Type 0.6 into the field beside **Anticipation**. Press **Space** and click far "
+                             "away."),
+        },
+        {
+            .text = Text::tr(
+                "Go back in time to before a click, change **anticipation**, and compare with the ghost."),
+            .conditions =
+                {
+                    ghostDiffers("anticipation"),
+                    {[](const Timeline &run) {
+                         const std::vector<sim::Event> &input = run.script().input;
+                         return std::any_of(input.begin(), input.end(), [&](const sim::Event &event) {
+                             return std::holds_alternative<sim::Target>(event.what) &&
+                                    event.frame > run.fork();
+                         });
+                     },
+                     Text::tr("go back to before a click, and change **anticipation** there.")},
+                    besideGhost(),
+                },
+            .hint =
+                Text::tr("Play, click the background, and stop. Drag the timeline back to before the click, "
+                         "type another **Anticipation**, and play on for half a second."),
+        },
+    };
+}
+
+std::vector<Try> squashStretchTries()
+{
+    return {
+        {
+            .text = Text::tr("Send it so far that its spine gets 55 px long."),
+            .conditions =
+                {
+                    sent(),
+                    atLeast(55.0, spine, Text::tr("send it farther. Its spine is %1 px long."), 0),
+                },
+            .hint =
+                Text::tr("Press **Space**, and click the background in the corner that is farthest away."),
+        },
+        {
+            .text = Text::tr("Send it where it looks, so that it is squashed to 32 px before it starts."),
+            .conditions =
+                {
+                    sent(),
+                    atMost(32.0, spine,
+                           Text::tr("send it far away, to where it looks. Its spine is %1 px long."), 0),
+                },
+            .hint = Text::tr(
+                "Press **Space**. It looks to the right at the start: click the background far to the "
+                "right, at the same height."),
+        },
+        {
+            .text = Text::tr("Go back in time, set **soft** to 1, and compare with the ghost."),
+            .conditions =
+                {
+                    ghostDiffers("soft"),
+                    isSet("soft", 1.0, Text::tr("set **soft** to 1 there.")),
+                    besideGhost(),
+                },
+            .hint =
+                Text::tr("Play, click the background, and stop. Drag the timeline back to the left, type 1 "
+                         "beside **Soft**, and play on for a second."),
+        },
+    };
+}
+
+std::vector<Try> volumeTries()
+{
+    return {
+        {
+            .text = Text::tr("Squash it until it is 40 px wide."),
+            .conditions =
+                {
+                    sent(),
+                    atLeast(40.0, width, Text::tr("send it far away, to where it looks. It is %1 px wide."),
+                            0),
+                },
+            .hint = Text::tr(
+                "Press **Space**. It looks to the right at the start: click the background far to the "
+                "right, at the same height."),
+        },
+        {
+            .text = Text::tr("Stretch it until it is only 22 px wide."),
+            .conditions =
+                {
+                    sent(),
+                    atMost(22.0, width, Text::tr("send it farther. It is %1 px wide."), 0),
+                },
+            .hint =
+                Text::tr("Press **Space**, and click the background in the corner that is farthest away."),
+        },
+        {
+            .text =
+                Text::tr("Pull one side at least 40 px out. The other side makes up for it: the area stays."),
+            .conditions =
+                {
+                    {[](const Timeline &run) { return heldBody(run).starts_with("side"); }},
+                    carriedFar(40.0),
+                    {[](const Timeline &run) {
+                         return std::abs(sim::areaOf(run.now(), corners) / restArea(run.values()) - 1.0) <
+                                1e-6;
+                     },
+                     Text::tr("hold it still until the area is right again.")},
+                },
+            .hint = Text::tr(
+                "Press **Space**. Take one of the two points at its sides, pull it away from the body, "
+                "and do not let go."),
+        },
+    };
+}
+
+std::vector<Try> tentaclesTries()
+{
+    return {
+        {
+            .text = Text::tr("Set **tentacles** to 8, send it somewhere, and wait until it has arrived."),
+            .conditions =
+                {
+                    isSet("tentacles", 8.0),
+                    sentSince("tentacles"),
+                    {[](const Timeline &run) {
+                         return sim::length(toTarget(run)) < 2.0 && sim::length(run.now().speed(lead)) < 0.1;
+                     },
+                     Text::tr("let time run (**Space**) until it has arrived.")},
+                },
+            .hint =
+                Text::tr("Type 8 into the field beside **Tentacles**. Press **Space**, click the background, "
+                         "and wait."),
+        },
+        {
+            .text = Text::tr(
+                "Set **water** to 0.98 and send it to and fro until a tentacle whips at 40 px per frame."),
+            .conditions =
+                {
+                    isSet("water", 0.98),
+                    sent(),
+                    atLeast(40.0, whip,
+                            Text::tr("send it to and fro, farther and faster. The fastest tip moves at %1 px "
+                                     "per frame."),
+                            0),
+                },
+            .hint = Text::tr(
+                "Type 0.98 into the field beside **Water**. Press **Space**, and click one corner and "
+                "the opposite one in turn, twice a second."),
+        },
+        {
+            .text = Text::tr("Go back in time, change **water**, and compare with the ghost."),
+            .conditions = {ghostDiffers("water"), besideGhost()},
+            .hint = Text::tr("Play, click the background, and stop. Drag the timeline back to the left, type "
+                             "another **Water**, and play on for a second."),
+        },
+    };
+}
+
+}

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "lessons/api/try.h"
+
+#include <vector>
+
+/// The things to try of each step.
+namespace codeling {
+
+std::vector<lessons::Try> motorTries();
+std::vector<lessons::Try> orientationTries();
+std::vector<lessons::Try> anticipationTries();
+std::vector<lessons::Try> squashStretchTries();
+std::vector<lessons::Try> volumeTries();
+std::vector<lessons::Try> tentaclesTries();
+
+}

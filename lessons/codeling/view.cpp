@@ -1,0 +1,148 @@
+#include "view.h"
+
+#include "lessons/api/view/acting.h"
+#include "scenes.h"
+#include "sim/effects/drivers/motor.h"
+
+#include <QCoreApplication>
+
+#include <limits>
+
+using namespace lessons;
+
+namespace codeling {
+
+namespace {
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(Codeling)
+};
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+bool has(const sim::Scene &scene, int point)
+{
+    return scene.start.points() > point;
+}
+
+double spineLength(const sim::State &state)
+{
+    return sim::length(state.at(lead) - state.at(tail));
+}
+
+/// The chains of a scene's tentacles, each from its side to its tip.
+std::vector<ChainLook> chainsOf(const sim::Scene &scene, const sim::Values &values)
+{
+    const int chains = values.whole("tentacles"), links = values.whole("links");
+    std::vector<ChainLook> looks;
+    for (int chain = 0; chain < chains; ++chain) {
+        ChainLook look;
+        look.points = {chain < (chains + 1) / 2 ? side0 : side1};
+        for (int link = 0; link < links; ++link)
+            look.points.push_back(firstOfTentacles + chain * links + link);
+        if (has(scene, look.points.back()))
+            looks.push_back(look);
+    }
+    return looks;
+}
+
+}
+
+Look spineLook(const sim::Scene &scene, const sim::Values &)
+{
+    Look look;
+    look.bodies.resize(scene.names.size(), {BodyLook::Shape::joint, 5.0});
+    look.bodies[lead] = {BodyLook::Shape::body, 13.0};
+    if (has(scene, tail))
+        look.legs = {{lead, tail}};
+    look.velocities = true;
+    return look;
+}
+
+Look stretchingLook(const sim::Scene &scene, const sim::Values &values)
+{
+    Look look = spineLook(scene, values);
+    look.onionSkins = true;
+    return look;
+}
+
+Look bodyLook(const sim::Scene &scene, const sim::Values &values)
+{
+    Look look;
+    look.bodies.resize(scene.names.size(), {BodyLook::Shape::none, 2.0});
+    for (const int point : {lead, tail, side0, side1})
+        look.bodies[static_cast<std::size_t>(point)] = {BodyLook::Shape::joint, 4.0};
+    look.skins = {{{lead, side1, tail, side0}, lead}};
+    if (values.has("tentacles"))
+        look.chains = chainsOf(scene, values);
+    look.velocities = look.chains.empty(); // a hundred arrows say nothing
+    look.onionSkins = look.chains.empty();
+    return look;
+}
+
+std::vector<Guide> targetAndPull(const sim::Scene &scene, const sim::State &state, const sim::Values &values)
+{
+    const sim::Vec2 target = state.outside.target;
+    if (!effectOf<sim::Motor>(scene))
+        return {{.shape = Guide::Shape::cross, .a = target}};
+    const sim::Vec2 pull = sim::motor(state.at(lead), target, values["k"], values["dt"]).pull;
+    return {{.shape = Guide::Shape::cross, .a = target},
+            {.shape = Guide::Shape::arrow, .a = state.at(lead), .b = pull, .label = Text::tr("motor")}};
+}
+
+Measure anticipationMeasure()
+{
+    return {
+        .name = Text::tr("Way to the target"),
+        .unit = Text::tr("px"),
+        .help = Text::tr("It grows before a move: that is the anticipation."),
+        .decimals = 1,
+        .of = [](const sim::Scene &, const sim::State &state, const sim::State *,
+                 const sim::Values &) { return sim::length(state.at(lead) - state.outside.target); },
+    };
+}
+
+Measure stretchMeasure()
+{
+    return {
+        .name = Text::tr("Stretch"),
+        .help = Text::tr("How long the spine is, as a part of its length at rest."),
+        .decimals = 2,
+        .of =
+            [](const sim::Scene &, const sim::State &state, const sim::State *, const sim::Values &values) {
+                const double rest = values["rest_length"];
+                return rest > 0.0 ? spineLength(state) / rest : nothing;
+            },
+    };
+}
+
+Measure areaMeasure()
+{
+    return {
+        .name = Text::tr("Area"),
+        .help = Text::tr("The area of the body, as a part of its area at rest."),
+        .decimals = 3,
+        .of =
+            [](const sim::Scene &, const sim::State &state, const sim::State *, const sim::Values &values) {
+                const double rest = restArea(values);
+                return rest > 0.0 ? sim::areaOf(state, corners) / rest : nothing;
+            },
+    };
+}
+
+Measure widthMeasure()
+{
+    return {
+        .name = Text::tr("Width"),
+        .unit = Text::tr("px"),
+        .help = Text::tr("How far apart the two sides are."),
+        .decimals = 0,
+        .of =
+            [](const sim::Scene &scene, const sim::State &state, const sim::State *, const sim::Values &) {
+                return sim::length(state.at(scene.find("side0")) - state.at(scene.find("side1")));
+            },
+    };
+}
+
+}

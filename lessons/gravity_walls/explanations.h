@@ -1,0 +1,11 @@
+#pragma once
+
+#include "lessons/api/explanation.h"
+
+/// What each step tells besides its narration: what a learner knows afterwards, words, and the why of its mathematics.
+namespace gravity_walls {
+
+lessons::Explanation wallsExplanation();
+lessons::Explanation gravityExplanation();
+
+}

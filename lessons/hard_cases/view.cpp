@@ -1,0 +1,108 @@
+#include "view.h"
+
+#include "lessons/api/creature.h"
+#include "lessons/api/view/creature_look.h"
+#include "lessons/api/view/tree_look.h"
+#include "scenes.h"
+#include "sim/effects/constraints/sticks.h"
+#include "sim/effects/contacts/ground.h"
+#include "sim/effects/contacts/walls.h"
+#include "sim/effects/tree/joints.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <algorithm>
+
+using namespace lessons;
+
+namespace hard_cases {
+
+namespace {
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(HardCases)
+};
+
+constexpr double lightRadius = 6.0;
+constexpr double heavyRadius = 20.0;
+constexpr double jointRadius = 4.0;
+constexpr double leastShown = 0.5; ///< px: a shorter way has no line
+
+sim::Vec2 middleOf(const sim::State &state)
+{
+    return {state.position.col(0).mean(), state.position.col(1).mean()};
+}
+
+BodyLook bodyLook(const std::string &name)
+{
+    if (isBody(name))
+        return {BodyLook::Shape::body, bodyWidth / 2};
+    if (name == "heavy" || name == "lead")
+        return {BodyLook::Shape::body, name == "heavy" ? heavyRadius : bodyWidth / 2};
+    if (name == "light")
+        return {BodyLook::Shape::foot, lightRadius};
+    return name.starts_with("p") ? BodyLook{BodyLook::Shape::joint, jointRadius} : BodyLook{};
+}
+
+}
+
+Look caseLook(const sim::Scene &scene, const sim::Values &)
+{
+    Look look;
+    for (const std::string &name : scene.names)
+        look.bodies.push_back(bodyLook(name));
+    if (std::any_of(scene.names.begin(), scene.names.end(), isBody))
+        look = creatureLookWithLegs(scene);
+    else if (scene.names.front() == "light")
+        look.legs = {{1, 0}};
+    for (const sim::EffectPtr &effect : scene.effects) {
+        if (const auto *joints = dynamic_cast<const sim::Joints *>(effect.get()))
+            return treeLook(joints->tree());
+        if (const auto *walls = dynamic_cast<const sim::Walls *>(effect.get()))
+            look.room = walls->room();
+        if (const auto *ground = dynamic_cast<const sim::Ground *>(effect.get()))
+            look.ground = ground->soil().ground;
+    }
+    for (const sim::Sticks *sticks : sim::sticksAmong(scene.effects)) {
+        for (const sim::Stick &stick : sticks->list())
+            look.sticks.push_back({stick.a, stick.b, stick.length});
+    }
+    if (scene.names.front() == "lead" && look.sticks.empty())
+        look.legs = {{0, 1}}; // a soft stick
+    return look;
+}
+
+Look threeSides(const sim::Scene &scene, const sim::Values &values)
+{
+    Look look;
+    look.bodies.resize(scene.names.size(), {BodyLook::Shape::joint, jointRadius});
+    look.sticks = {{0, 2, values["longest"]}, {0, 1, shortStick}, {1, 2, shortStick}};
+    look.stage = QRectF(180, 95, 180, 200);
+    return look;
+}
+
+std::vector<Guide> turningPlaces(const sim::Scene &scene, const sim::State &, const sim::Values &)
+{
+    const sim::Vec2 start = scene.start.at(0);
+    return {{.shape = Guide::Shape::cross, .a = centre},
+            {.shape = Guide::Shape::cross, .a = start},
+            {.shape = Guide::Shape::cross, .a = centre + (centre - start)}};
+}
+
+std::vector<Guide> middleMarks(const sim::Scene &scene, const sim::State &state, const sim::Values &)
+{
+    const sim::Vec2 was = middleOf(scene.start);
+    const sim::Vec2 is = middleOf(state);
+    std::vector<Guide> marks = {{.shape = Guide::Shape::cross, .a = was}};
+    const double way = sim::length(is - was);
+    if (way >= leastShown)
+        marks.push_back({.shape = Guide::Shape::line,
+                         .a = was,
+                         .b = is,
+                         .label = Text::tr("the middle moved %1 px").arg(QLocale().toString(way, 'f', 0))});
+    return marks;
+}
+
+}

@@ -1,0 +1,160 @@
+#include "checks.h"
+
+#include "lessons/api/checks/hand.h"
+#include "lessons/api/checks/run_queries.h"
+#include "sim/run/timeline.h"
+
+#include <QCoreApplication>
+
+using namespace lessons;
+using sim::Timeline;
+
+namespace multi_foot {
+
+namespace {
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(MultiFoot)
+};
+
+bool isFoot(const std::string &name)
+{
+    return name.starts_with("foot");
+}
+
+Conditions footPulledAndStill()
+{
+    return {{[](const Timeline &run) {
+                const std::optional<Carry> carry = lastLetGo(run);
+                return carry && isFoot(carry->body);
+            }},
+            carriedFar(75.0),
+            allStill()};
+}
+
+/// The creature has left by itself: a throw would have ended long ago.
+Condition flewOff()
+{
+    return {[](const Timeline &run) { return !onStage(middle(run)) && sim::length(momentum(run)) >= 2.0; },
+            Text::tr("let time run (**Space**) until it has left the stage.")};
+}
+
+/// The numbers outgrew what a computer can hold, or are on their way there.
+bool exploded(const Timeline &run)
+{
+    return run.stop() || run.now().position.abs().maxCoeff() > 1e6;
+}
+
+}
+
+std::vector<Try> twoFeetTries()
+{
+    return {
+        {
+            .text = Text::tr("Pull a foot at least 75 px out, let go, and wait until all is still."),
+            .conditions = footPulledAndStill(),
+            .hint = Text::tr(
+                "Press **Space**. Take one of the small discs, pull it to the upper edge of the picture, "
+                "let go, and wait."),
+        },
+        {
+            .text = Text::tr("Carry the body at least 100 px. Both feet follow."),
+            .conditions = {tookLast("body"), carriedFar(100.0)},
+            .hint =
+                Text::tr("Press **Space**, take the large disc, and carry it from one side of the picture to "
+                         "the other."),
+        },
+        {
+            .text = Text::tr("Set **damping** to 0.9 and hands off. How long does it take to fly away?"),
+            .conditions = {isSet("damp", 0.9), handsOff(60), flewOff()},
+            .hint =
+                Text::tr("Press **Home**. Type 0.9 into the field beside **Damping**, press **Space**, and "
+                         "touch nothing."),
+            .answer = Text::tr("It has left the stage of 540 × 400 px after about 225 frames, 7.5 seconds. "
+                               "Its springs make more momentum than damping takes."),
+        },
+    };
+}
+
+std::vector<Try> anyNumberTries()
+{
+    return {
+        {
+            .text = Text::tr("Pull one foot at least 75 px out, let go, and wait until all is still."),
+            .conditions = footPulledAndStill(),
+            .hint = Text::tr(
+                "Press **Space**, pull one of the small discs to the upper edge of the picture, let go, and "
+                "wait."),
+        },
+        {
+            .text = Text::tr("Set **feet** to 12 and give it 200 frames. Does it calm down?"),
+            .conditions =
+                {
+                    isSet("feet", 12.0),
+                    keptFor("feet", 200),
+                    {[](const Timeline &run) { return (run.now().velocity.abs() <= 0.1).all(); },
+                     Text::tr(
+                         "press **Home**, and set **feet** to 12 there: the creature was out of shape.")},
+                },
+            .hint =
+                Text::tr("Press **Home**. Type 12 into the field beside **Feet**, press **Space**, and wait "
+                         "seven seconds."),
+            .answer =
+                Text::tr("Yes. After 50 frames nothing moves faster than a tenth of a pixel per frame."),
+        },
+        {
+            .text = Text::tr("Go back in time, change **damping**, and compare with the ghost."),
+            .conditions = {ghostDiffers("damp"), besideGhost()},
+            .hint = Text::tr(
+                "Play some seconds, drag the timeline back to the left, change **Damping**, and play "
+                "on for a second."),
+        },
+    };
+}
+
+std::vector<Try> grownFeetTries()
+{
+    return {
+        {
+            .text = Text::tr("Set **feet** to 16, choose the method **Semi-implicit Euler**, and wait until "
+                             "all is still."),
+            .conditions =
+                {
+                    isSet("feet", 16.0),
+                    byMethod("semi_implicit_euler", Text::tr("choose the method **Semi-implicit Euler**.")),
+                    allStill(),
+                },
+            .hint =
+                Text::tr("Type 16 into the field beside **Feet**. Above the picture, choose **Semi-implicit "
+                         "Euler** as method. Press **Space** and wait."),
+        },
+        {
+            .text = Text::tr("Set **feet** to 60 and play until it explodes."),
+            .conditions =
+                {
+                    isSet("feet", 60.0),
+                    {exploded, Text::tr("let time run (**Space**), with steps of 1 frame.")},
+                },
+            .hint = Text::tr(
+                "Type 60 into the field beside **Feet**, and press **Space**. It takes some seconds."),
+        },
+        {
+            .text =
+                Text::tr("Keep the 60 feet, choose a **step** of 1/2 frame, and wait until all is still."),
+            .conditions =
+                {
+                    {[](const Timeline &run) {
+                        return !run.script().step.adaptive() && run.script().step.h == 0.5;
+                    }},
+                    isSet("feet", 60.0, Text::tr("set **feet** to 60.")),
+                    allStill(),
+                },
+            .hint = Text::tr(
+                "Leave 60 in the field beside **Feet**, press **Home** to go to frame 0, choose **1/2 "
+                "frame** as step above the picture, and press **Space**."),
+        },
+    };
+}
+
+}

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "lessons/api/try.h"
+
+#include <vector>
+
+/// The things to try of each step.
+namespace multi_foot {
+
+std::vector<lessons::Try> twoFeetTries();
+std::vector<lessons::Try> anyNumberTries();
+std::vector<lessons::Try> grownFeetTries();
+
+}

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "lessons/api/view/look.h"
+#include "sim/forward.h"
+
+namespace sandbox {
+
+/// How a built scene looks: each point as the part that it is, and patches of soft matter.
+lessons::Look builtLook(const sim::Scene &scene, const sim::Values &values);
+
+}

@@ -1,0 +1,89 @@
+#include "view.h"
+
+#include "lessons/api/view/acting.h"
+#include "lessons/api/view/creature_look.h"
+#include "scenes.h"
+#include "sim/base/direction.h"
+#include "sim/effects/pairs/spring.h"
+#include "sim/effects/springs/offset_spring.h"
+#include "sim/scene/values.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <numbers>
+
+using lessons::Guide;
+
+namespace single_spring {
+
+namespace {
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(SingleSpring)
+};
+
+/// A number as the learner writes it, with a real minus sign.
+QString number(double value, int decimals)
+{
+    QString text = QLocale().toString(value, 'f', decimals);
+    return text.replace(u'-', u'−');
+}
+
+sim::Vec2 centreOf(const sim::Values &values)
+{
+    return {values["centre_x"], values["centre_y"]};
+}
+
+}
+
+lessons::Look discsAndSprings(const sim::Scene &scene, const sim::Values &)
+{
+    lessons::Look look = lessons::creatureLook(scene);
+    look.springs = lessons::actingSprings(scene);
+    return look;
+}
+
+std::vector<Guide> pullToCome(const sim::Scene &, const sim::State &state, const sim::Values &values)
+{
+    const sim::Vec2 centre = centreOf(values);
+    const sim::Vec2 pull = sim::spring(state.at(foot), centre, values["k"]).pull;
+    return {{.shape = Guide::Shape::cross, .a = centre},
+            {.shape = Guide::Shape::arrow,
+             .a = state.at(foot),
+             .b = pull,
+             .label = Text::tr("pull, not acting yet")}};
+}
+
+std::vector<Guide> centreCross(const sim::Scene &scene, const sim::State &, const sim::Values &values)
+{
+    if (!lessons::acts(scene, sim::Kind::spring))
+        return {};
+    return {{.shape = Guide::Shape::cross, .a = centreOf(values)}};
+}
+
+std::vector<Guide> offsetCross(const sim::Scene &scene, const sim::State &state, const sim::Values &values)
+{
+    if (!lessons::acts(scene, sim::Kind::spring))
+        return {};
+    return {{.shape = Guide::Shape::cross, .a = sim::offsetTarget(state.at(body), values["offset"])}};
+}
+
+std::vector<Guide> ringAndAngle(const sim::Scene &scene, const sim::State &state, const sim::Values &values)
+{
+    if (!lessons::acts(scene, sim::Kind::spring))
+        return {};
+    const sim::Vec2 centre = state.at(body);
+    const sim::Vec2 end = state.at(foot);
+    const sim::Vec2 corner = {end.x, centre.y};
+    const double angle = sim::publishedDirection(end - centre).angle;
+    const QString label =
+        Text::tr("%1° = %2 rad").arg(number(angle * 180.0 / std::numbers::pi, 1), number(angle, 3));
+    return {{.shape = Guide::Shape::ring, .a = centre, .size = values["radius"]},
+            {.shape = Guide::Shape::line, .a = centre, .b = corner, .label = QStringLiteral("dx")},
+            {.shape = Guide::Shape::line, .a = corner, .b = end, .label = QStringLiteral("dy")},
+            {.shape = Guide::Shape::angle, .a = centre, .size = angle, .label = label}};
+}
+
+}

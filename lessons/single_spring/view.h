@@ -1,0 +1,27 @@
+#pragma once
+
+#include "lessons/api/view/look.h"
+#include "sim/forward.h"
+
+#include <vector>
+
+/// How the scenes of this lesson look, and what is drawn over them.
+namespace single_spring {
+
+/// Discs, and the springs that act.
+lessons::Look discsAndSprings(const sim::Scene &scene, const sim::Values &values);
+
+/// The centre, and the pull that a spring to it would have.
+std::vector<lessons::Guide> pullToCome(const sim::Scene &scene, const sim::State &state,
+                                       const sim::Values &values);
+/// The centre.
+std::vector<lessons::Guide> centreCross(const sim::Scene &scene, const sim::State &state,
+                                        const sim::Values &values);
+/// The place beside the body where the spring ends.
+std::vector<lessons::Guide> offsetCross(const sim::Scene &scene, const sim::State &state,
+                                        const sim::Values &values);
+/// The ring of all places at the right distance, the sides of the triangle from body to foot, and its angle.
+std::vector<lessons::Guide> ringAndAngle(const sim::Scene &scene, const sim::State &state,
+                                         const sim::Values &values);
+
+}

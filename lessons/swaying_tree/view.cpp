@@ -1,0 +1,249 @@
+#include "view.h"
+
+#include "lessons/api/view/acting.h"
+#include "scenes.h"
+#include "sim/base/direction.h"
+#include "sim/effects/drivers/turn_to_pointer.h"
+#include "sim/effects/tree/joints.h"
+#include "sim/effects/tree/torsion.h"
+#include "sim/effects/tree/tree_wind.h"
+#include "sim/run/script/segment.h"
+#include "sim/run/track.h"
+#include "sim/scene/scene.h"
+#include "sim/scene/values.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <cmath>
+#include <limits>
+
+using lessons::effectOf;
+using lessons::Guide;
+using lessons::Measure;
+using sim::Vec2;
+
+namespace swaying_tree {
+
+namespace {
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(SwayingTree)
+};
+
+/// The pointer while its button is down.
+const std::optional<Vec2> &pressed(const sim::State &state)
+{
+    static const std::optional<Vec2> none;
+    return state.outside.pointerDown ? state.outside.pointer : none;
+}
+
+Guide windAt(Vec2 at)
+{
+    return {.shape = Guide::Shape::wind, .a = at};
+}
+
+/// A dashed line that shows an angle in degrees.
+Guide angleLine(Vec2 from, double angle, const QString &label)
+{
+    constexpr double length = 60.0;
+    return {.shape = Guide::Shape::line,
+            .a = from,
+            .b = from + sim::branchReach(angle, length, sim::degreesPerRadian),
+            .label = label};
+}
+
+QString asMeant()
+{
+    return Text::tr("corrected");
+}
+
+QString asPrinted()
+{
+    return Text::tr("published");
+}
+
+using Energy = double (*)(const sim::Torsion &, const sim::State &);
+
+Measure energyMeasure(const QString &name, const QString &help, Energy energy)
+{
+    return {
+        .name = name,
+        .help = help,
+        .decimals = 2,
+        .of =
+            [energy](const sim::Scene &scene, const sim::State &state, const sim::State *,
+                     const sim::Values &) {
+                const auto *springs = effectOf<sim::Torsion>(scene);
+                return springs ? energy(*springs, state) : std::numeric_limits<double>::quiet_NaN();
+            },
+    };
+}
+
+double motion(const sim::Torsion &springs, const sim::State &state)
+{
+    return springs.motionEnergy(state);
+}
+
+double held(const sim::Torsion &springs, const sim::State &state)
+{
+    return springs.springEnergy(state);
+}
+
+double total(const sim::Torsion &springs, const sim::State &state)
+{
+    return motion(springs, state) + held(springs, state);
+}
+
+}
+
+double bendOf(const sim::Scene &scene, const sim::State &state, int branch)
+{
+    return state.angle[branch] - scene.start.angle[branch];
+}
+
+double largestBend(const sim::Scene &scene, const sim::State &state)
+{
+    return (state.angle - scene.start.angle).abs().maxCoeff();
+}
+
+sim::Vec2 endOf(const sim::Scene &scene, const sim::State &state, int branch)
+{
+    const auto *joints = effectOf<sim::Joints>(scene);
+    if (!joints)
+        return state.at(branch);
+    return sim::endOf(joints->tree(), state, branch, sim::degreesPerRadian);
+}
+
+int nearestBranch(const sim::Scene &scene, const sim::State &state, sim::Vec2 place)
+{
+    int nearest = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < state.points(); ++i) {
+        const double distance = sim::length(endOf(scene, state, i) - place);
+        if (distance < least) {
+            least = distance;
+            nearest = i;
+        }
+    }
+    return nearest;
+}
+
+std::vector<Guide> trunkEnd(const sim::Scene &scene, const sim::State &state, const sim::Values &values)
+{
+    const auto *joints = effectOf<sim::Joints>(scene);
+    if (!joints)
+        return {};
+    const Vec2 end = sim::endOf(joints->tree(), state, 0, sim::degreesOf(formulaOf(values)));
+    const Vec2 off = end - endOf(scene, state, 0);
+    const QString label = Text::tr("%1 px off").arg(QLocale().toString(sim::length(off), 'f', 4));
+    return {{.shape = Guide::Shape::cross, .a = end, .label = label}};
+}
+
+std::vector<Guide> windFromPointer(const sim::Scene &scene, const sim::State &state, const sim::Values &)
+{
+    if (!pressed(state) || !lessons::acts(scene, sim::Kind::wind))
+        return {};
+    return {windAt(*pressed(state))};
+}
+
+std::vector<Guide> windByBothFormulas(const sim::Scene &scene, const sim::State &state, const sim::Values &)
+{
+    const auto *blows = effectOf<sim::TreeWind>(scene);
+    if (!pressed(state) || !blows)
+        return {};
+    const Vec2 pointer = *pressed(state);
+    const int i = nearestBranch(scene, state, pointer);
+    const Vec2 end = endOf(scene, state, i);
+    const auto lineFor = [&](sim::TreeFormula formula, const QString &label) {
+        const double angle = blows->breezeAt(formula, i, state.at(i), state.angle[i], pointer).wind;
+        return angleLine(end, angle, label);
+    };
+    return {windAt(pointer), lineFor(sim::TreeFormula::corrected, asMeant()),
+            lineFor(sim::TreeFormula::published, asPrinted())};
+}
+
+std::vector<Guide> aimByBothFormulas(const sim::Scene &scene, const sim::State &state, const sim::Values &)
+{
+    const auto *joints = effectOf<sim::Joints>(scene);
+    if (!pressed(state) || !joints)
+        return {};
+    const Vec2 pointer = *pressed(state);
+    const int i = nearestBranch(scene, state, pointer);
+    const double scale = joints->tree().scale[static_cast<std::size_t>(i)];
+    const Vec2 reach = sim::branchReach(state.angle[i], joints->tree().baseLength, sim::publishedDegrees);
+    const sim::Sight sight = sim::sightPublished(pointer, state.at(i), reach, scale);
+    const Vec2 out = sim::direction(pointer - state.at(i), i, -1).out;
+    return {{.shape = Guide::Shape::cross, .a = pointer},
+            angleLine(state.at(i), sim::turnToPointer(out), asMeant()),
+            angleLine(state.at(i), sim::turnToPointerPublished(sight.d), asPrinted())};
+}
+
+std::vector<Guide> gustFromPointer(const sim::Scene &scene, const sim::State &state,
+                                   const sim::Values &values)
+{
+    std::vector<Guide> guides = windFromPointer(scene, state, values);
+    const sim::Gale &gale = state.gale;
+    constexpr double farAway = 1000.0; // px, out of the picture
+    if (!state.outside.pointer)
+        return guides;
+    if (gale.front > 0.0 && gale.front < farAway)
+        guides.push_back({.shape = Guide::Shape::ring,
+                          .a = *state.outside.pointer,
+                          .size = gale.front,
+                          .label = Text::tr("front")});
+    if (gale.end > 0.0 && gale.end < farAway)
+        guides.push_back({.shape = Guide::Shape::ring,
+                          .a = *state.outside.pointer,
+                          .size = gale.end,
+                          .label = Text::tr("end")});
+    return guides;
+}
+
+QString noteOfGround(const sim::Track &run)
+{
+    constexpr double deep = 10.0; // px: less is not seen
+    const sim::Scene &scene = run.shown().scene;
+    const sim::State &state = run.now();
+    if (largestBend(scene, state) < 1.0)
+        return {};
+    // A branch begins where its parent ends.
+    if (!(state.position.col(1) > state.at(0).y + deep).any())
+        return {};
+    return Text::tr("Part of the tree is below the ground: the rule turns angles, and knows no ground.");
+}
+
+Measure countMeasure()
+{
+    return {
+        .name = Text::tr("Branches"),
+        .help = Text::tr("How many branches the tree has."),
+        .decimals = 0,
+        .of = [](const sim::Scene &, const sim::State &state, const sim::State *,
+                 const sim::Values &) { return double(state.points()); },
+    };
+}
+
+Measure bendMeasure()
+{
+    return {
+        .name = Text::tr("Largest bend"),
+        .unit = Text::tr("°"),
+        .help = Text::tr("How far the most bent branch is turned from where it grew."),
+        .decimals = 1,
+        .of = [](const sim::Scene &scene, const sim::State &state, const sim::State *,
+                 const sim::Values &) { return largestBend(scene, state); },
+    };
+}
+
+std::vector<Measure> energyMeasures()
+{
+    return {
+        energyMeasure(Text::tr("Energy"),
+                      Text::tr("Of motion and springs together. Without wind and damping it stays."), total),
+        energyMeasure(Text::tr("In motion"), Text::tr("The part that is in the turning branches."), motion),
+        energyMeasure(Text::tr("In springs"), Text::tr("The part that the bent joints hold."), held)};
+}
+
+}

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "lessons/api/try.h"
+
+#include <vector>
+
+/// The things to try of each step.
+namespace two_body {
+
+std::vector<lessons::Try> mutualTries();
+std::vector<lessons::Try> legLineTries();
+
+}

@@ -1,0 +1,278 @@
+#include "view.h"
+
+#include "lessons/api/creature.h"
+#include "lessons/api/view/acting.h"
+#include "lessons/api/view/creature_look.h"
+#include "sim/effects/contacts/ground.h"
+#include "sim/effects/contacts/walls.h"
+#include "sim/effects/springs/leg_spring.h"
+#include "sim/effects/springs/push.h"
+#include "sim/scene/values.h"
+
+#include <QCoreApplication>
+
+#include <cmath>
+#include <limits>
+
+using namespace lessons;
+using sim::Scene;
+using sim::State;
+using sim::Values;
+
+namespace walking_gait {
+
+namespace {
+
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(WalkingGait)
+};
+
+constexpr double noFloor = 1e4; ///< px: far below the picture
+
+/// A foot's place is its lowest point; the disc that is drawn has its middle there. So the ground is drawn where
+/// the disc ends.
+double groundLine(const Values &values)
+{
+    return values["ground"] + footWidth / 2;
+}
+
+Guide cross(sim::Vec2 at, const QString &label = {})
+{
+    return {.shape = Guide::Shape::cross, .a = at, .label = label};
+}
+
+Guide line(sim::Vec2 from, sim::Vec2 to)
+{
+    return {.shape = Guide::Shape::line, .a = from, .b = to};
+}
+
+/// Calls `visit(leg, target)` for each leg that pulls; for none while the springs are switched off.
+template <class Visit>
+void forEachLeg(const Scene &scene, const State &state, Visit &&visit)
+{
+    for (const sim::EffectPtr &effect : scene.effects) {
+        const auto *springs = dynamic_cast<const sim::LegSpring *>(effect.get());
+        if (!springs)
+            continue;
+        const std::vector<sim::Leg> legs = springs->legs();
+        for (std::size_t i = 0; i < legs.size(); ++i)
+            visit(legs[i], springs->target(state, static_cast<int>(i)));
+    }
+}
+
+Look withFeet(Look look)
+{
+    for (std::size_t i = 0; i < look.bodies.size(); ++i) {
+        if (look.bodies[i].shape == BodyLook::Shape::foot)
+            look.feet.push_back(static_cast<int>(i));
+    }
+    look.stage = {0, 40, 540, 400};
+    return look;
+}
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+int bodyOf(const State &state)
+{
+    return state.points() - 1;
+}
+
+double slipOf(const Scene &scene, const State &state, const State *before, const Values &values)
+{
+    double total = 0.0;
+    int standing = 0;
+    for (int i = 0; before && before->points() == state.points() && i < bodyOf(state); ++i) {
+        const bool foot = !isBody(scene.names[static_cast<std::size_t>(i)]);
+        if (!foot || !stands(scene, state, values, i) || !stands(scene, *before, values, i))
+            continue;
+        total += std::abs(state.at(i).x - before->at(i).x);
+        ++standing;
+    }
+    return standing > 0 ? total / standing : nothing;
+}
+
+double pushesOf(const Scene &scene, const State &state, const State *, const Values &)
+{
+    Eigen::ArrayX2d sum = Eigen::ArrayX2d::Zero(state.points(), 2);
+    for (const sim::EffectPtr &effect : scene.effects) {
+        if (const auto *push = dynamic_cast<const sim::Push *>(effect.get()))
+            push->add(state, {0, state.points()}, 1.0, sim::Directions::apart, sum);
+    }
+    const auto total = sum.colwise().sum().eval();
+    return std::hypot(total[0], total[1]);
+}
+
+}
+
+Look plainLook(const Scene &scene, const Values &)
+{
+    Look look = creatureLook(scene);
+    look.springs = actingSprings(scene);
+    return look;
+}
+
+Look straightLegs(const Scene &scene, const Values &)
+{
+    return creatureLookWithLegs(scene);
+}
+
+Look curvedLegs(const Scene &scene, const Values &values)
+{
+    Look look = creatureLookWithLegs(scene);
+    for (LegLook &leg : look.legs)
+        leg.curve = values["curve"];
+    return look;
+}
+
+Look onGround(const Scene &scene, const Values &values)
+{
+    Look look = withFeet(curvedLegs(scene, values));
+    if (effectOf<sim::Ground>(scene))
+        look.ground = groundLine(values);
+    look.follow = scene.start.points() - 1;
+    return look;
+}
+
+Look inRoom(const Scene &scene, const Values &values)
+{
+    Look look = withFeet(curvedLegs(scene, values));
+    const bool hasGround = effectOf<sim::Ground>(scene);
+    if (effectOf<sim::Walls>(scene))
+        look.room = sim::Room{values["left"], values["right"], hasGround ? groundLine(values) : noFloor, 0.0};
+    else if (hasGround)
+        look.ground = groundLine(values);
+    return look;
+}
+
+bool stands(const Scene &scene, const State &state, const Values &values, int point)
+{
+    return effectOf<sim::Ground>(scene) && state.feels(point) && state.at(point).y >= values["ground"];
+}
+
+Guides boneLines(const Scene &scene, const State &state, const Values &)
+{
+    Guides all;
+    forEachLeg(scene, state, [&](const sim::Leg &leg, sim::Vec2 target) {
+        all.push_back(line(state.at(leg.body), target));
+        all.push_back(cross(target, Text::tr("foot %1").arg(leg.foot)));
+    });
+    return all;
+}
+
+Guides places(const Scene &scene, const State &state, const Values &)
+{
+    Guides all;
+    forEachLeg(scene, state, [&](const sim::Leg &, sim::Vec2 target) { all.push_back(cross(target)); });
+    return all;
+}
+
+Guides bends(const Scene &scene, const State &state, const Values &values)
+{
+    Guides all;
+    forEachLeg(scene, state, [&](const sim::Leg &leg, sim::Vec2) {
+        const sim::Vec2 foot = state.at(leg.foot);
+        const sim::Vec2 bend = {foot.x, foot.y - values["curve"]};
+        all.insert(all.end(), {line(foot, bend), line(bend, state.at(leg.body)), cross(bend)});
+    });
+    return all;
+}
+
+Guides ring(const Scene &scene, const State &state, const Values &values)
+{
+    Guides all = places(scene, state, values);
+    const sim::Vec2 body = state.at(state.points() - 1);
+    all.push_back(
+        {.shape = Guide::Shape::ring, .a = {body.x, body.y + values["drop"]}, .size = values["leg"]});
+    return all;
+}
+
+Guides middleAndPlaces(const Scene &scene, const State &state, const Values &values)
+{
+    Guides all = places(scene, state, values);
+    const auto mean = state.position.colwise().mean().eval();
+    all.push_back(cross({mean[0], mean[1]}, Text::tr("middle")));
+    return all;
+}
+
+Measure swingWidth()
+{
+    return {
+        .name = Text::tr("Swing"),
+        .unit = Text::tr("px"),
+        .help = Text::tr("How far foot 0 is from the middle of its places. The leg is what it would be if it "
+                         "followed exactly."),
+        .decimals = 1,
+        .of =
+            [](const Scene &, const State &state, const State *, const Values &values) {
+                const sim::Vec2 middle = state.at(bodyOf(state)) + sim::Vec2{0.0, values["drop"]};
+                return sim::length(state.at(0) - middle);
+            },
+    };
+}
+
+Measure momentumOfAll()
+{
+    return {
+        .name = Text::tr("Momentum"),
+        .unit = Text::tr("px/frame"),
+        .help = Text::tr("All velocities added up; how long that arrow is. Every mass is 1."),
+        .decimals = 3,
+        .of =
+            [](const Scene &, const State &state, const State *, const Values &) {
+                const auto sum = state.velocity.colwise().sum().eval();
+                return std::hypot(sum[0], sum[1]);
+            },
+    };
+}
+
+Measure walkingSpeed()
+{
+    return {
+        .name = Text::tr("Walks"),
+        .unit = Text::tr("px/frame"),
+        .help = Text::tr("How far the body came to the right in the last frame."),
+        .decimals = 2,
+        .of =
+            [](const Scene &, const State &state, const State *before, const Values &) {
+                const bool same = before && before->points() == state.points();
+                return same ? state.at(bodyOf(state)).x - before->at(bodyOf(state)).x : nothing;
+            },
+    };
+}
+
+Measure slip()
+{
+    return {
+        .name = Text::tr("Slip"),
+        .unit = Text::tr("px/frame"),
+        .help = Text::tr("How far the standing feet slid in the last frame, on the average."),
+        .decimals = 2,
+        .of = slipOf,
+    };
+}
+
+Measure clockSpeed()
+{
+    return {
+        .name = Text::tr("Clock"),
+        .unit = Text::tr("rad/frame"),
+        .help = Text::tr("How fast the gait clock turns."),
+        .decimals = 3,
+        .of = [](const Scene &, const State &state, const State *,
+                 const Values &) { return state.gaitSpeed.rows() > 0 ? state.gaitSpeed[0] : nothing; },
+    };
+}
+
+Measure sumOfPushes()
+{
+    return {
+        .name = Text::tr("Pushes"),
+        .unit = Text::tr("px/frame²"),
+        .help = Text::tr("All pushes between bodies added up; how long that arrow is."),
+        .decimals = 3,
+        .of = pushesOf,
+    };
+}
+
+}
