@@ -4,7 +4,7 @@
 #include "app/cli/experiment_named.h"
 #include "app/cli/terminal.h"
 #include "app/model/sentences.h"
-#include "sim/run/script/segment.h"
+#include "sim/run/script/composed_interval.h"
 #include "sim/run/track.h"
 
 #include <QCoreApplication>

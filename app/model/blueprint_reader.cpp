@@ -4,7 +4,7 @@
 #include "app/model/json_fields.h"
 #include "app/model/words.h"
 #include "sim/effects/all_effects.h"
-#include "sim/scene/built.h"
+#include "sim/scene/blueprint_draft.h"
 
 #include <QCoreApplication>
 #include <QHash>

@@ -4,7 +4,7 @@
 #include "app/model/refusal.h"
 #include "app/model/sentences.h"
 #include "app/model/source_book.h"
-#include "sim/run/script/segment.h"
+#include "sim/run/script/composed_interval.h"
 #include "sim/run/sleeping/sleep.h"
 
 #include <QCoreApplication>

@@ -3,7 +3,7 @@
 #include "app/model/built_names.h"
 #include "app/model/sentences.h"
 #include "lessons/api/parameters.h"
-#include "sim/scene/built.h"
+#include "sim/scene/blueprint_draft.h"
 
 #include <QCoreApplication>
 

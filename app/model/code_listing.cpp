@@ -4,8 +4,8 @@
 #include "app/model/sentences.h"
 #include "sim/base/error.h"
 #include "sim/methods/methods.h"
+#include "sim/run/script/composed_interval.h"
 #include "sim/run/script/script.h"
-#include "sim/run/script/segment.h"
 
 #include <QCoreApplication>
 #include <QHash>

@@ -3,7 +3,7 @@
 #include "app/model/numbers.h"
 #include "app/model/refusal.h"
 #include "app/model/words.h"
-#include "sim/run/script/segment.h"
+#include "sim/run/script/composed_interval.h"
 
 #include <QCoreApplication>
 #include <QLocale>

@@ -2,7 +2,7 @@
 
 #include "app/model/code_meanings.h"
 #include "app/model/sentences.h"
-#include "sim/run/script/segment.h"
+#include "sim/run/script/composed_interval.h"
 
 #include <QHash>
 #include <QRegularExpression>

@@ -1,7 +1,7 @@
 #include "app/model/code_values.h"
 
 #include "app/model/code_symbols.h"
-#include "sim/run/script/segment.h"
+#include "sim/run/script/composed_interval.h"
 
 #include <QCoreApplication>
 #include <QHash>

@@ -2,7 +2,7 @@
 
 #include "app/model/same_run.h"
 #include "app/model/slices.h"
-#include "sim/analysis/accuracy/run.h"
+#include "sim/analysis/accuracy/study_run.h"
 #include "sim/base/error.h"
 #include "sim/methods/methods.h"
 

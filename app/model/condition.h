@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/run/script/segments.h"
+#include "sim/run/script/composed_intervals.h"
 
 #include <QString>
 #include <QStringList>

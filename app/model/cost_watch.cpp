@@ -2,7 +2,7 @@
 
 #include "app/model/same_run.h"
 #include "sim/base/error.h"
-#include "sim/run/script/segment.h"
+#include "sim/run/script/composed_interval.h"
 
 #include <QElapsedTimer>
 

@@ -1,8 +1,8 @@
 #include "app/model/course.h"
 
 #include "app/model/same_run.h"
-#include "lessons/api/view/look.h"
-#include "sim/run/script/segment.h"
+#include "lessons/api/view/scene_view.h"
+#include "sim/run/script/composed_interval.h"
 
 #include <QElapsedTimer>
 

@@ -2,7 +2,7 @@
 
 #include "app/model/numbers.h"
 #include "app/model/same_run.h"
-#include "sim/run/script/segment.h"
+#include "sim/run/script/composed_interval.h"
 
 #include <QElapsedTimer>
 

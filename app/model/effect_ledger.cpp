@@ -1,7 +1,7 @@
 #include "app/model/effect_ledger.h"
 
 #include "app/model/workshop.h"
-#include "sim/run/script/segment.h"
+#include "sim/run/script/composed_interval.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #include "app/model/energy_course.h"
 
 #include "app/model/same_run.h"
-#include "sim/run/script/segment.h"
+#include "sim/run/script/composed_interval.h"
 
 #include <QElapsedTimer>
 

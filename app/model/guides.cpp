@@ -1,7 +1,7 @@
 #include "app/model/guides.h"
 
-#include "lessons/api/view/look.h"
-#include "sim/run/script/segment.h"
+#include "lessons/api/view/scene_view.h"
+#include "sim/run/script/composed_interval.h"
 #include "sim/run/track.h"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "app/model/look_cache.h"
 
 #include "app/model/links_shown.h"
-#include "sim/run/script/segment.h"
+#include "sim/run/script/composed_interval.h"
 
 namespace app {
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "lessons/api/step.h"
-#include "lessons/api/view/look.h"
-#include "sim/run/script/segment.h"
-#include "sim/run/script/segments.h"
+#include "lessons/api/view/scene_view.h"
+#include "sim/run/script/composed_interval.h"
+#include "sim/run/script/composed_intervals.h"
 
 #include <memory>
 #include <vector>

@@ -1,7 +1,7 @@
 // The numbers of single moments that plots show: at the cursor, and inside its frame.
 
 #include "app/model/plot_course.h"
-#include "sim/run/script/segment.h"
+#include "sim/run/script/composed_interval.h"
 
 #include <limits>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "sim/analysis/energy/stock.h"
-#include "sim/run/script/segments.h"
+#include "sim/analysis/energy/stored_energy.h"
+#include "sim/run/script/composed_intervals.h"
 
 #include <QString>
 

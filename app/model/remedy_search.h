@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/model/session.h"
-#include "sim/analysis/stability/remedies/trials.h"
+#include "sim/analysis/stability/remedies/trial_runs.h"
 
 #include <QObject>
 

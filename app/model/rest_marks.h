@@ -1,7 +1,7 @@
 #pragma once
 
-#include "lessons/api/view/look.h"
-#include "sim/scene/resting.h"
+#include "lessons/api/view/scene_view.h"
+#include "sim/scene/rest_target.h"
 #include "sim/scene/scene.h"
 
 #include <vector>

@@ -1,8 +1,8 @@
 #include "app/model/rest_words.h"
 
 #include "app/model/sentences.h"
-#include "sim/run/script/segment.h"
-#include "sim/run/sleeping/awake.h"
+#include "sim/run/script/composed_interval.h"
+#include "sim/run/sleeping/sleep_blocker.h"
 
 #include <QCoreApplication>
 

@@ -1,7 +1,7 @@
 #include "app/model/run_sampler.h"
 
-#include "sim/run/script/segment.h"
-#include "sim/simd/flush.h"
+#include "sim/run/script/composed_interval.h"
+#include "sim/simd/flush_denormals.h"
 
 #include <algorithm>
 

@@ -11,7 +11,7 @@
 #include "app/model/picture.h"
 #include "app/model/player.h"
 #include "app/model/progress.h"
-#include "sim/analysis/gathered.h"
+#include "sim/analysis/force_snapshot.h"
 #include "sim/analysis/stability/remedies/remedies.h"
 #include "sim/run/timeline.h"
 

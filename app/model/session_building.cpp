@@ -3,7 +3,7 @@
 #include "app/model/sentences.h"
 #include "app/model/session.h"
 #include "sim/base/error.h"
-#include "sim/run/script/segment.h"
+#include "sim/run/script/composed_interval.h"
 
 #include <algorithm>
 

@@ -6,7 +6,7 @@
 #include "lessons/api/parameter.h"
 #include "sim/base/error.h"
 #include "sim/methods/methods.h"
-#include "sim/run/script/segment.h"
+#include "sim/run/script/composed_interval.h"
 
 #include <QLocale>
 

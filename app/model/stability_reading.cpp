@@ -1,7 +1,7 @@
 #include "app/model/stability_reading.h"
 
 #include "sim/base/error.h"
-#include "sim/run/script/segment.h"
+#include "sim/run/script/composed_interval.h"
 
 #include <utility>
 

@@ -4,7 +4,7 @@
 #include "app/model/numbers.h"
 #include "app/model/sentences.h"
 #include "app/model/step_words.h"
-#include "sim/run/script/segment.h"
+#include "sim/run/script/composed_interval.h"
 
 #include <QCoreApplication>
 

@@ -8,7 +8,7 @@
 #include "sim/effects/all_effects.h"
 #include "sim/pipeline/pipeline.h"
 #include "sim/run/script/script.h"
-#include "sim/scene/built.h"
+#include "sim/scene/blueprint_draft.h"
 
 #include <QCoreApplication>
 

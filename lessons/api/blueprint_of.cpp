@@ -1,7 +1,7 @@
 #include "lessons/api/blueprint_of.h"
 
-#include "lessons/api/view/look.h"
-#include "sim/scene/built.h"
+#include "lessons/api/view/scene_view.h"
+#include "sim/scene/blueprint_draft.h"
 #include "sim/scene/scene.h"
 
 namespace lessons {

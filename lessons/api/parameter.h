@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/scene/setting.h"
+#include "sim/scene/parameter_spec.h"
 
 #include <QString>
 #include <QStringList>

@@ -1,9 +1,9 @@
 #include "checks.h"
 
-#include "lessons/api/checks/hand.h"
+#include "lessons/api/checks/drag_gesture.h"
 #include "lessons/api/checks/run_queries.h"
 #include "scenes.h"
-#include "sim/run/script/segment.h"
+#include "sim/run/script/composed_interval.h"
 #include "sim/run/timeline.h"
 
 #include <QCoreApplication>

@@ -2,7 +2,7 @@
 
 #include "lessons/api/checks/run_queries.h"
 #include "lessons/api/creature.h"
-#include "sim/run/script/segment.h"
+#include "sim/run/script/composed_interval.h"
 #include "sim/run/timeline.h"
 
 #include <QCoreApplication>

@@ -4,7 +4,7 @@
 #include "explanations.h"
 #include "lessons/api/parameters.h"
 #include "lessons/api/view/acting.h"
-#include "lessons/api/view/creature_look.h"
+#include "lessons/api/view/creature_view.h"
 #include "scenes.h"
 #include "sim/effects/contacts/walls.h"
 #include "sim/scene/scene.h"

@@ -1,14 +1,14 @@
 #include "cases.h"
 
 #include "lessons/api/parameters.h"
-#include "sim/analysis/accuracy/run.h"
+#include "sim/analysis/accuracy/study_run.h"
 #include "sim/catalogue/hard_cases.h"
 #include "sim/catalogue/judge.h"
 #include "sim/effects/constraints/sticks.h"
 #include "sim/effects/contacts/ground.h"
 #include "sim/effects/contacts/walls.h"
 #include "sim/effects/tree/joints.h"
-#include "sim/run/script/segment.h"
+#include "sim/run/script/composed_interval.h"
 
 #include <QCoreApplication>
 

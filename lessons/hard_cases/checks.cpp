@@ -1,7 +1,7 @@
 #include "checks.h"
 
 #include "cases.h"
-#include "lessons/api/checks/hand.h"
+#include "lessons/api/checks/drag_gesture.h"
 #include "lessons/api/checks/run_queries.h"
 #include "scenes.h"
 #include "sim/pipeline/method.h"

@@ -4,7 +4,7 @@
 #include "checks.h"
 #include "explanations.h"
 #include "lessons/api/parameters.h"
-#include "lessons/api/view/creature_look.h"
+#include "lessons/api/view/creature_view.h"
 #include "scenes.h"
 #include "sim/scene/scene.h"
 #include "sim/scene/values.h"

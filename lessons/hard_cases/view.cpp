@@ -1,8 +1,8 @@
 #include "view.h"
 
 #include "lessons/api/creature.h"
-#include "lessons/api/view/creature_look.h"
-#include "lessons/api/view/tree_look.h"
+#include "lessons/api/view/creature_view.h"
+#include "lessons/api/view/tree_view.h"
 #include "scenes.h"
 #include "sim/effects/constraints/sticks.h"
 #include "sim/effects/contacts/ground.h"

@@ -2,7 +2,7 @@
 
 #include "sim/effects/springs/leg_spring.h"
 #include "sim/effects/springs/springs.h"
-#include "sim/scene/built.h"
+#include "sim/scene/blueprint_draft.h"
 #include "sim/scene/scene.h"
 #include "sim/scene/values.h"
 

@@ -1,7 +1,7 @@
 #include "view.h"
 
 #include "lessons/api/view/acting.h"
-#include "lessons/api/view/creature_look.h"
+#include "lessons/api/view/creature_view.h"
 #include "scenes.h"
 #include "sim/base/direction.h"
 #include "sim/effects/pairs/spring.h"

@@ -3,7 +3,7 @@
 #include "checks.h"
 #include "explanations.h"
 #include "lessons/api/parameters.h"
-#include "lessons/api/view/tree_look.h"
+#include "lessons/api/view/tree_view.h"
 #include "parameters.h"
 #include "scenes.h"
 #include "view.h"

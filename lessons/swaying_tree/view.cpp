@@ -7,7 +7,7 @@
 #include "sim/effects/tree/joints.h"
 #include "sim/effects/tree/torsion.h"
 #include "sim/effects/tree/tree_wind.h"
-#include "sim/run/script/segment.h"
+#include "sim/run/script/composed_interval.h"
 #include "sim/run/track.h"
 #include "sim/scene/scene.h"
 #include "sim/scene/values.h"

@@ -1,6 +1,6 @@
 #include "checks.h"
 
-#include "lessons/api/checks/hand.h"
+#include "lessons/api/checks/drag_gesture.h"
 #include "lessons/api/checks/run_queries.h"
 #include "scenes.h"
 #include "sim/run/timeline.h"

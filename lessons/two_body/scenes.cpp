@@ -1,7 +1,7 @@
 #include "scenes.h"
 
 #include "lessons/api/creature.h"
-#include "lessons/api/view/creature_look.h"
+#include "lessons/api/view/creature_view.h"
 #include "sim/effects/drags/damping.h"
 #include "sim/effects/springs/radial_spring.h"
 #include "sim/scene/scene.h"

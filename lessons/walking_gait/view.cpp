@@ -2,7 +2,7 @@
 
 #include "lessons/api/creature.h"
 #include "lessons/api/view/acting.h"
-#include "lessons/api/view/creature_look.h"
+#include "lessons/api/view/creature_view.h"
 #include "sim/effects/contacts/ground.h"
 #include "sim/effects/contacts/walls.h"
 #include "sim/effects/springs/leg_spring.h"

@@ -1,11 +1,11 @@
 #include "sim/catalogue/claims.h"
 
-#include "sim/analysis/accuracy/run.h"
+#include "sim/analysis/accuracy/study_run.h"
 #include "sim/effects/drags/damping.h"
 #include "sim/effects/springs/body_spring.h"
-#include "sim/methods/adaptive/advance.h"
+#include "sim/methods/adaptive/adaptive_stepper.h"
 #include "sim/pipeline/pipeline.h"
-#include "sim/simd/flush.h"
+#include "sim/simd/flush_denormals.h"
 
 #include <algorithm>
 #include <cmath>

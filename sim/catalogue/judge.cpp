@@ -1,8 +1,8 @@
 #include "sim/catalogue/judge.h"
 
-#include "sim/analysis/accuracy/run.h"
+#include "sim/analysis/accuracy/study_run.h"
 #include "sim/analysis/stability/remedies/stick_fit.h"
-#include "sim/run/script/segment.h"
+#include "sim/run/script/composed_interval.h"
 
 #include <cmath>
 #include <sstream>

@@ -1,6 +1,6 @@
 #include "sim/effects/all_effects.h"
 
-#include "sim/scene/built.h"
+#include "sim/scene/blueprint_draft.h"
 
 #include <algorithm>
 

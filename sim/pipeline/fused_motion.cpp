@@ -1,8 +1,8 @@
 #include "sim/pipeline/fused_motion.h"
 
 #include "sim/effects/drags/damping.h"
-#include "sim/pipeline/parts.h"
-#include "sim/simd/free_points.h"
+#include "sim/pipeline/phase_builder.h"
+#include "sim/simd/point_kernels.h"
 
 #include <algorithm>
 #include <optional>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "sim/base/step_size.h"
-#include "sim/pipeline/lap.h"
+#include "sim/pipeline/dense_segment.h"
 #include "sim/scene/scene.h"
 
 #include <functional>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/pipeline/blocks.h"
+#include "sim/pipeline/cache_blocks.h"
 #include "sim/pipeline/fused_motion.h"
 #include "sim/pipeline/method.h"
 

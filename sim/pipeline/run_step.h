@@ -1,7 +1,7 @@
 #pragma once
 
 #include "sim/pipeline/pipeline.h"
-#include "sim/simd/crew.h"
+#include "sim/simd/thread_pool.h"
 
 #include <vector>
 

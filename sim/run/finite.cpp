@@ -1,6 +1,6 @@
 #include "sim/run/finite.h"
 
-#include "sim/simd/wide.h"
+#include "sim/simd/dispatch.h"
 
 #include <atomic>
 #include <cstdint>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "sim/scene/effect.h"
-#include "sim/simd/crew.h"
+#include "sim/simd/thread_pool.h"
 
 namespace sim {
 

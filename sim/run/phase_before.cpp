@@ -1,7 +1,7 @@
 #include "sim/run/phase_before.h"
 
-#include "sim/run/script/segment.h"
-#include "sim/simd/flush.h"
+#include "sim/run/script/composed_interval.h"
+#include "sim/simd/flush_denormals.h"
 
 namespace sim {
 

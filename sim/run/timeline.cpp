@@ -1,6 +1,6 @@
 #include "sim/run/timeline.h"
 
-#include "sim/run/script/segment.h"
+#include "sim/run/script/composed_interval.h"
 
 #include <algorithm>
 

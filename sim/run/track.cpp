@@ -1,11 +1,11 @@
 #include "sim/run/track.h"
 
 #include "sim/pipeline/run_step.h"
+#include "sim/run/failure_cause.h"
 #include "sim/run/finite.h"
-#include "sim/run/guilt.h"
-#include "sim/run/script/row_start.h"
-#include "sim/run/script/segment.h"
-#include "sim/simd/flush.h"
+#include "sim/run/script/composed_interval.h"
+#include "sim/run/script/output_step.h"
+#include "sim/simd/flush_denormals.h"
 
 #include <algorithm>
 #include <limits>

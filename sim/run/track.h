@@ -1,11 +1,11 @@
 #pragma once
 
 #include "sim/forward.h"
-#include "sim/run/history.h"
-#include "sim/run/script/segments.h"
-#include "sim/run/sleeping/block_sleep.h"
+#include "sim/run/keyframe_store.h"
+#include "sim/run/script/composed_intervals.h"
+#include "sim/run/sleeping/block_cycle_detector.h"
 #include "sim/scene/live.h"
-#include "sim/simd/crew.h"
+#include "sim/simd/thread_pool.h"
 
 #include <compare>
 #include <cstddef>

@@ -1,6 +1,6 @@
 #include "sim/scene/islands.h"
 
-#include "sim/simd/free_points.h"
+#include "sim/simd/point_kernels.h"
 
 #include <algorithm>
 #include <numeric>

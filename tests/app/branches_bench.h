@@ -2,7 +2,7 @@
 
 #include "app/model/session.h"
 #include "effects_bench.h"
-#include "lessons/api/view/creature_look.h"
+#include "lessons/api/view/creature_view.h"
 
 #include <QSettings>
 #include <QTemporaryDir>

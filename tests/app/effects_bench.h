@@ -3,7 +3,7 @@
 #include "app/model/lesson_library.h"
 #include "lessons/api/creature.h"
 #include "lessons/api/parameters.h"
-#include "lessons/api/view/creature_look.h"
+#include "lessons/api/view/creature_view.h"
 #include "sim/effects/contacts/walls.h"
 #include "sim/effects/drags/damping.h"
 #include "sim/effects/drivers/pointer.h"

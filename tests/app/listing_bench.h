@@ -5,8 +5,8 @@
 #include "sim/base/error.h"
 #include "sim/methods/methods.h"
 #include "sim/pipeline/pipeline.h"
+#include "sim/run/script/composed_interval.h"
 #include "sim/run/script/script.h"
-#include "sim/run/script/segment.h"
 
 #include <QTest>
 

@@ -1,6 +1,6 @@
 #include "look_scenes.h"
 
-#include "lessons/api/view/look.h"
+#include "lessons/api/view/scene_view.h"
 #include "sim/scene/scene.h"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "random_gestures.h"
 
 #include "sim/methods/methods.h"
-#include "sim/run/script/segment.h"
+#include "sim/run/script/composed_interval.h"
 
 #include <QCoreApplication>
 

@@ -5,8 +5,8 @@
 #include "app/model/guides.h"
 #include "app/model/numbers.h"
 #include "app/model/sentences.h"
-#include "lessons/api/view/look.h"
-#include "sim/run/script/segment.h"
+#include "lessons/api/view/scene_view.h"
+#include "sim/run/script/composed_interval.h"
 
 #include <QRegularExpression>
 

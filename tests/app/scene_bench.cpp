@@ -2,12 +2,12 @@
 
 #include "lessons/api/creature.h"
 #include "lessons/api/parameters.h"
-#include "lessons/api/view/creature_look.h"
+#include "lessons/api/view/creature_view.h"
 #include "sim/effects/contacts/walls.h"
 #include "sim/effects/drags/damping.h"
 #include "sim/effects/fields/gravity.h"
 #include "sim/effects/springs/point_spring.h"
-#include "sim/run/script/segment.h"
+#include "sim/run/script/composed_interval.h"
 
 #include <QApplication>
 #include <QMouseEvent>

@@ -2,7 +2,7 @@
 
 #include "lessons/api/creature.h"
 #include "lessons/api/parameters.h"
-#include "lessons/api/view/creature_look.h"
+#include "lessons/api/view/creature_view.h"
 #include "sim/effects/drags/damping.h"
 #include "sim/effects/fields/gravity.h"
 #include "sim/effects/springs/radial_spring.h"

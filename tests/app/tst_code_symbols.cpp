@@ -2,8 +2,8 @@
 #include "app/model/code_steering.h"
 #include "app/model/refusal.h"
 #include "sim/base/random.h"
+#include "sim/run/script/composed_interval.h"
 #include "sim/run/script/script.h"
-#include "sim/run/script/segment.h"
 #include "tests/app/listing_bench.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 #include "app/model/experiment.h"
 #include "lessons/api/creature.h"
 #include "lessons/api/parameters.h"
-#include "lessons/api/view/creature_look.h"
+#include "lessons/api/view/creature_view.h"
 #include "scene_bench.h"
 #include "sim/effects/constraints/sticks.h"
 #include "sim/methods/methods.h"

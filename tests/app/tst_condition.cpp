@@ -1,6 +1,6 @@
 #include "app/model/break_watch.h"
 #include "app/model/refusal.h"
-#include "sim/run/script/segment.h"
+#include "sim/run/script/composed_interval.h"
 #include "tests/app/listing_bench.h"
 
 #include <QRegularExpression>

@@ -9,7 +9,7 @@
 #include "app/model/workshop.h"
 #include "lessons/api/blueprint_of.h"
 #include "lessons/api/parameters.h"
-#include "sim/scene/built.h"
+#include "sim/scene/blueprint_draft.h"
 
 #include <QSettings>
 #include <QTemporaryDir>

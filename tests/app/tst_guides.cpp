@@ -1,8 +1,8 @@
 // Which of a step's explaining lines are drawn.
 
 #include "app/model/guides.h"
-#include "lessons/api/view/look.h"
-#include "sim/run/script/segment.h"
+#include "lessons/api/view/scene_view.h"
+#include "sim/run/script/composed_interval.h"
 #include "sim/run/track.h"
 
 #include "app/model/experiment.h"

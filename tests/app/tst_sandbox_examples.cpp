@@ -1,9 +1,9 @@
 // The scenes that come with the sandbox: each does what it is there for.
 
 #include "app/model/experiment.h"
-#include "lessons/api/view/look.h"
-#include "sim/analysis/energy/stock.h"
-#include "sim/run/script/segment.h"
+#include "lessons/api/view/scene_view.h"
+#include "sim/analysis/energy/stored_energy.h"
+#include "sim/run/script/composed_interval.h"
 #include "sim/run/track.h"
 
 #include <QDir>

@@ -3,7 +3,7 @@
 #include "app/model/rest_marks.h"
 #include "app/ui/scene/arrows.h"
 #include "lessons/api/creature.h"
-#include "lessons/api/view/creature_look.h"
+#include "lessons/api/view/creature_view.h"
 #include "look_scenes.h"
 #include "scene_bench.h"
 #include "sim/effects/springs/springs.h"

@@ -1,7 +1,7 @@
 // Pointer, targets and keys that reach the scene.
 
 #include "app/ui/scene/hand.h"
-#include "lessons/api/view/look.h"
+#include "lessons/api/view/scene_view.h"
 #include "look_scenes.h"
 #include "scene_bench.h"
 #include "sim/scene/input_reader.h"

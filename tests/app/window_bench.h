@@ -3,7 +3,7 @@
 #include "app/ui/scene/scene_view.h"
 #include "app/ui/window/main_window.h"
 #include "app/ui/window/notice.h"
-#include "sim/run/script/segment.h"
+#include "sim/run/script/composed_interval.h"
 
 #include <QAction>
 #include <QApplication>

@@ -3,9 +3,9 @@
 
 #include "support.h"
 
-#include "sim/methods/flow.h"
 #include "sim/methods/implicit/solvers/conjugate_gradients.h"
 #include "sim/methods/methods.h"
+#include "sim/methods/ode_system.h"
 #include "sim/pipeline/run_step.h"
 #include "sim/scenes/cloth.h"
 

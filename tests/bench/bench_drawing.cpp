@@ -3,7 +3,7 @@
 // processor time, so that a machine with other things to do does not add to them.
 
 #include "lessons/api/creature.h"
-#include "lessons/api/view/creature_look.h"
+#include "lessons/api/view/creature_view.h"
 #include "sim/base/cpu_clock.h"
 #include "sim/base/random.h"
 #include "sim/effects/contacts/walls.h"

@@ -7,7 +7,7 @@
 #include "sim/effects/fields/gravity.h"
 #include "sim/effects/springs/radial_spring.h"
 #include "sim/effects/springs/springs.h"
-#include "sim/scene/built.h"
+#include "sim/scene/blueprint_draft.h"
 #include "sim/scene/values.h"
 #include "sim/scenes/creatures.h"
 

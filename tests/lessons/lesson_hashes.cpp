@@ -4,17 +4,17 @@
 //   lesson_hashes 1    each row is computed phase by phase, by one thread, what hangs together at a time
 //   lesson_hashes 2    the same by two threads
 
-#include "sim/run/script/segment.h"
+#include "sim/run/script/composed_interval.h"
 #include "tests/lessons/support.h"
 #include "tests/sizes.h"
 
 #include "sim/base/error.h"
 #include "sim/methods/methods.h"
 #include "sim/pipeline/run_step.h"
-#include "sim/run/script/row_start.h"
+#include "sim/run/script/output_step.h"
 #include "sim/run/track.h"
-#include "sim/simd/flush.h"
-#include "sim/simd/wide.h"
+#include "sim/simd/dispatch.h"
+#include "sim/simd/flush_denormals.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -1,7 +1,7 @@
 #include "tests/lessons/published_files.h"
 
 #include "sim/methods/methods.h"
-#include "sim/run/script/segment.h"
+#include "sim/run/script/composed_interval.h"
 #include "sim/run/timeline.h"
 
 #include <QDir>

@@ -1,7 +1,7 @@
 #include "lessons/api/checks/exact_run.h"
 #include "sim/methods/methods.h"
+#include "sim/run/script/composed_interval.h"
 #include "sim/run/script/script.h"
-#include "sim/run/script/segment.h"
 #include "tests/lessons/accuracy_truths.h"
 #include "tests/lessons/attempts.h"
 

@@ -1,8 +1,8 @@
 #include "tests/lessons/support.h"
 
+#include "sim/analysis/cost/affected_points.h"
 #include "sim/analysis/cost/cost.h"
-#include "sim/analysis/cost/probe.h"
-#include "sim/analysis/cost/touched.h"
+#include "sim/analysis/cost/instrumented_effect.h"
 #include "sim/base/error.h"
 #include "sim/methods/methods.h"
 #include "sim/run/track.h"

@@ -1,6 +1,6 @@
-#include "lessons/api/view/look.h"
+#include "lessons/api/view/scene_view.h"
+#include "sim/run/script/composed_interval.h"
 #include "sim/run/script/script.h"
-#include "sim/run/script/segment.h"
 #include "sim/run/timeline.h"
 #include "tests/lessons/support.h"
 #include "tests/sizes.h"

@@ -1,6 +1,6 @@
 // The lesson of hard cases: what breaks, and where its texts say so.
 
-#include "hard_cases_bench.h"
+#include "hard_cases_support.h"
 #include "sim/run/script/script.h"
 #include "sim/scene/scene.h"
 

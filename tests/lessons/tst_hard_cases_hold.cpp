@@ -1,6 +1,6 @@
 // The lesson of hard cases: small steps, implicit methods, sticks, and methods that lose nothing, which hold.
 
-#include "hard_cases_bench.h"
+#include "hard_cases_support.h"
 #include "sim/run/script/script.h"
 
 #include <QTest>

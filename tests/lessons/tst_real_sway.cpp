@@ -1,6 +1,6 @@
 #include "sim/effects/tree/torsion.h"
+#include "sim/run/script/composed_interval.h"
 #include "sim/run/script/script.h"
-#include "sim/run/script/segment.h"
 #include "sim/run/track.h"
 #include "sim/scene/scene.h"
 #include "sim/scene/values.h"

@@ -1,5 +1,5 @@
-#include "lessons/api/view/look.h"
-#include "sim/run/script/segment.h"
+#include "lessons/api/view/scene_view.h"
+#include "sim/run/script/composed_interval.h"
 #include "tests/lessons/attempts.h"
 #include "tests/lessons/published_files.h"
 #include "tests/lessons/tutorial_match.h"

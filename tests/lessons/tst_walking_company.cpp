@@ -1,8 +1,8 @@
-#include "lessons/api/view/look.h"
-#include "sim/run/script/segment.h"
+#include "lessons/api/view/scene_view.h"
+#include "sim/run/script/composed_interval.h"
 #include "sim/run/track.h"
-#include "tests/lessons/course.h"
 #include "tests/lessons/support.h"
+#include "tests/lessons/trajectory.h"
 
 #include "sim/methods/methods.h"
 

@@ -1,4 +1,4 @@
-#include "lessons/api/view/look.h"
+#include "lessons/api/view/scene_view.h"
 #include "tests/lessons/attempts.h"
 #include "tests/lessons/published_files.h"
 #include "tests/lessons/walking_tutorial.h"
@@ -44,7 +44,7 @@ sim::Vec2 momentumOf(const sim::State &state)
 }
 
 /// The published steps up to `body_pulled`, and all tries; `ground` is in tst_walking_ground.cpp, the tutorial's
-/// suggestions in tst_walking_further.cpp and tst_walking_company.cpp.
+/// suggestions in tst_walking_variations.cpp and tst_walking_company.cpp.
 class WalkingGait : public QObject
 {
     Q_OBJECT

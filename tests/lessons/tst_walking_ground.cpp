@@ -1,5 +1,5 @@
+#include "sim/run/script/composed_interval.h"
 #include "sim/run/script/script.h"
-#include "sim/run/script/segment.h"
 #include "sim/run/track.h"
 #include "tests/lessons/support.h"
 

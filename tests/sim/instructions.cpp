@@ -3,8 +3,8 @@
 // tst_instructions runs it and reads the counts.
 //   instructions SCENE METHOD
 
-#include "sim/analysis/cost/probe.h"
-#include "sim/analysis/cost/touched.h"
+#include "sim/analysis/cost/affected_points.h"
+#include "sim/analysis/cost/instrumented_effect.h"
 #include "sim/effects/fields/gravity.h"
 #include "sim/methods/methods.h"
 #include "sim/pipeline/pipeline.h"

@@ -15,7 +15,7 @@
 #include "sim/methods/methods.h"
 #include "sim/pipeline/pipeline.h"
 #include "sim/run/script/script.h"
-#include "sim/simd/flush.h"
+#include "sim/simd/flush_denormals.h"
 
 #include <stdexcept>
 

@@ -1,7 +1,7 @@
 // Adaptive methods take each part of a scene that nothing ties to the rest by steps of its own: whoever is alone and
 // whoever is in company run alike.
 
-#include "energy_bench.h"
+#include "energy_support.h"
 #include "sim/pipeline/pipeline.h"
 #include "support.h"
 

@@ -1,7 +1,7 @@
 // Blocks of a large scene that have come to rest sleep one by one, and no bit of the run differs.
 
 #include "counting.h"
-#include "sim/run/script/segment.h"
+#include "sim/run/script/composed_interval.h"
 #include "support.h"
 
 #include "sim/effects/drags/damping.h"

@@ -6,7 +6,7 @@
 #include "sim/effects/all_effects.h"
 #include "sim/effects/fields/charges.h"
 #include "sim/methods/methods.h"
-#include "sim/scene/built.h"
+#include "sim/scene/blueprint_draft.h"
 #include "sim/scene/values.h"
 
 #include <QTest>

@@ -1,10 +1,10 @@
 // What the ledger leaves to the method's error: it shrinks with the method's order, and so does what is integrated.
 
-#include "energy_bench.h"
+#include "energy_support.h"
 #include "implicit_scenes.h"
 #include "support.h"
 
-#include "sim/analysis/energy/integrals.h"
+#include "sim/analysis/energy/power_integrals.h"
 #include "sim/methods/methods.h"
 
 #include <QTest>

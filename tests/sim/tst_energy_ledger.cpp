@@ -1,9 +1,9 @@
 // Where energy and momentum go: each account against a closed form.
 
-#include "energy_bench.h"
 #include "energy_scenes.h"
+#include "energy_support.h"
 #include "implicit_scenes.h"
-#include "sim/run/script/segment.h"
+#include "sim/run/script/composed_interval.h"
 #include "support.h"
 
 #include "sim/analysis/energy/ledger.h"

@@ -1,7 +1,7 @@
 // What hands, wind and pulls without a potential do: their work, and the momentum that they give.
 
-#include "energy_bench.h"
 #include "energy_scenes.h"
+#include "energy_support.h"
 #include "support.h"
 
 #include "sim/analysis/energy/ledger.h"

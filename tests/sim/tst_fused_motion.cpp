@@ -8,7 +8,7 @@
 #include "sim/effects/fields/gravity.h"
 #include "sim/methods/methods.h"
 #include "sim/pipeline/run_step.h"
-#include "sim/simd/flush.h"
+#include "sim/simd/flush_denormals.h"
 
 #include <QTest>
 

@@ -1,6 +1,6 @@
 // What a scene lists although it can change nothing costs nothing: no phase computes it.
 
-#include "sim/run/script/segment.h"
+#include "sim/run/script/composed_interval.h"
 #include "support.h"
 
 #include "sim/effects/contacts/ground.h"

@@ -1,6 +1,6 @@
 // What would mend a step past its limit, each tried by running it; and the map of growth.
 
-#include "stability_bench.h"
+#include "stability_scenes.h"
 #include "support.h"
 
 #include "sim/analysis/stability/growth_map.h"

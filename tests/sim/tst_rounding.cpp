@@ -3,7 +3,7 @@
 #include "rounding.h"
 #include "support.h"
 
-#include "sim/pipeline/parts.h"
+#include "sim/pipeline/phase_builder.h"
 
 #include <QTest>
 

@@ -1,6 +1,6 @@
 // What has come to rest sleeps: its rows are not computed, and no bit of the run differs.
 
-#include "sleep_bench.h"
+#include "sleep_scenes.h"
 
 #include <QTest>
 

@@ -1,7 +1,7 @@
 // What wakes a run that sleeps, and what keeps it awake.
 
-#include "sim/run/script/segment.h"
-#include "sleep_bench.h"
+#include "sim/run/script/composed_interval.h"
+#include "sleep_scenes.h"
 
 #include <QTest>
 

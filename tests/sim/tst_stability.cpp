@@ -1,9 +1,9 @@
 // What bounds a step, which spring decides it, and what is left out.
 
-#include "stability_bench.h"
+#include "stability_scenes.h"
 #include "support.h"
 
-#include "sim/analysis/stability/modes/krylov.h"
+#include "sim/analysis/stability/modes/spectrum.h"
 #include "sim/effects/drags/damping.h"
 #include "sim/effects/fields/gravity.h"
 #include "sim/effects/springs/body_spring.h"

@@ -1,7 +1,7 @@
 // Where steps begin to fail: predicted from slopes, against closed forms and against runs.
 
-#include "sim/run/script/segment.h"
-#include "stability_bench.h"
+#include "sim/run/script/composed_interval.h"
+#include "stability_scenes.h"
 #include "support.h"
 
 #include "sim/analysis/stability/remedies/remedies.h"

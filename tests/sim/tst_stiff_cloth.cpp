@@ -3,10 +3,10 @@
 #include "implicit_scenes.h"
 #include "support.h"
 
-#include "sim/methods/flow.h"
 #include "sim/methods/implicit/solvers/conjugate_gradients.h"
 #include "sim/methods/implicit/solvers/linear_solve.h"
 #include "sim/methods/methods.h"
+#include "sim/methods/ode_system.h"
 #include "sim/scenes/cloth.h"
 
 #include <Eigen/Dense>

@@ -1,6 +1,6 @@
 // Going anywhere in time gives the bits of a straight run.
 
-#include "sim/run/script/segment.h"
+#include "sim/run/script/composed_interval.h"
 #include "support.h"
 #include "tests/sizes.h"
 

@@ -5,7 +5,7 @@
 #include "app/ui/code/code_view.h"
 #include "app/ui/code/stop_list.h"
 #include "app/ui/theme/theme.h"
-#include "sim/run/script/segment.h"
+#include "sim/run/script/composed_interval.h"
 
 #include <QApplication>
 #include <QClipboard>

@@ -7,7 +7,7 @@
 #include "app/ui/code/code_panel.h"
 #include "app/ui/code/code_view.h"
 #include "app/ui/theme/theme.h"
-#include "sim/run/script/segment.h"
+#include "sim/run/script/composed_interval.h"
 
 #include <QKeyEvent>
 #include <QScrollBar>

@@ -3,7 +3,7 @@
 #include "app/model/code_listing.h"
 #include "app/model/refusal.h"
 #include "app/ui/theme/theme.h"
-#include "sim/run/script/segment.h"
+#include "sim/run/script/composed_interval.h"
 
 #include <QCheckBox>
 #include <QHBoxLayout>

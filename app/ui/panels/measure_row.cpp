@@ -1,6 +1,6 @@
 #include "app/ui/panels/measure_row.h"
 
-#include "sim/run/script/segment.h"
+#include "sim/run/script/composed_interval.h"
 
 #include <QLocale>
 #include <QPainter>

@@ -1,7 +1,7 @@
 #include "app/ui/panels/parameter_row.h"
 
 #include "app/model/numbers.h"
-#include "sim/run/script/segment.h"
+#include "sim/run/script/composed_interval.h"
 
 #include "app/ui/panels/grouped_choice.h"
 #include "app/ui/panels/number_box.h"

@@ -3,7 +3,7 @@
 #include "app/model/quantity_words.h"
 #include "app/ui/plots/plot_card.h"
 #include "app/ui/plots/plots_panel.h"
-#include "sim/run/script/segment.h"
+#include "sim/run/script/composed_interval.h"
 
 #include <QLabel>
 #include <QMenu>

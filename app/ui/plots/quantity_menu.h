@@ -2,7 +2,7 @@
 
 #include "app/model/plot_list.h"
 #include "app/model/session.h"
-#include "sim/run/script/segment.h"
+#include "sim/run/script/composed_interval.h"
 
 #include <QMenu>
 

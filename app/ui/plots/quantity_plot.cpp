@@ -4,7 +4,7 @@
 #include "app/ui/plots/dashed_curve.h"
 #include "app/ui/plots/number_ticker.h"
 #include "app/ui/theme/plot_axes.h"
-#include "sim/run/script/segment.h"
+#include "sim/run/script/composed_interval.h"
 
 #include <algorithm>
 #include <cmath>

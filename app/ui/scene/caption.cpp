@@ -1,7 +1,7 @@
 #include "app/ui/scene/caption.h"
 
 #include "app/model/sentences.h"
-#include "sim/run/script/segment.h"
+#include "sim/run/script/composed_interval.h"
 
 #include <QCoreApplication>
 #include <QStringList>

@@ -4,7 +4,7 @@
 #include "app/model/sentences.h"
 #include "app/ui/scene/body_text.h"
 #include "app/ui/scene/label_places.h"
-#include "sim/run/script/segment.h"
+#include "sim/run/script/composed_interval.h"
 
 #include <QCoreApplication>
 

@@ -2,7 +2,7 @@
 
 #include "app/model/sentences.h"
 #include "app/ui/scene/body_text.h"
-#include "sim/run/script/segment.h"
+#include "sim/run/script/composed_interval.h"
 
 #include <algorithm>
 #include <cmath>

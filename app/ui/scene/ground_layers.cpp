@@ -5,7 +5,7 @@
 #include "app/ui/scene/material.h"
 #include "app/ui/scene/sky.h"
 #include "sim/effects/contacts/ramp.h"
-#include "sim/run/script/segment.h"
+#include "sim/run/script/composed_interval.h"
 
 #include <QCoreApplication>
 #include <QPainterPath>

@@ -7,7 +7,7 @@
 #include "app/ui/scene/guide_labels.h"
 #include "app/ui/scene/label_places.h"
 #include "app/ui/scene/reference_marks.h"
-#include "sim/run/script/segment.h"
+#include "sim/run/script/composed_interval.h"
 
 #include <QCoreApplication>
 #include <QLocale>

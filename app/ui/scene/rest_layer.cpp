@@ -2,7 +2,7 @@
 
 #include "app/model/rest_marks.h"
 #include "app/ui/scene/layers.h"
-#include "sim/run/script/segment.h"
+#include "sim/run/script/composed_interval.h"
 
 #include <algorithm>
 

@@ -9,7 +9,7 @@
 #include "app/ui/scene/framing.h"
 #include "app/ui/scene/layers.h"
 #include "app/ui/scene/scene_view.h"
-#include "sim/run/script/segment.h"
+#include "sim/run/script/composed_interval.h"
 
 #include <QResizeEvent>
 #include <QScrollBar>

@@ -5,9 +5,9 @@
 #include "app/ui/scene/body_text.h"
 #include "app/ui/scene/layers.h"
 #include "app/ui/scene/reference_marks.h"
-#include "lessons/api/view/look.h"
+#include "lessons/api/view/scene_view.h"
 #include "sim/run/phase_before.h"
-#include "sim/run/script/segment.h"
+#include "sim/run/script/composed_interval.h"
 
 #include <QLocale>
 

@@ -1,6 +1,6 @@
 #include "app/ui/scene/tools.h"
 
-#include "sim/run/script/segment.h"
+#include "sim/run/script/composed_interval.h"
 #include "sim/scene/input_reader.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "app/ui/time/footfall_strip.h"
 
 #include "app/ui/time/timeline_strip.h"
-#include "sim/run/script/segment.h"
+#include "sim/run/script/composed_interval.h"
 
 #include <QHelpEvent>
 #include <QLocale>

@@ -1,7 +1,7 @@
 #include "app/ui/time/position.h"
 
 #include "app/model/sentences.h"
-#include "sim/run/script/segment.h"
+#include "sim/run/script/composed_interval.h"
 
 #include <QCoreApplication>
 

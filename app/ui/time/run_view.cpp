@@ -1,7 +1,7 @@
 #include "app/ui/time/run_view.h"
 
 #include "app/model/session.h"
-#include "sim/run/script/segment.h"
+#include "sim/run/script/composed_interval.h"
 
 #include <algorithm>
 #include <map>

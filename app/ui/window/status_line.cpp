@@ -6,7 +6,7 @@
 #include "app/ui/stability/stability_gauge.h"
 #include "app/ui/window/status_figures.h"
 #include "app/ui/window/status_sentence.h"
-#include "sim/run/script/segment.h"
+#include "sim/run/script/composed_interval.h"
 
 namespace app {
 

@@ -1,7 +1,7 @@
 #include "lessons/api/checks/budget.h"
 
 #include "lessons/api/checks/exact_run.h"
-#include "sim/analysis/accuracy/run.h"
+#include "sim/analysis/accuracy/study_run.h"
 #include "sim/analysis/accuracy/timing.h"
 
 #include <algorithm>

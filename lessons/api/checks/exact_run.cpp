@@ -1,6 +1,6 @@
 #include "lessons/api/checks/exact_run.h"
 
-#include "sim/analysis/accuracy/run.h"
+#include "sim/analysis/accuracy/study_run.h"
 #include "sim/base/error.h"
 #include "sim/methods/methods.h"
 #include "sim/run/track.h"

@@ -1,9 +1,9 @@
 #include "lessons/api/checks/run_queries.h"
 
-#include "lessons/api/checks/hand.h"
-#include "sim/run/script/segment.h"
+#include "lessons/api/checks/drag_gesture.h"
+#include "sim/run/script/composed_interval.h"
 #include "sim/run/timeline.h"
-#include "sim/simd/flush.h"
+#include "sim/simd/flush_denormals.h"
 
 #include <algorithm>
 #include <cmath>

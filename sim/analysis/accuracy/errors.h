@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/analysis/accuracy/run.h"
+#include "sim/analysis/accuracy/study_run.h"
 
 namespace sim {
 

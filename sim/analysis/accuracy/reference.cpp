@@ -1,7 +1,7 @@
 #include "sim/analysis/accuracy/reference.h"
 
-#include "sim/methods/flow.h"
 #include "sim/methods/methods.h"
+#include "sim/methods/ode_system.h"
 
 namespace sim {
 

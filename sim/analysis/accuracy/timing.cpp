@@ -1,11 +1,11 @@
 #include "sim/analysis/accuracy/timing.h"
 
-#include "sim/analysis/accuracy/run.h"
 #include "sim/analysis/accuracy/samples.h"
+#include "sim/analysis/accuracy/study_run.h"
 #include "sim/base/cpu_clock.h"
 #include "sim/pipeline/pipeline.h"
 #include "sim/scene/scene.h"
-#include "sim/simd/flush.h"
+#include "sim/simd/flush_denormals.h"
 
 #include <memory>
 #include <utility>

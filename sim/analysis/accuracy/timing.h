@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/analysis/accuracy/watch.h"
+#include "sim/analysis/accuracy/study_monitor.h"
 
 namespace sim {
 

@@ -1,9 +1,9 @@
 #include "sim/analysis/cost/cost.h"
 
 #include "sim/analysis/accuracy/samples.h"
-#include "sim/analysis/cost/probe.h"
-#include "sim/analysis/cost/stretch.h"
-#include "sim/analysis/cost/touched.h"
+#include "sim/analysis/cost/affected_points.h"
+#include "sim/analysis/cost/instrumented_effect.h"
+#include "sim/analysis/cost/timing_batch.h"
 #include "sim/base/cpu_clock.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/analysis/energy/stock.h"
+#include "sim/analysis/energy/stored_energy.h"
 
 #include <array>
 #include <cstddef>

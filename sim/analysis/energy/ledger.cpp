@@ -1,8 +1,8 @@
 #include "sim/analysis/energy/ledger.h"
 
-#include "sim/analysis/energy/books.h"
-#include "sim/run/script/carry_over.h"
-#include "sim/run/script/segment.h"
+#include "sim/analysis/energy/energy_accounting.h"
+#include "sim/run/script/composed_interval.h"
+#include "sim/run/script/state_transfer.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "sim/analysis/stability/stability.h"
 
-#include "sim/analysis/stability/modes/steps.h"
+#include "sim/analysis/stability/modes/step_analysis.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/analysis/stability/modes/culprit.h"
+#include "sim/analysis/stability/modes/dominant_effect.h"
 
 #include <vector>
 

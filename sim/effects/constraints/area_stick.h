@@ -1,7 +1,7 @@
 #pragma once
 
 #include "sim/base/direction.h"
-#include "sim/effects/description.h"
+#include "sim/effects/effect_description.h"
 
 #include <algorithm>
 

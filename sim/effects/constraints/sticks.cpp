@@ -1,7 +1,7 @@
 #include "sim/effects/constraints/sticks.h"
 
 #include "sim/base/error.h"
-#include "sim/scene/built.h"
+#include "sim/scene/blueprint_draft.h"
 
 namespace sim {
 

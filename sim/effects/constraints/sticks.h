@@ -1,8 +1,8 @@
 #pragma once
 
 #include "sim/effects/constraints/stick.h"
-#include "sim/effects/description.h"
-#include "sim/scene/resting.h"
+#include "sim/effects/effect_description.h"
+#include "sim/scene/rest_target.h"
 
 namespace sim {
 

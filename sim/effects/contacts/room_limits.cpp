@@ -1,6 +1,6 @@
 #include "sim/effects/contacts/room_limits.h"
 
-#include "sim/scene/built.h"
+#include "sim/scene/blueprint_draft.h"
 #include "sim/scene/values.h"
 
 namespace sim {

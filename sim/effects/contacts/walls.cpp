@@ -1,8 +1,8 @@
 #include "sim/effects/contacts/walls.h"
 
-#include "sim/scene/built.h"
+#include "sim/scene/blueprint_draft.h"
 #include "sim/scene/values.h"
-#include "sim/simd/free_points.h"
+#include "sim/simd/point_kernels.h"
 
 namespace sim {
 

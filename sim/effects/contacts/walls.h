@@ -1,7 +1,7 @@
 #pragma once
 
 #include "sim/effects/contacts/room.h"
-#include "sim/effects/description.h"
+#include "sim/effects/effect_description.h"
 
 #include <cmath>
 

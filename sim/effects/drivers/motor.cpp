@@ -1,6 +1,6 @@
 #include "sim/effects/drivers/motor.h"
 
-#include "sim/effects/pairs/slope.h"
+#include "sim/effects/pairs/pair_jacobian.h"
 namespace sim {
 
 std::vector<Region> Motor::regions(Directions) const

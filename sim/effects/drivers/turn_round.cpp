@@ -1,6 +1,6 @@
 #include "sim/effects/drivers/turn_round.h"
 
-#include "sim/scene/built.h"
+#include "sim/scene/blueprint_draft.h"
 #include "sim/scene/values.h"
 
 namespace sim {

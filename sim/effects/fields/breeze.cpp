@@ -1,9 +1,9 @@
 #include "sim/effects/fields/breeze.h"
 
-#include "sim/effects/pairs/slope.h"
-#include "sim/scene/built.h"
+#include "sim/effects/pairs/pair_jacobian.h"
+#include "sim/scene/blueprint_draft.h"
 #include "sim/scene/values.h"
-#include "sim/simd/free_points.h"
+#include "sim/simd/point_kernels.h"
 
 namespace sim {
 

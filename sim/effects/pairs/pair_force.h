@@ -1,10 +1,10 @@
 #pragma once
 
 #include "sim/base/direction.h"
-#include "sim/effects/description.h"
+#include "sim/effects/effect_description.h"
 #include "sim/effects/pairs/links.h"
-#include "sim/effects/pairs/slope.h"
-#include "sim/scene/resting.h"
+#include "sim/effects/pairs/pair_jacobian.h"
+#include "sim/scene/rest_target.h"
 
 #include <limits>
 #include <memory>

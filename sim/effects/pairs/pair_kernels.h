@@ -4,8 +4,8 @@
 
 #include "sim/effects/pairs/pair_force.h"
 #include "sim/effects/pairs/reaction.h"
-#include "sim/scene/built.h"
-#include "sim/simd/wide.h"
+#include "sim/scene/blueprint_draft.h"
+#include "sim/simd/dispatch.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,8 +1,8 @@
 #include "sim/effects/springs/point_spring.h"
 
-#include "sim/effects/pairs/slope.h"
+#include "sim/effects/pairs/pair_jacobian.h"
 #include "sim/effects/pairs/spring.h"
-#include "sim/scene/built.h"
+#include "sim/scene/blueprint_draft.h"
 
 namespace sim {
 

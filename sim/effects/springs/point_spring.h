@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/effects/description.h"
+#include "sim/effects/effect_description.h"
 
 namespace sim {
 

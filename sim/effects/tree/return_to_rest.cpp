@@ -1,6 +1,6 @@
 #include "sim/effects/tree/return_to_rest.h"
 
-#include "sim/simd/free_points.h"
+#include "sim/simd/point_kernels.h"
 
 namespace sim {
 

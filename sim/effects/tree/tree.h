@@ -1,7 +1,7 @@
 #pragma once
 
 #include "sim/scene/state.h"
-#include "sim/simd/alike.h"
+#include "sim/simd/portable_math.h"
 
 #include <memory>
 #include <numbers>

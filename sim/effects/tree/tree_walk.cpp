@@ -1,6 +1,6 @@
 #include "sim/effects/tree/tree_walk.h"
 
-#include "sim/simd/free_points.h"
+#include "sim/simd/point_kernels.h"
 
 #include <algorithm>
 

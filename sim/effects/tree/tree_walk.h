@@ -2,7 +2,7 @@
 
 #include "sim/effects/tree/tree.h"
 #include "sim/scene/effect.h"
-#include "sim/simd/wide.h"
+#include "sim/simd/dispatch.h"
 
 #include <array>
 

@@ -2,7 +2,7 @@
 
 #include "sim/base/random.h"
 #include "sim/effects/tree/tree_walk.h"
-#include "sim/simd/free_points.h"
+#include "sim/simd/point_kernels.h"
 
 namespace sim {
 

@@ -1,7 +1,7 @@
 #include "sim/methods/adaptive/adaptive.h"
 
 #include "sim/base/error.h"
-#include "sim/methods/adaptive/courses.h"
+#include "sim/methods/adaptive/island_integrators.h"
 
 namespace sim {
 
@@ -68,9 +68,9 @@ std::vector<Phase> Adaptive::phases(const Scene &scene, StepSize size) const
     phase.moves = true;
     phase.integrates = true;
     phase.within = effectsWithin(whole, scene);
-    phase.regions = {{"sim/methods/adaptive/advance.cpp", "try_step"},
-                     {"sim/methods/adaptive/advance.cpp", "next_step"},
-                     {"sim/methods/adaptive/advance.cpp", "read_off"}};
+    phase.regions = {{"sim/methods/adaptive/adaptive_stepper.cpp", "try_step"},
+                     {"sim/methods/adaptive/adaptive_stepper.cpp", "next_step"},
+                     {"sim/methods/adaptive/adaptive_stepper.cpp", "read_off"}};
     phase.regions.insert(phase.regions.end(), m_shown.begin(), m_shown.end());
     for (const EffectPtr &effect : phase.within) {
         for (const Region &region : effect->regions(directions()))

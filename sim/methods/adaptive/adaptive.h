@@ -18,7 +18,7 @@ public:
     int evaluations() const override { return 0; }
     std::vector<std::string> needs() const override;
     Directions directions() const override { return Directions::apart; }
-    Region region() const override { return {"sim/methods/adaptive/advance.cpp", "adaptive_order"}; }
+    Region region() const override { return {"sim/methods/adaptive/adaptive_stepper.cpp", "adaptive_order"}; }
     void prepare(State &state) const override;
     std::vector<Phase> phases(const Scene &scene, StepSize size) const override;
 

@@ -1,6 +1,6 @@
 #include "sim/methods/fixed/explicit_euler.h"
 
-#include "sim/pipeline/parts.h"
+#include "sim/pipeline/phase_builder.h"
 
 namespace sim {
 

@@ -1,7 +1,7 @@
 #include "sim/methods/fixed/runge_kutta.h"
 
-#include "sim/methods/flow.h"
-#include "sim/pipeline/parts.h"
+#include "sim/methods/ode_system.h"
+#include "sim/pipeline/phase_builder.h"
 
 namespace sim {
 

@@ -1,6 +1,6 @@
 #include "sim/methods/fixed/velocity_verlet.h"
 
-#include "sim/pipeline/parts.h"
+#include "sim/pipeline/phase_builder.h"
 
 namespace sim {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/methods/flow.h"
+#include "sim/methods/ode_system.h"
 
 #include <vector>
 

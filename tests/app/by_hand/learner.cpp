@@ -12,7 +12,7 @@
 #include "app/ui/panels/why_box.h"
 #include "app/ui/scene/hand.h"
 #include "app/ui/scene/scene_view.h"
-#include "lessons/api/checks/hand.h"
+#include "lessons/api/checks/drag_gesture.h"
 
 #include <QTest>
 #include <QToolButton>

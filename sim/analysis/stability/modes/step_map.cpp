@@ -1,6 +1,6 @@
 #include "sim/analysis/stability/modes/step_map.h"
 
-#include "sim/simd/flush.h"
+#include "sim/simd/flush_denormals.h"
 
 #include <cmath>
 

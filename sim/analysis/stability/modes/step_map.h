@@ -1,7 +1,7 @@
 #pragma once
 
-#include "sim/analysis/stability/modes/krylov.h"
-#include "sim/analysis/stability/modes/linear.h"
+#include "sim/analysis/stability/modes/linearised_scene.h"
+#include "sim/analysis/stability/modes/spectrum.h"
 #include "sim/pipeline/pipeline.h"
 
 namespace sim {

@@ -2,7 +2,7 @@
 
 #include "sim/base/error.h"
 #include "sim/effects/constraints/sticks.h"
-#include "sim/run/script/segment.h"
+#include "sim/run/script/composed_interval.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "sim/methods/adaptive/steps/dop853.h"
 
-#include "sim/methods/adaptive/steps/embedded.h"
+#include "sim/methods/adaptive/steps/embedded_runge_kutta.h"
 
 #include <cmath>
 
@@ -263,7 +263,7 @@ const StepRule &rule()
 }
 
 Dop853::Dop853()
-    : Adaptive(rule(), {{"sim/methods/adaptive/steps/embedded.cpp", "embedded_step"},
+    : Adaptive(rule(), {{"sim/methods/adaptive/steps/embedded_runge_kutta.cpp", "embedded_step"},
                         {"sim/methods/adaptive/steps/dop853.cpp", "dop853_tableau"}})
 {
 }

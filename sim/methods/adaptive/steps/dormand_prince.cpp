@@ -1,6 +1,6 @@
 #include "sim/methods/adaptive/steps/dormand_prince.h"
 
-#include "sim/methods/adaptive/steps/embedded.h"
+#include "sim/methods/adaptive/steps/embedded_runge_kutta.h"
 #include "sim/methods/adaptive/steps/hermite.h"
 
 #include <cmath>
@@ -92,7 +92,7 @@ const StepRule &rule()
 }
 
 DormandPrince::DormandPrince()
-    : Adaptive(rule(), {{"sim/methods/adaptive/steps/embedded.cpp", "embedded_step"},
+    : Adaptive(rule(), {{"sim/methods/adaptive/steps/embedded_runge_kutta.cpp", "embedded_step"},
                         {"sim/methods/adaptive/steps/dormand_prince.cpp", "dormand_prince_tableau"}})
 {
 }

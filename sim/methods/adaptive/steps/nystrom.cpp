@@ -1,7 +1,7 @@
 #include "sim/methods/adaptive/steps/nystrom.h"
 
 #include "sim/methods/adaptive/steps/hermite.h"
-#include "sim/simd/wide.h"
+#include "sim/simd/dispatch.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/methods/adaptive/pulls.h"
+#include "sim/methods/adaptive/contact_accelerations.h"
 #include "sim/methods/fixed/tableau.h"
 
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/effects/pairs/slope.h"
+#include "sim/effects/pairs/pair_jacobian.h"
 
 namespace sim {
 

@@ -1,0 +1,122 @@
+#include "lessons/api/checks/drag_gesture.h"
+
+#include "sim/run/script/composed_interval.h"
+#include "sim/run/timeline.h"
+
+#include <algorithm>
+
+namespace lessons {
+
+namespace {
+
+/// The frame whose input has been applied at the cursor: inside a frame that is the one under way.
+std::int64_t framesBegun(const sim::Timeline &timeline)
+{
+    const sim::Cursor at = timeline.at();
+    return at.phase > 0 ? at.frame + timeline.track().rowFrames() : at.frame;
+}
+
+/// Calls `visit(event)` for the input that has been applied at the cursor.
+template <class Visit>
+void forEachApplied(const sim::Timeline &timeline, Visit &&visit)
+{
+    const std::int64_t begun = framesBegun(timeline);
+    if (begun == 0)
+        return;
+    for (const sim::Event &event : timeline.script().input) {
+        if (event.frame > begun)
+            return;
+        visit(event);
+    }
+}
+
+void letGo(std::vector<Carry> &all, std::int64_t frame)
+{
+    if (!all.empty() && !all.back().letGo)
+        all.back().letGo = frame;
+}
+
+void goTo(std::vector<Carry> &all, std::int64_t frame, sim::Vec2 to)
+{
+    if (all.empty() || all.back().letGo)
+        return;
+    std::vector<HandPlace> &path = all.back().path;
+    if (!path.empty() && path.back().frame == frame)
+        path.back().at = to;
+    else
+        path.push_back({frame, to});
+}
+
+}
+
+double Carry::reach() const
+{
+    double farthest = 0.0;
+    for (const HandPlace &place : path)
+        farthest = std::max(farthest, sim::length(place.at - path.front().at));
+    return farthest;
+}
+
+std::optional<sim::Vec2> Carry::handAt(std::int64_t frame) const
+{
+    std::optional<sim::Vec2> found;
+    for (const HandPlace &place : path) {
+        if (place.frame <= frame)
+            found = place.at;
+    }
+    return found;
+}
+
+sim::Vec2 Carry::throwVelocity() const
+{
+    if (!letGo)
+        return {};
+    // In the frame in which it lets go the body is free already: its velocity is from the frame before.
+    const std::optional<sim::Vec2> last = handAt(*letGo - 1);
+    const std::optional<sim::Vec2> before = handAt(*letGo - 2);
+    return last && before ? *last - *before : sim::Vec2{};
+}
+
+std::vector<Carry> carries(const sim::Timeline &timeline)
+{
+    std::vector<Carry> all;
+    forEachApplied(timeline, [&](const sim::Event &event) {
+        if (const auto *grab = std::get_if<sim::Grab>(&event.what)) {
+            letGo(all, event.frame);
+            all.push_back({grab->body, event.frame, {}, {}});
+        } else if (const auto *move = std::get_if<sim::Move>(&event.what)) {
+            goTo(all, event.frame, move->to);
+        } else if (std::holds_alternative<sim::Release>(event.what)) {
+            letGo(all, event.frame);
+        }
+    });
+    return all;
+}
+
+std::optional<Carry> lastLetGo(const sim::Timeline &timeline, const std::string &body)
+{
+    const std::vector<Carry> all = carries(timeline);
+    if (all.empty() || !all.back().letGo || (!body.empty() && all.back().body != body))
+        return {};
+    return all.back();
+}
+
+std::string heldBody(const sim::Timeline &timeline)
+{
+    const int held = timeline.now().hold.point;
+    return held < 0 ? std::string() : timeline.track().shown().scene.names[static_cast<std::size_t>(held)];
+}
+
+std::int64_t framesWithoutHand(const sim::Timeline &timeline)
+{
+    if (timeline.now().hold.point >= 0)
+        return 0;
+    std::int64_t last = 0;
+    forEachApplied(timeline, [&](const sim::Event &event) {
+        if (!std::holds_alternative<sim::Set>(event.what))
+            last = event.frame;
+    });
+    return timeline.at().frame - last;
+}
+
+}

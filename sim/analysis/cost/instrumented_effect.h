@@ -1,0 +1,11 @@
+#pragma once
+
+#include "sim/analysis/cost/call_counter.h"
+
+namespace sim {
+
+/// An effect that does all that `effect` does, and notes in `tally`, which must outlive it, what it is asked. For
+/// measuring only: what runs is always the effect itself.
+EffectPtr probeOf(const EffectPtr &effect, Tally &tally);
+
+}

@@ -1,0 +1,132 @@
+#include "sim/analysis/energy/stored_energy.h"
+
+#include <algorithm>
+
+namespace sim {
+
+namespace {
+
+/// 1/mass of every point that can go on by itself, 0 of the others.
+Eigen::ArrayXd inverseMassOf(const Scene &scene)
+{
+    Eigen::ArrayXd inverse = scene.start.inverseMass;
+    for (int i = 0; i < scene.start.points(); ++i) {
+        if (!scene.hasInertia(i))
+            inverse[i] = 0.0;
+    }
+    return inverse;
+}
+
+bool isTurning(const Scene &scene)
+{
+    return scene.start.spin.rows() > 0;
+}
+
+/// What the scene's torques divide by, 0 for what never turns; empty where none tells.
+Eigen::ArrayXd inertiaOf(const Scene &scene)
+{
+    for (const EffectPtr &effect : scene.effects) {
+        const auto *torque = as<Torque>(effect);
+        Eigen::ArrayXd inertia = torque ? torque->inertia() : Eigen::ArrayXd();
+        if (inertia.size() == scene.start.spin.size())
+            return (inverseMassOf(scene) != 0.0).select(inertia, 0.0);
+    }
+    return {};
+}
+
+}
+
+std::optional<NoEnergy> Meter::whyNot(const Scene &scene)
+{
+    for (const Group &group : scene.groups) {
+        if (group.inertia == Inertia::none)
+            return NoEnergy::noInertia;
+    }
+    if ((inverseMassOf(scene) == 0.0).all())
+        return NoEnergy::nothingMoves;
+    if (isTurning(scene) && inertiaOf(scene).size() == 0)
+        return NoEnergy::unknownForce;
+    return {};
+}
+
+Meter::Meter(const Scene &scene) : m_turns(isTurning(scene)), m_inverseMass(inverseMassOf(scene))
+{
+    m_mass = m_turns ? inertiaOf(scene) : (m_inverseMass != 0.0).select(1.0 / m_inverseMass, 0.0);
+    const State start = freed(scene.start);
+    for (const EffectPtr &effect : scene.effects) {
+        const auto *force = as<Force>(effect);
+        const auto *torque = as<Torque>(effect);
+        if (force && !m_turns && force->energy(start))
+            m_stores.push_back({effect, force, nullptr, force->balances(start)});
+        else if (torque && m_turns && torque->energy(start))
+            m_stores.push_back({effect, nullptr, torque, false});
+    }
+}
+
+double Meter::Store::energy(const State &state) const
+{
+    return (force ? force->energy(state) : torque->energy(state)).value_or(0.0);
+}
+
+State Meter::freed(State state) const
+{
+    state.inverseMass = m_inverseMass;
+    return state;
+}
+
+double Meter::moving(const State &state) const
+{
+    if (m_turns)
+        return 0.5 * (m_mass * state.spin.square()).sum();
+    return 0.5 * (m_mass * (state.velocity.col(0).square() + state.velocity.col(1).square())).sum();
+}
+
+double Meter::moving(const State &state, int point) const
+{
+    const Vec2 v = m_turns ? Vec2{state.spin[point], 0.0} : state.speed(point);
+    return 0.5 * m_mass[point] * dot(v, v);
+}
+
+Vec2 Meter::momentum(const State &state) const
+{
+    if (m_turns)
+        return {};
+    return {(m_mass * state.velocity.col(0)).sum(), (m_mass * state.velocity.col(1)).sum()};
+}
+
+double Meter::stored(const State &state) const
+{
+    const Stock stock = read(state);
+    return stock.springs + stock.gravity;
+}
+
+Stock Meter::read(const State &state) const
+{
+    Stock stock;
+    stock.moving = moving(state);
+    stock.momentum = momentum(state);
+    const State free = freed(state);
+    for (const Store &store : m_stores)
+        (store.effect->kind() == Kind::gravity ? stock.gravity : stock.springs) += store.energy(free);
+    return stock;
+}
+
+const Meter::Store *Meter::find(const Effect &effect) const
+{
+    const auto found = std::find_if(m_stores.begin(), m_stores.end(),
+                                    [&](const Store &store) { return store.effect.get() == &effect; });
+    return found == m_stores.end() ? nullptr : &*found;
+}
+
+bool Meter::isStored(const Effect &effect) const
+{
+    return find(effect) != nullptr;
+}
+
+bool Meter::balances(const Effect &effect) const
+{
+    const Store *store = find(effect);
+    return store && store->balances;
+}
+
+}

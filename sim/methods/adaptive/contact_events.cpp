@@ -1,0 +1,50 @@
+#include "sim/methods/adaptive/contact_events.h"
+
+#include "sim/effects/contacts/reflection.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sim {
+
+Touching::Touching(const Scene &scene, const std::vector<Points> &runs)
+{
+    std::vector<const Contact *> contacts;
+    for (const EffectPtr &effect : scene.effects) {
+        if (const auto *contact = as<Contact>(effect))
+            contacts.push_back(contact);
+    }
+    int row = 0;
+    for (const Points &run : runs) {
+        for (int point = run.first; point < run.end(); ++point, ++row) {
+            int number = 0;
+            for (const Contact *contact : contacts) {
+                if (!scene.hasInertia(point))
+                    continue;
+                for (const Surface &surface : contact->surfaces(point))
+                    m_places.push_back({point, row, 1 << number++, surface});
+            }
+        }
+    }
+}
+
+double restingSpeed(double pull, double tolerance)
+{
+    return std::max(1e-3, std::sqrt(2.0 * pull * 0.1 * tolerance));
+}
+
+Vec2 bounced(const Surface &surface, Vec2 v)
+{
+    if (surface.grip == Grip::full)
+        v = away(surface, v) * surface.normal;
+    return reflected(v, surface.normal, surface.bounce);
+}
+
+Vec2 held(const Surface &surface, Vec2 a)
+{
+    if (surface.grip == Grip::full)
+        return {0.0, 0.0};
+    return a - away(surface, a) * surface.normal;
+}
+
+}

@@ -1,0 +1,112 @@
+#include "sim/methods/adaptive/steps/embedded_runge_kutta.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace sim {
+
+/// The place of a stage, the pull there, and the velocity that belongs to it.
+void Embedded::stage(const Attempt &step, int number, double *place) const
+{
+    const std::vector<Flow::Stretch> &stretches = step.flow.stretches();
+    const int size = step.flow.size();
+    const auto row = static_cast<std::size_t>(number);
+    for (std::size_t i = 0; i < stretches.size(); ++i) {
+        const StageWeights &weights = (*step.weights)[i];
+        blendRows(place, step.place, 1.0, speeds(step), weights.place[row].data(), number, stretches[i].first,
+                  stretches[i].end(), size);
+        blendRows(speeds(step) + number * size, step.speed, weights.keep[row], slopes(step),
+                  weights.speed[row].data(), number, stretches[i].first, stretches[i].end(), size);
+    }
+    step.pulls.at(place, step.start + m_pair.tableau().c[row] * step.h, slopes(step) + number * size);
+}
+
+// Shown lines are short.
+// clang-format off
+//! [embedded_step]
+double Embedded::attempt(
+    const Attempt &step) const
+{
+    int size = step.flow.size();
+    std::copy_n(step.speed, size,
+                speeds(step));
+    std::copy_n(step.slope, size,
+                slopes(step));
+    const auto &rows =
+        step.flow.stretches();
+    const auto &table = m_pair.tableau();
+    for (std::size_t i = 0;
+         i < rows.size(); ++i)
+        (*step.weights)[i].set(table,
+            rows[i].rate, step.h, stages());
+    int last = table.stages - 1;
+    for (int i = 1; i <= last; ++i)
+        stage(step, i, step.endPlace);
+    std::copy_n(
+        speeds(step) + last * size,
+        size, step.endSpeed);
+    std::copy_n(
+        slopes(step) + last * size,
+        size, step.endSlope);
+    return error(step);
+}
+//! [embedded_step]
+// clang-format on
+
+double Embedded::error(const Attempt &step) const
+{
+    const double most = estimate(step, m_pair.error());
+    if (!std::isfinite(most))
+        return std::numeric_limits<double>::infinity();
+    if (!m_pair.hasLowerError())
+        return step.h * most;
+    // Two estimates are put together so that the lower one counts only where the higher is unsure.
+    const double lower = estimate(step, m_pair.lowerError());
+    const double both = most > 0.0 ? most * (most / std::hypot(most, 0.1 * lower)) : 0.0;
+    return step.h * (lower > 0.0 ? both : most);
+}
+
+double Embedded::estimate(const Attempt &step, const Tableau::Row &weights) const
+{
+    const std::vector<Flow::Stretch> &stretches = step.flow.stretches();
+    const int steps = m_pair.tableau().stages, size = step.flow.size();
+    double *sum = step.scratch;
+    double most = 0.0;
+    for (std::size_t n = 0; n < stretches.size(); ++n) {
+        const int first = stretches[n].first, end = stretches[n].end();
+        Tableau::Row since{}; // with what damping leaves at the end of what each stage's slope has made
+        const auto &keep = (*step.weights)[n].keep;
+        for (std::size_t j = 0; j < static_cast<std::size_t>(steps); ++j)
+            since[j] = keep[j] > 0.0 ? weights[j] * keep[static_cast<std::size_t>(steps) - 1] / keep[j] : 0.0;
+        const double *v = speeds(step), *a = slopes(step);
+        blendRows(sum, v, 0.0, v, weights.data(), steps, first, end, size);
+        most = std::max(most, largest(sum + first, end - first));
+        blendRows(sum, a, 0.0, a, since.data(), steps, first, end, size);
+        most = std::max(most, largest(sum + first, end - first));
+    }
+    return most;
+}
+
+void Embedded::makeDense(const Attempt &step) const
+{
+    const int size = step.flow.size();
+    for (int i = m_pair.tableau().stages; i < stages(); ++i)
+        stage(step, i, step.scratch + size);
+    StepData data{step.place, step.speed, speeds(step), slopes(step), size, 0, 0, 0.0, step.h, nullptr};
+    for (std::size_t n = 0; n < step.flow.stretches().size(); ++n) {
+        const Flow::Stretch &rows = step.flow.stretches()[n];
+        data.keep = (*step.weights)[n].keep.data();
+        data.first = rows.first;
+        data.end = rows.end();
+        data.rate = std::isinf(rows.rate) ? 0.0 : rows.rate; // it stands still
+        m_pair.makeDense(data, step.endPlace, step.endSpeed, step.columns);
+    }
+}
+
+Instant Embedded::instant(double rate, double h, double theta) const
+{
+    return {h, theta, keptOf(rate, h * theta), 0.0, 0.0};
+}
+
+}

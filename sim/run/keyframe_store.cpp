@@ -1,0 +1,88 @@
+#include "sim/run/keyframe_store.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace sim {
+
+namespace {
+
+/// The memory of a kept state, with the map's node, the pointer's counters and the allocator's headers.
+std::size_t costOf(const State &state)
+{
+    constexpr std::size_t bookkeeping = 192;
+    return memoryOf(state) + bookkeeping;
+}
+
+}
+
+void History::keep(const State &state)
+{
+    const std::int64_t row = state.frame / m_rowFrames;
+    if (row % m_spacing != 0 || (m_budget == 0 && row > 0) || m_kept.contains(state.frame))
+        return;
+    m_kept.emplace(state.frame, std::make_shared<const State>(state));
+    m_bytes += costOf(state);
+    thin();
+}
+
+std::int64_t History::before(std::int64_t frame) const
+{
+    return std::prev(m_kept.upper_bound(frame))->first;
+}
+
+void History::add(Sleep sleep)
+{
+    const auto after =
+        std::upper_bound(m_sleeps.begin(), m_sleeps.end(), sleep.from(),
+                         [](std::int64_t frame, const Sleep &other) { return frame < other.from(); });
+    m_sleepBytes += sleep.bytes();
+    m_sleeps.insert(after, std::move(sleep));
+    thin();
+}
+
+void History::dropSleep(std::vector<Sleep>::iterator sleep)
+{
+    m_sleepBytes -= sleep->bytes();
+    m_sleeps.erase(sleep);
+}
+
+const Sleep *History::sleepBefore(std::int64_t frame) const
+{
+    const auto after =
+        std::upper_bound(m_sleeps.begin(), m_sleeps.end(), frame,
+                         [](std::int64_t at, const Sleep &sleep) { return at < sleep.from(); });
+    return after == m_sleeps.begin() ? nullptr : &*std::prev(after);
+}
+
+void History::forget(std::int64_t frame)
+{
+    while (m_kept.rbegin()->first >= frame) { // from the end: a hand edits there, many times a second
+        m_bytes -= costOf(*m_kept.rbegin()->second);
+        m_kept.erase(std::prev(m_kept.end()));
+    }
+    while (!m_sleeps.empty() && m_sleeps.back().from() >= frame)
+        dropSleep(std::prev(m_sleeps.end()));
+}
+
+void History::setBudget(std::size_t budget)
+{
+    m_budget = budget;
+    thin();
+}
+
+void History::thin()
+{
+    while (m_kept.size() > 1 && m_bytes > m_budget) {
+        m_spacing *= 2;
+        std::erase_if(m_kept, [this](const auto &kept) {
+            const bool goes = kept.first / m_rowFrames % m_spacing != 0;
+            m_bytes -= goes ? costOf(*kept.second) : 0;
+            return goes;
+        });
+    }
+    while (m_sleeps.size() > 1 && m_sleepBytes > m_budget)
+        dropSleep(m_sleeps.begin());
+}
+
+}

@@ -1,0 +1,127 @@
+#include "sim/run/script/output_step.h"
+
+#include "sim/run/script/composed_interval.h"
+#include "sim/run/script/state_transfer.h"
+
+#include <algorithm>
+
+namespace sim {
+
+namespace {
+
+/// What a method has computed ahead holds as long as nothing comes in from outside.
+void forgetAhead(State &state)
+{
+    for (Ahead &ahead : state.ahead)
+        ahead.from = ahead.to = 0.0;
+    state.resting.setZero();
+}
+
+void letGo(State &state, const Scene &scene)
+{
+    const int held = state.hold.point;
+    if (held < 0)
+        return;
+    state.place(held, state.hold.hand);
+    state.inverseMass[held] = scene.start.inverseMass[held];
+    state.hold = {};
+}
+
+void applyHand(State &state, const Scene &scene, const Event &event)
+{
+    if (const Grab *grab = std::get_if<Grab>(&event.what)) {
+        letGo(state, scene);
+        const int point = scene.find(grab->body);
+        if (point < 0)
+            return;
+        state.hold = {point, state.at(point)};
+        state.inverseMass[point] = 0.0;
+    } else if (const Move *move = std::get_if<Move>(&event.what)) {
+        if (state.hold.point >= 0)
+            state.hold.hand = move->to;
+    } else if (std::holds_alternative<Release>(event.what)) {
+        letGo(state, scene);
+    }
+}
+
+void apply(State &state, const Scene &scene, const Event &event)
+{
+    if (const auto *pointer = std::get_if<Pointer>(&event.what)) {
+        state.outside.pointer = pointer->at;
+        state.outside.pointerDown = pointer->down;
+    } else if (const auto *target = std::get_if<Target>(&event.what)) {
+        state.outside.target = target->at;
+        state.outside.newTargets.push_back(target->at);
+    } else if (const auto *gust = std::get_if<Gust>(&event.what)) {
+        state.outside.gust = gust->degrees;
+    } else if (const auto *key = std::get_if<Key>(&event.what)) {
+        state.outside.keys.*key->key = key->down;
+    } else {
+        applyHand(state, scene, event);
+    }
+}
+
+/// The first event that comes after the row that ends at `frame`: what a script has at frame 0 comes with the first row.
+auto firstAfter(const Script &script, std::int64_t frame)
+{
+    return std::upper_bound(script.input.begin(), script.input.end(), frame == 0 ? -1 : frame,
+                            [](std::int64_t at, const Event &event) { return at < event.frame; });
+}
+
+}
+
+bool setsParameters(const Script &script, std::int64_t rowEnd)
+{
+    for (auto event = firstAfter(script, rowEnd - script.step.rowFrames);
+         event != script.input.end() && event->frame <= rowEnd; ++event) {
+        if (std::holds_alternative<Set>(event->what))
+            return true;
+    }
+    return false;
+}
+
+void beginRow(State &state, const Script &script, const std::shared_ptr<const Segment> &before,
+              const std::shared_ptr<const Segment> &now, std::int64_t rowEnd)
+{
+    const int rowFrames = script.step.rowFrames;
+    if (before != now ||
+        setsParameters(script, rowEnd)) // to the values that it has: they start anew all the same
+        state = carryOver(state, before->scene, now->scene);
+    if (state.hold.point >= 0)
+        forgetAhead(state);
+    state.frame = rowEnd;
+    state.outside.gust.reset();
+    state.outside.newTargets.clear();
+    for (auto event = firstAfter(script, rowEnd - rowFrames);
+         event != script.input.end() && event->frame <= rowEnd; ++event) {
+        apply(state, now->scene, *event);
+        forgetAhead(state);
+    }
+    const int held = state.hold.point;
+    if (held < 0)
+        return;
+    if (now->scene.start.feels(held) && now->scene.hasInertia(held))
+        state.push(held, (1.0 / rowFrames) * (state.hold.hand - state.at(held)));
+    state.place(held, state.hold.hand);
+}
+
+std::vector<int> grabbedIn(const Script &script, const Scene &scene, std::int64_t rowEnd)
+{
+    std::vector<int> points;
+    for (auto event = firstAfter(script, rowEnd - script.step.rowFrames);
+         event != script.input.end() && event->frame <= rowEnd; ++event) {
+        if (const Grab *grab = std::get_if<Grab>(&event->what))
+            points.push_back(scene.find(grab->body));
+    }
+    return points;
+}
+
+std::optional<std::int64_t> nextInput(const Script &script, std::int64_t frame)
+{
+    const auto event = firstAfter(script, frame);
+    if (event == script.input.end())
+        return {};
+    return rowEndOf(event->frame, script.step.rowFrames);
+}
+
+}

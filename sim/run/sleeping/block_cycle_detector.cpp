@@ -1,0 +1,65 @@
+#include "sim/run/sleeping/block_cycle_detector.h"
+
+#include "sim/pipeline/pipeline.h"
+#include "sim/scene/state.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace sim {
+
+namespace {
+
+/// Whether the rows of `points` are the same in two arrays that have one row a point, or none at all.
+template <class Array>
+bool sameRows(const Array &a, const Array &b, Points points)
+{
+    if (a.rows() != b.rows() || a.cols() != b.cols())
+        return false;
+    const auto bytes = static_cast<std::size_t>(points.count) * sizeof *a.data();
+    for (Eigen::Index column = 0; a.rows() > 0 && column < a.cols(); ++column) {
+        if (std::memcmp(&a(points.first, column), &b(points.first, column), bytes) != 0)
+            return false;
+    }
+    return true;
+}
+
+bool sameRows(const State &a, const State &b, Points points)
+{
+    bool same = true;
+    forEachColumn([&](Column kind, auto values) {
+        same = same && (kind == Column::scratch || sameRows(a.*values, b.*values, points));
+    });
+    return same;
+}
+
+}
+
+void BlockSleep::look(const Pipeline &pipeline, const State &before, const State &after)
+{
+    wakeAll();
+    if (after.stages.size() > 0)
+        return;
+    m_asleep.assign(pipeline.blocks.size(), 0);
+    bool any = false;
+    for (std::size_t i = 0; i < m_asleep.size(); ++i) {
+        const Block &block = pipeline.blocks[i];
+        const bool held = block.contains(before.hold.point) || block.contains(after.hold.point);
+        const bool rests = !held && std::all_of(block.runs.begin(), block.runs.end(),
+                                                [&](Points run) { return sameRows(before, after, run); });
+        m_asleep[i] = rests ? 1 : 0;
+        any = any || rests;
+    }
+    if (!any)
+        wakeAll();
+}
+
+void BlockSleep::wake(const Pipeline &pipeline, int point)
+{
+    for (std::size_t i = 0; point >= 0 && i < m_asleep.size(); ++i) {
+        if (m_asleep[i] != 0 && pipeline.blocks[i].contains(point))
+            m_asleep[i] = 0;
+    }
+}
+
+}

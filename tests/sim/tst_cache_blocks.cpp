@@ -1,0 +1,285 @@
+#include "sim/run/script/composed_interval.h"
+#include "support.h"
+
+#include "tests/bench/crowd.h"
+
+#include "sim/base/error.h"
+#include "sim/effects/contacts/ground.h"
+#include "sim/effects/contacts/room_limits.h"
+#include "sim/effects/drags/damping.h"
+#include "sim/effects/drags/split_damping.h"
+#include "sim/effects/drivers/gait_clock.h"
+#include "sim/effects/fields/gravity.h"
+#include "sim/effects/springs/body_spring.h"
+#include "sim/effects/springs/leg_spring.h"
+#include "sim/effects/springs/point_spring.h"
+#include "sim/effects/springs/push.h"
+#include "sim/methods/methods.h"
+#include "sim/pipeline/run_step.h"
+#include "sim/scene/islands.h"
+#include "sim/scenes/sticks.h"
+
+#include <QTest>
+
+#include <algorithm>
+
+namespace {
+
+using std::make_shared;
+
+/// Four kinds of islands, many of each and laid out kind by kind: pairs on springs one way twice, with drag along and
+/// across, of several masses; bodies on two bones that pull them back, one foot numbered below its body and one above;
+/// three points that push each other; and points on a spring of their own, of which the first is in a hand.
+sim::Scene mixed(int each)
+{
+    sim::Scene scene;
+    scene.start = sim::State::ofPoints(9 * each);
+    support::scatter(scene.start, 5, 300.0);
+    scene.groups = {{"first", {0, 4 * each}}, {"second", {4 * each, 5 * each}}};
+    std::vector<sim::Link> links;
+    std::vector<sim::Leg> legs;
+    std::vector<int> feet;
+    for (int i = 0; i < each; ++i) {
+        links.push_back({i, each + i});
+        links.push_back({each + i, i});
+        links.push_back({i, each + i}); // pulled twice
+        scene.start.inverseMass[i] = 1.0 / (1.0 + i % 3);
+        const int body = 3 * each + i;
+        legs.push_back({2 * each + i, body, 0.3, 0});
+        legs.push_back({4 * each + i, body, 2.0, 0});
+        feet.push_back(2 * each + i);
+        const std::vector<int> three = {5 * each + i, 6 * each + i, 7 * each + i};
+        scene.effects.push_back(make_shared<sim::Push>(three, 0.2, 80.0, sim::Reaction::equal));
+        scene.effects.push_back(make_shared<sim::SplitDamping>(i, each + i, 0.9, 0.7));
+        scene.effects.push_back(make_shared<sim::PointSpring>(8 * each + i, sim::Vec2{250.0, 90.0}, 0.05));
+    }
+    scene.start.inverseMass[8 * each] = 0.0;
+    const sim::LegRule rule{0.1, 50.0, 50.0, sim::Aim::below, sim::Reaction::equal};
+    scene.effects.insert(scene.effects.end(),
+                         {make_shared<sim::BodySpring>(links, 0.2), make_shared<sim::LegSpring>(legs, rule),
+                          make_shared<sim::Gravity>(0.5),
+                          make_shared<sim::Damping>(0.9, sim::Points{3, 6 * each}),
+                          make_shared<sim::Ground>(feet, sim::Soil{320.0, 0.2, sim::Traction::full})});
+    return scene;
+}
+
+/// Single points in a room that rubs.
+sim::Scene loose(int points)
+{
+    sim::Scene scene = scenes::pointsAt(std::vector<sim::Vec2>(static_cast<std::size_t>(points)));
+    support::scatter(scene.start, 8, 400.0);
+    const Eigen::ArrayXd half = Eigen::ArrayXd::Constant(points, 5.0);
+    scene.effects = {make_shared<sim::Gravity>(0.5), make_shared<sim::Damping>(0.98),
+                     make_shared<sim::RoomLimits>(sim::Room{200.0, 350.0, 300.0, 0.0}, half, 0.4)};
+    return scene;
+}
+
+/// Triangles of sticks, one after the other. The sticks are listed in another order.
+sim::Scene triangles(int count)
+{
+    scenes::StickFigure all{.gravity = 0.5, .damp = 0.98, .passes = 4};
+    all.places.resize(static_cast<std::size_t>(3 * count));
+    for (int side = 0; side < 3; ++side) {
+        for (int i = count - 1; i >= 0; --i)
+            all.sticks.push_back({3 * i + (side + 1) % 3, 3 * i + side, 40.0 + side, 0.3});
+    }
+    sim::Scene scene = scenes::fallingSticks(all);
+    support::scatter(scene.start, 6, 300.0);
+    return scene;
+}
+
+/// The same, and its legs act before anything else.
+sim::Scene legsFirst(int each)
+{
+    sim::Scene scene = mixed(each);
+    std::stable_partition(scene.effects.begin(), scene.effects.end(), [](const sim::EffectPtr &effect) {
+        return dynamic_cast<const sim::LegSpring *>(effect.get()) != nullptr;
+    });
+    return scene;
+}
+
+sim::Scene sceneCalled(const QString &name)
+{
+    if (name == u"legs first")
+        return legsFirst(12);
+    if (name == u"a crowd")
+        return bench::crowd::inTheRoom(40);
+    return name == u"many kinds" ? mixed(12) : loose(90);
+}
+
+sim::Pipeline inBlocks(const sim::Scene &scene, const std::string &method, sim::BlockSize size)
+{
+    sim::Pipeline pipeline = sim::compose(scene, *sim::findMethod(method), sim::StepSize::of(0.5));
+    pipeline.blocks = sim::blocksOf(scene, pipeline.phases, size);
+    return pipeline;
+}
+
+}
+
+/// A step in blocks: the same as phase by phase.
+class Blocks : public QObject
+{
+    Q_OBJECT
+
+    static constexpr auto methods = {"published", "semi_implicit_euler", "explicit_euler", "position_verlet",
+                                     "velocity_verlet"};
+
+    static void addRows()
+    {
+        QTest::addColumn<QString>("scene");
+        QTest::addColumn<QString>("method");
+        QTest::addColumn<int>("points"); // in a block
+        for (const QString scene : {"a crowd", "many kinds", "legs first", "loose points"}) {
+            for (const char *method : methods) {
+                for (const int points : {1, 20, 64})
+                    QTest::addRow("%s by %s, %d points a block", qPrintable(scene), method, points)
+                        << scene << QString(method) << points;
+            }
+        }
+    }
+
+private slots:
+    void bringTheSameBitsWithAnyNumberOfThreads_data() { addRows(); }
+    void bringTheSameBitsWithAnyNumberOfThreads()
+    {
+        QFETCH(QString, scene);
+        QFETCH(QString, method);
+        QFETCH(int, points);
+        const sim::Scene what = sceneCalled(scene);
+        const sim::Pipeline pipeline = inBlocks(what, method.toStdString(), {points, 1});
+        QVERIFY(pipeline.blocks.size() >= 2);
+        sim::State plain = what.start;
+        sim::findMethod(method.toStdString())->prepare(plain);
+        std::vector<sim::State> states(3, plain);
+        std::vector<sim::Crew> crews = {sim::Crew(1), sim::Crew(2), sim::Crew(3)};
+        for (plain.frame = 1; plain.frame <= 200; ++plain.frame) {
+            for (const sim::Phase &phase : pipeline.phases)
+                phase.run(plain);
+            for (std::size_t i = 0; i < states.size(); ++i) {
+                states[i].frame = plain.frame;
+                sim::runStep(pipeline, states[i], crews[i]);
+            }
+        }
+        for (sim::State &state : states) {
+            state.frame = plain.frame;
+            const std::string difference = support::difference(state, plain);
+            QVERIFY2(difference.empty(), difference.c_str());
+        }
+    }
+
+    void takeEachPointOnce_data() { addRows(); }
+    void takeEachPointOnce()
+    {
+        QFETCH(QString, scene);
+        QFETCH(QString, method);
+        QFETCH(int, points);
+        const sim::Scene what = sceneCalled(scene);
+        const sim::Pipeline pipeline = inBlocks(what, method.toStdString(), {points, 1});
+        std::vector<int> blockOf(static_cast<std::size_t>(what.start.points()), -1);
+        for (std::size_t block = 0; block < pipeline.blocks.size(); ++block) {
+            int end = -1;
+            for (const sim::Points &run : pipeline.blocks[block].runs) {
+                QVERIFY(run.first > end); // neighbours are one run
+                end = run.end();
+                for (int i = run.first; i < run.end(); ++i) {
+                    int &owner = blockOf[static_cast<std::size_t>(i)];
+                    QCOMPARE(owner, -1);
+                    owner = static_cast<int>(block);
+                }
+            }
+        }
+        QVERIFY(std::find(blockOf.begin(), blockOf.end(), -1) == blockOf.end());
+        for (const auto &island : sim::islandsOf(what)) { // and no island is in two
+            const int block = blockOf[static_cast<std::size_t>(island.front().first)];
+            for (const sim::Points &run : island) {
+                for (int i = run.first; i < run.end(); ++i)
+                    QCOMPARE(blockOf[static_cast<std::size_t>(i)], block);
+            }
+        }
+    }
+
+    void areNotMadeWhereTheyCannotBeOrDoNotPay()
+    {
+        const auto count = [](const sim::Scene &scene, const char *method, sim::BlockSize size) {
+            return inBlocks(scene, method, size).blocks.size();
+        };
+        const sim::Scene crowd = bench::crowd::inTheRoom(40);
+        QVERIFY(count(crowd, "semi_implicit_euler", {60, 1}) > 1);
+        QCOMPARE(count(crowd, "rk4", {60, 1}), std::size_t{0});                  // stages of all at once
+        QCOMPARE(count(crowd, "semi_implicit_euler", {240, 1}), std::size_t{0}); // it is all one block
+        QVERIFY(count(crowd, "semi_implicit_euler", {60, 10}) > 1);
+        QCOMPARE(count(crowd, "semi_implicit_euler", {60, 11}), std::size_t{0}); // in pieces of 10
+        sim::Scene walking = crowd;
+        walking.start.gait.setZero(1);
+        walking.start.gaitSpeed.setZero(1);
+        walking.effects.push_back(make_shared<sim::GaitClock>());
+        QCOMPARE(count(walking, "semi_implicit_euler", {60, 1}), std::size_t{0});
+        // A list of sticks would be gone through for each block.
+        QCOMPARE(count(triangles(30), "semi_implicit_euler", {30, 1}), std::size_t{0});
+    }
+
+    void sticksCanBeEnforcedIslandByIsland_data()
+    {
+        QTest::addColumn<QString>("method");
+        for (const char *method : methods)
+            QTest::newRow(method) << QString(method);
+    }
+    void sticksCanBeEnforcedIslandByIsland()
+    {
+        QFETCH(QString, method);
+        const sim::Scene scene = triangles(30);
+        sim::Pipeline pipeline = inBlocks(scene, method.toStdString(), {30, 1});
+        for (int triangle = 29; triangle >= 0; --triangle) { // in any order
+            const std::vector<sim::Points> runs = {{3 * triangle, 3}};
+            pipeline.blocks.push_back({runs, {}});
+            for (const sim::StepKernel &one : pipeline.kernels)
+                pipeline.blocks.back().work.push_back(one.kernel.part(runs));
+        }
+        sim::State plain = scene.start;
+        sim::findMethod(method.toStdString())->prepare(plain);
+        sim::State state = plain;
+        for (int frame = 0; frame < 200; ++frame) {
+            for (const sim::Phase &phase : pipeline.phases)
+                phase.run(plain);
+            sim::runStep(pipeline, state);
+        }
+        QVERIFY(sim::sameBits(state, plain));
+    }
+
+    void aTrackGoesInBlocksAndStopsAtAnyPhase_data()
+    {
+        QTest::addColumn<QString>("method");
+        for (const char *method : methods)
+            QTest::newRow(method) << QString(method);
+    }
+    void aTrackGoesInBlocksAndStopsAtAnyPhase()
+    {
+        QFETCH(QString, method);
+        const sim::Scene crowd = bench::crowd::inTheRoom(3000);
+        const sim::Script script = support::script(crowd, method.toStdString(), 0.5);
+        sim::Track track(script, 0);
+        QVERIFY(track.shown().pipeline.blocks.size() > 1);
+        const sim::State plain = support::plainRun(crowd, method.toStdString(), 0.5, 6);
+        track.seek({6, 0});
+        QVERIFY(sim::sameBits(track.now(), plain));
+        QVERIFY(sim::sameBits(track.stateAt(6), plain));
+        QCOMPARE(support::seekMismatch(script, std::size_t{1} << 24, 2, 12, 3), std::string());
+    }
+
+    void aTrackThatIsNotWaitedForLeavesOff()
+    {
+        const sim::Script script =
+            support::script(bench::crowd::inTheRoom(1000), "semi_implicit_euler", 0.25);
+        sim::Track track(script, std::size_t{1} << 24);
+        QVERIFY(!track.shown().pipeline.blocks.empty());
+        int asked = 0;
+        QVERIFY(!track.seek({10, 0}, [&] { return ++asked < 7; })); // four steps a frame
+        QCOMPARE(asked, 7);
+        QVERIFY((track.at() == sim::Cursor{1, 0}));
+        QVERIFY(track.seek({10, 0}, [] { return true; }));
+        QVERIFY((track.at() == sim::Cursor{10, 0}));
+    }
+};
+
+QTEST_GUILESS_MAIN(Blocks)
+#include "tst_cache_blocks.moc"

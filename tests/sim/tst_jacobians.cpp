@@ -1,0 +1,325 @@
+// How forces say that they change with places, against differences of what they add.
+
+#include "sim/pipeline/pipeline.h"
+#include "support.h"
+
+#include "sim/base/error.h"
+#include "sim/effects/drivers/motor.h"
+#include "sim/effects/fields/breeze.h"
+#include "sim/effects/fields/gravity.h"
+#include "sim/effects/springs/body_spring.h"
+#include "sim/effects/springs/leg_spring.h"
+#include "sim/effects/springs/offset_spring.h"
+#include "sim/effects/springs/point_spring.h"
+#include "sim/effects/springs/push.h"
+#include "sim/effects/springs/radial_spring.h"
+#include "sim/effects/springs/springs.h"
+#include "sim/effects/tree/joints.h"
+#include "sim/effects/tree/torsion.h"
+#include "sim/effects/tree/wind_torque.h"
+#include "sim/methods/methods.h"
+
+#include <QTest>
+
+using namespace sim;
+using support::Dice;
+
+namespace {
+
+constexpr int feet = 3; // and a body: four points
+constexpr double k = 0.23;
+constexpr double reach = 60.0; // px: nearer, points push each other
+
+using ForcePtr = std::shared_ptr<const Force>;
+using TorquePtr = std::shared_ptr<const Torque>;
+
+/// Points that feel all kinds of things: handles, light and heavy ones, one in a hand.
+State randomState(Dice &dice)
+{
+    State state = State::ofPoints(feet + 1);
+    state.gait.setConstant(1, dice.real(0, 6));
+    state.gaitSpeed.setZero(1);
+    state.outside.target = {dice.real(-100, 100), dice.real(-100, 100)};
+    for (int i = 0; i <= feet; ++i) {
+        state.place(i, {dice.real(-60, 60), dice.real(-60, 60)});
+        state.inverseMass[i] = dice.chance(0.2) ? 0.0 : dice.chance(0.5) ? 1.0 : dice.real(0.1, 3.0);
+    }
+    return state;
+}
+
+/// Whether slopes at `state` can be found from differences: nothing so near that pulls turn fast, and nothing about to
+/// begin or end touching.
+bool isSmooth(const State &state)
+{
+    for (int i = 0; i < state.points(); ++i) {
+        for (int j = 0; j < i; ++j) {
+            const double far = length(state.at(i) - state.at(j));
+            if (far < 5.0 || std::abs(far - reach) < 0.1)
+                return false;
+        }
+    }
+    return true;
+}
+
+Eigen::MatrixXd matrixOf(const Slopes &slopes, int size)
+{
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size, size);
+    for (const Slopes::Entry &entry : slopes.entries())
+        matrix(entry.row, entry.column) += entry.value;
+    return matrix;
+}
+
+/// The derivative of `pulls(s)` at s = 0, to fourth order.
+template <class Pulls>
+Eigen::VectorXd difference(double delta, Pulls &&pulls)
+{
+    const Eigen::VectorXd near = pulls(delta) - pulls(-delta);
+    const Eigen::VectorXd far = pulls(2 * delta) - pulls(-2 * delta);
+    return (8.0 * near - far) / (12.0 * delta);
+}
+
+Eigen::MatrixXd differences(const Force &force, const State &state, Points movers, double scale,
+                            Directions way)
+{
+    const int size = 2 * state.points();
+    Eigen::MatrixXd matrix(size, size);
+    for (int column = 0; column < size; ++column) {
+        matrix.col(column) = difference(1e-2, [&](double by) -> Eigen::VectorXd {
+            State moved = state;
+            moved.position.data()[column] += by;
+            Eigen::ArrayX2d into = Eigen::ArrayX2d::Zero(state.points(), 2);
+            force.add(moved, movers, scale, way, into);
+            return into.reshaped().matrix();
+        });
+    }
+    return matrix;
+}
+
+/// Branches that branch twice, at odd angles.
+Tree oddTree()
+{
+    Tree tree = Tree::ofTrunk(100.0);
+    tree.sprout(0, -120.0, 0.7);
+    tree.sprout(0, -55.0, 0.8);
+    tree.sprout(1, -150.0, 0.5);
+    tree.sprout(2, -80.0, 0.6);
+    tree.sprout(2, -20.0, 0.55);
+    return tree;
+}
+
+State bentTree(const Tree &tree, Dice &dice)
+{
+    State state = State::ofPoints(tree.branches());
+    state.place(0, {270, 380});
+    state.spin.setZero(tree.branches());
+    state.angle.resize(tree.branches());
+    for (int i = 0; i < tree.branches(); ++i) {
+        state.angle[i] = tree.rest[std::size_t(i)] + dice.real(-40, 40);
+        state.place(i, {dice.real(100, 400), dice.real(100, 400)}); // where a hand may hold it
+        state.inverseMass[i] = dice.chance(0.2) ? 0.0 : 1.0;
+    }
+    state.outside.pointer = Vec2{dice.real(100, 500), dice.real(0, 100)};
+    state.gale = {1e4, 1.0};
+    return state;
+}
+
+/// A force that does not know how it changes.
+class Steady : public Force
+{
+public:
+    std::string id() const override { return "steady"; }
+    std::string title() const override { return "steady"; }
+    Kind kind() const override { return Kind::wind; }
+    std::vector<Region> regions(Directions) const override { return {{"file", "marker"}}; }
+    int count(const State &, Points points) const override { return points.count; }
+    void add(const State &, Points movers, double scale, Directions, Eigen::ArrayX2d &into) const override
+    {
+        into.middleRows(movers.first, movers.count) += scale;
+    }
+    std::vector<Live> explain(const State &, int, Directions) const override { return {}; }
+};
+
+}
+
+Q_DECLARE_METATYPE(ForcePtr)
+Q_DECLARE_METATYPE(TorquePtr)
+Q_DECLARE_METATYPE(Directions)
+
+class TestSlopes : public QObject
+{
+    Q_OBJECT
+
+private:
+    static void addForceRows()
+    {
+        QTest::addColumn<ForcePtr>("force");
+        QTest::addColumn<Directions>("directions");
+        const std::vector<Leg> legs = {{0, feet, 0.3, 0}, {1, feet, 2.5, 0}, {2, 1, 4.0, 0}};
+        const auto legSpring = [&](Aim aim, Reaction reaction) {
+            return std::make_shared<LegSpring>(legs, LegRule{k, 50.0, 30.0, aim, reaction});
+        };
+        const std::vector<std::pair<const char *, ForcePtr>> forces = {
+            {"spring to a point", std::make_shared<PointSpring>(1, Vec2{27, 20}, k)},
+            {"spring to a body", std::make_shared<BodySpring>(std::vector<Link>{{0, feet}}, k)},
+            {"springs to every foot", std::make_shared<BodySpring>(scenes::legs(feet), k)},
+            {"springs with an offset", std::make_shared<OffsetSpring>(scenes::legs(feet), k, 50)},
+            {"radial springs", std::make_shared<RadialSpring>(scenes::legs(feet), k, 50)},
+            {"radial spring without a length", std::make_shared<RadialSpring>(scenes::legs(1), k, 0)},
+            {"gravity", std::make_shared<Gravity>(0.5)},
+            {"legs", legSpring(Aim::bone, Reaction::none)},
+            {"swinging legs that the body feels", legSpring(Aim::swing, Reaction::equal)},
+            {"push", std::make_shared<Push>(std::vector<int>{0, 1, 2, 3}, k, reach, Reaction::none)},
+            {"push and reaction",
+             std::make_shared<Push>(std::vector<int>{0, 1, 3}, k, reach, Reaction::equal)},
+            {"motor", std::make_shared<Motor>(2, k, 0.25)},
+            {"springs of their own",
+             std::make_shared<Springs>(std::vector<Spring>{{0, feet, k, 50}, {1, 2, 0.4 * k, 20}}, feet + 1)},
+            {"wind", std::make_shared<Breeze>(Air{0.4, 0.7}, Eigen::ArrayXd::LinSpaced(feet + 1, 5, 30), 0)},
+        };
+        for (const auto &[name, force] : forces) {
+            QTest::addRow("%s, apart", name) << force << Directions::apart;
+            QTest::addRow("%s, as published", name) << force << Directions::published;
+        }
+    }
+
+private slots:
+    void aForceChangesByItsSlopes_data() { addForceRows(); }
+    void aForceChangesByItsSlopes()
+    {
+        QFETCH(ForcePtr, force);
+        QFETCH(Directions, directions);
+        Dice dice(5);
+        int compared = 0;
+        while (compared < 300) {
+            const State state = randomState(dice);
+            if (!isSmooth(state))
+                continue;
+            ++compared;
+            const int first = dice.whole(0, 1);
+            const Points movers = {first, state.points() - 2 * first};
+            Slopes slopes(state.points());
+            QVERIFY(force->addSlopes(state, movers, 0.7, directions, slopes));
+            const Eigen::MatrixXd told = matrixOf(slopes, 2 * state.points());
+            const Eigen::MatrixXd found = differences(*force, state, movers, 0.7, directions);
+            // Pulls of 100 px k to 1e-16 over 1e-2 px; at 5 px the fifth derivative is 1e-1.
+            QVERIFY2((told - found).cwiseAbs().maxCoeff() < 1e-7,
+                     qPrintable(QString::number((told - found).cwiseAbs().maxCoeff())));
+        }
+    }
+
+    void slopesAreFiniteWhereAllIsInOnePlace_data() { addForceRows(); }
+    void slopesAreFiniteWhereAllIsInOnePlace()
+    {
+        QFETCH(ForcePtr, force);
+        QFETCH(Directions, directions);
+        State state = State::ofPoints(feet + 1);
+        state.gait.setZero(1);
+        Slopes slopes(state.points());
+        QVERIFY(force->addSlopes(state, {0, state.points()}, 1.0, directions, slopes));
+        for (const Slopes::Entry &entry : slopes.entries())
+            QVERIFY(std::abs(entry.value) <= 2 * k); // none is stiffer than its spring
+    }
+
+    void whatFeelsNothingHasNoSlope_data() { addForceRows(); }
+    void whatFeelsNothingHasNoSlope()
+    {
+        QFETCH(ForcePtr, force);
+        QFETCH(Directions, directions);
+        Dice dice(8);
+        State state = randomState(dice);
+        state.inverseMass.setZero();
+        Slopes slopes(state.points());
+        QVERIFY(force->addSlopes(state, {0, state.points()}, 1.0, directions, slopes));
+        QVERIFY(slopes.entries().empty());
+    }
+
+    void aTorqueChangesByItsSlopes_data()
+    {
+        QTest::addColumn<TorquePtr>("torque");
+        const auto tree = std::make_shared<const Tree>(oddTree());
+        const Limbs limbs = limbsOf(*tree, k);
+        QTest::newRow("joints that spring back") << TorquePtr(std::make_shared<Torsion>(tree, limbs));
+        QTest::newRow("steady wind") << TorquePtr(
+            std::make_shared<WindTorque>(tree, limbs.inertia, 8.0, 0.0));
+        QTest::newRow("gusts") << TorquePtr(std::make_shared<WindTorque>(tree, limbs.inertia, 8.0, 0.5));
+    }
+    void aTorqueChangesByItsSlopes()
+    {
+        QFETCH(TorquePtr, torque);
+        const auto tree = std::make_shared<const Tree>(oddTree());
+        const Joints joints(tree, degreesPerRadian);
+        Dice dice(9);
+        int compared = 0;
+        double largest = 0.0;
+        while (compared < 200) {
+            State state = bentTree(*tree, dice);
+            joints.drive(state, 0.0);
+            bool smooth = true;
+            for (int i = 0; i < state.points(); ++i) {
+                const Vec2 end = endOf(*tree, state, i, degreesPerRadian);
+                const double far = length(end - *state.outside.pointer);
+                // nearer than 100 px the wind grows no more; very near it turns fast
+                smooth = smooth && far > 10.0 && std::abs(far - 100.0) > 0.5;
+            }
+            if (!smooth)
+                continue;
+            ++compared;
+            const int points = state.points();
+            Slopes slopes(points);
+            QVERIFY(torque->addSlopes(state, {0, points}, 0.7, slopes));
+            const Eigen::MatrixXd told = matrixOf(slopes, 3 * points);
+            QVERIFY(told.topRows(2 * points).isZero(0.0) && told.leftCols(2 * points).isZero(0.0));
+            for (int branch = 0; branch < points; ++branch) {
+                const Eigen::VectorXd found = difference(1e-2, [&](double by) -> Eigen::VectorXd {
+                    State turned = state;
+                    turned.angle[branch] += by;
+                    joints.drive(turned, 0.0);
+                    Eigen::ArrayXd into = Eigen::ArrayXd::Zero(points);
+                    torque->add(turned, {0, points}, 0.7, into);
+                    return into.matrix();
+                });
+                const Eigen::VectorXd wrong = told.col(2 * points + branch).tail(points) - found;
+                QVERIFY2(wrong.cwiseAbs().maxCoeff() < 1e-8, qPrintable(QString::number(wrong.norm())));
+                largest = std::max(largest, found.cwiseAbs().maxCoeff());
+            }
+        }
+        QVERIFY(largest > 1e-3); // there was something to compare
+    }
+
+    void windThatDoesNotBlowHasNoSlope()
+    {
+        const auto tree = std::make_shared<const Tree>(oddTree());
+        const WindTorque wind(tree, limbsOf(*tree, k).inertia, 8.0, 0.5);
+        Dice dice(10);
+        State state = bentTree(*tree, dice);
+        state.gale = {};
+        Slopes slopes(state.points());
+        QVERIFY(wind.addSlopes(state, {0, state.points()}, 1.0, slopes));
+        QVERIFY(slopes.entries().empty());
+    }
+
+    void aForceWithoutSlopesIsRefusedByMethodsThatNeedThem()
+    {
+        Scene scene = scenes::creature(feet);
+        scene.effects = {std::make_shared<Gravity>(0.5), std::make_shared<Steady>()};
+        int refused = 0;
+        for (const MethodPtr &method : allMethods()) {
+            const std::vector<std::string> needs = method->needs();
+            if (std::find(needs.begin(), needs.end(), "slopes") == needs.end())
+                continue;
+            try {
+                compose(scene, *method, StepSize::of(1.0));
+                QFAIL(method->id().c_str());
+            } catch (const Error &error) {
+                QCOMPARE(error.id(), std::string("method-does-not-fit"));
+                QCOMPARE(error.values().at("effect"), std::string("steady"));
+                QCOMPARE(error.values().at("method"), method->id());
+                ++refused;
+            }
+        }
+        QVERIFY(refused >= 3);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestSlopes)
+#include "tst_jacobians.moc"

@@ -1,0 +1,131 @@
+// How much memory the past takes, and what it costs to return to it.
+
+#include "support.h"
+
+#include <QTest>
+
+using namespace sim;
+
+namespace {
+
+Script creature(double h = 1.0)
+{
+    support::Sample sample = support::sample("creature in a room");
+    sample.values.set("k", 0.02); // holds at every step used here
+    return support::script(sample, "semi_implicit_euler", h);
+}
+
+std::size_t startBytes()
+{
+    return Track(creature(), 0).keptBytes();
+}
+
+}
+
+class TestHistory : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void theBudgetIsNeverExceeded_data()
+    {
+        QTest::addColumn<int>("budget");
+        QTest::addColumn<double>("h");
+        for (const int budget : {2000, 5000, 20'000, 300'000}) {
+            for (const double h : {0.5, 1.0, 3.0})
+                QTest::addRow("%d bytes, h = %g", budget, h) << budget << h;
+        }
+    }
+    void theBudgetIsNeverExceeded()
+    {
+        QFETCH(int, budget);
+        QFETCH(double, h);
+        const auto limit = std::size_t(budget);
+        Track track(creature(h), limit);
+        for (int row = 0; row < 2000; ++row) {
+            track.seek({track.at().frame + track.rowFrames(), 0});
+            QVERIFY(track.keptBytes() <= limit);
+        }
+        support::Dice dice(1);
+        for (int i = 0; i < 200; ++i) {
+            track.seek({dice.whole(0, 2000), dice.whole(0, 20)});
+            QVERIFY(track.keptBytes() <= limit);
+        }
+    }
+
+    void spacingDoublesWhenTheBudgetIsFull()
+    {
+        // Room for 8 states: after n rows, the states are those of every multiple of the least power of two
+        // with which they fit.
+        const std::size_t one = startBytes();
+        Track track(creature(), 8 * one);
+        for (int rows = 1; rows <= 300; ++rows) {
+            track.seek({rows, 0});
+            int spacing = 1;
+            while (rows / spacing + 1 > 8)
+                spacing *= 2;
+            QCOMPARE(track.keptStates(), std::size_t(rows / spacing + 1));
+            QCOMPARE(track.keptBytes(), track.keptStates() * one);
+        }
+    }
+
+    void everyFrameOfTenMinutesFitsTheDefaultBudget()
+    {
+        // Awake all the time: what rests keeps fewer.
+        Track track(creature(), Timeline::defaultBudget / 2, Sleeping::never);
+        track.seek({18'000, 0});
+        QCOMPARE(track.keptStates(), std::size_t(18'001));
+        QVERIFY(track.keptBytes() < Timeline::defaultBudget / 8);
+    }
+
+    void withoutABudgetOnlyTheStartIsKept()
+    {
+        Track track(creature(), 0);
+        track.seek({500, 0});
+        track.seek({20, 3});
+        QCOMPARE(track.keptStates(), std::size_t(1));
+    }
+
+    void aSmallerBudgetDropsStates()
+    {
+        Track track(creature(), 1'000'000);
+        track.seek({1000, 0});
+        track.setBudget(10'000);
+        QVERIFY(track.keptBytes() <= 10'000);
+        QVERIFY(track.keptStates() > 1);
+        track.seek({2000, 0});
+        QVERIFY(track.keptBytes() <= 10'000);
+    }
+
+    void runAndGhostShareTheBudget()
+    {
+        constexpr std::size_t budget = 60'000;
+        Timeline timeline(creature(), budget);
+        support::Dice dice(2);
+        for (int round = 0; round < 20; ++round) {
+            timeline.seek({timeline.at().frame + dice.whole(1, 300), 0});
+            timeline.seek({dice.whole(1, int(timeline.at().frame)), 0});
+            timeline.set("k", dice.real(0.05, 0.3));
+            QVERIFY(timeline.keptBytes() <= budget);
+            QVERIFY(timeline.ghost());
+        }
+        timeline.forgetGhost();
+        QVERIFY(timeline.keptBytes() <= budget / 2);
+    }
+
+    void whatAnEditInvalidatesIsForgotten()
+    {
+        Timeline timeline(creature());
+        timeline.seek({100, 0});
+        timeline.forgetGhost();
+        timeline.seek({40, 0});
+        timeline.set("k", 0.1);
+        timeline.forgetGhost();
+        QCOMPARE(timeline.track().keptStates(), std::size_t(41)); // 0 to 40
+        QCOMPARE(timeline.computed(), std::int64_t(40));
+        QCOMPARE(timeline.keptBytes(), 41 * startBytes());
+    }
+};
+
+QTEST_APPLESS_MAIN(TestHistory)
+#include "tst_keyframes.moc"

@@ -1,0 +1,154 @@
+#include "sim/simd/portable_math.h"
+
+#include <QTest>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+
+using namespace sim;
+
+/// The functions of alike.h against those of the C library in long double, which has eleven more digits (of two).
+class TestAlike : public QObject
+{
+    Q_OBJECT
+
+    std::mt19937 m_random{1};
+
+    double between(double least, double most)
+    {
+        return std::uniform_real_distribution<double>(least, most)(m_random);
+    }
+
+    /// How far `found` is from `exact`, in units of its last digit.
+    static double off(double found, long double exact)
+    {
+        const double size = std::abs(static_cast<double>(exact));
+        const double unit = std::nextafter(size, std::numeric_limits<double>::infinity()) - size;
+        return static_cast<double>(std::abs(static_cast<long double>(found) - exact) / unit);
+    }
+
+private slots:
+    void initTestCase()
+    {
+        if (std::numeric_limits<long double>::digits < 64)
+            QSKIP("long double has no more digits than double here");
+    }
+
+    void sineAndCosineAreRightToTheLastDigit_data()
+    {
+        QTest::addColumn<double>("most");
+        for (const double most : {0.8, 3.2, 100.0, 1e4, 9e5})
+            QTest::addRow("to %g rad", most) << most;
+    }
+    void sineAndCosineAreRightToTheLastDigit()
+    {
+        QFETCH(double, most);
+        for (int i = 0; i < 20'000; ++i) {
+            const double rad = between(-most, most);
+            QVERIFY2(off(alike::sin(rad), std::sin(static_cast<long double>(rad))) < 0.61,
+                     qPrintable(QString::number(rad, 'g', 17)));
+            QVERIFY2(off(alike::cos(rad), std::cos(static_cast<long double>(rad))) < 0.61,
+                     qPrintable(QString::number(rad, 'g', 17)));
+        }
+    }
+
+    /// There nearly all digits of the angle go.
+    void soTheyAreNearQuartersOfATurn()
+    {
+        for (int quarter = -400; quarter <= 400; ++quarter) {
+            double rad = quarter * 1.5707963267948966;
+            for (int i = 0; i < 4; ++i, rad = std::nextafter(rad, 1e9)) {
+                const long double sine = std::sin(static_cast<long double>(rad));
+                const long double cosine = std::cos(static_cast<long double>(rad));
+                QVERIFY(alike::sin(rad) == 0.0 ? sine == 0.0L : off(alike::sin(rad), sine) < 0.61);
+                QVERIFY(off(alike::cos(rad), cosine) < 0.61);
+            }
+        }
+    }
+
+    void whatIsNoAngleStaysNone()
+    {
+        QVERIFY(std::isnan(alike::sin(std::numeric_limits<double>::quiet_NaN())));
+        QVERIFY(std::isnan(alike::cos(std::numeric_limits<double>::quiet_NaN())));
+        for (const double large : {1e7, 1e100, std::numeric_limits<double>::max()})
+            QVERIFY(std::abs(alike::sin(large)) <= 1.0 && std::abs(alike::cos(-large)) <= 1.0);
+    }
+
+    void arcTangentIsRightToTheLastDigit_data()
+    {
+        QTest::addColumn<double>("range"); // of the exponents of e
+        for (const double range : {0.0, 1.0, 20.0, 200.0})
+            QTest::addRow("of sizes e^%g apart", range) << range;
+    }
+    void arcTangentIsRightToTheLastDigit()
+    {
+        QFETCH(double, range);
+        for (int i = 0; i < 40'000; ++i) {
+            const double x = between(-1, 1) * std::exp(between(-range, range));
+            const double y = between(-1, 1) * std::exp(between(-range, range));
+            const long double exact = std::atan2(static_cast<long double>(y), static_cast<long double>(x));
+            QVERIFY2(off(alike::atan2(y, x), exact) < 0.56,
+                     qPrintable(QString("%1, %2").arg(y, 0, 'g', 17).arg(x, 0, 'g', 17)));
+        }
+    }
+
+    void theFastOnesAreOffByNoMoreThanAnAngleInDegrees()
+    {
+        for (const double most : {0.8, 3.2, 100.0, 1e4, 9e5}) {
+            for (int i = 0; i < 20'000; ++i) {
+                const double rad = between(-most, most);
+                QVERIFY(std::abs(alike::fast::sin(rad) - std::sin(static_cast<long double>(rad))) < 1.5e-16L);
+                QVERIFY(std::abs(alike::fast::cos(rad) - std::cos(static_cast<long double>(rad))) < 1.5e-16L);
+            }
+        }
+        for (const double range : {0.0, 1.0, 20.0, 200.0}) {
+            for (int i = 0; i < 40'000; ++i) {
+                const double x = between(-1, 1) * std::exp(between(-range, range));
+                const double y = between(-1, 1) * std::exp(between(-range, range));
+                const long double exact =
+                    std::atan2(static_cast<long double>(y), static_cast<long double>(x));
+                QVERIFY(std::abs(alike::fast::atan2(y, x) - exact) < 5e-16L);
+                QVERIFY(off(alike::fast::atan2(y, x), exact) < 3.0); // small angles, too
+            }
+        }
+        QCOMPARE(alike::fast::sin(0.0), 0.0);
+        QCOMPARE(alike::fast::atan2(-0.0, -2.0), -std::numbers::pi);
+        const double none = std::numeric_limits<double>::quiet_NaN();
+        QVERIFY(std::isnan(alike::fast::sin(none)) && std::isnan(alike::fast::cos(none)));
+        QVERIFY(std::isnan(alike::fast::atan2(none, 1.0)) && std::isnan(alike::fast::atan2(1.0, none)));
+        QVERIFY(std::isnan(alike::fast::atan2(0.0, 0.0)));
+    }
+
+    void alongTheAxesItIsTheLibrarys()
+    {
+        for (const double x : {-3.0, -0.0, 0.0, 3.0}) {
+            for (const double y : {-2.0, -0.0, 0.0, 2.0}) {
+                QCOMPARE(alike::atan2(y, x), std::atan2(y, x));
+                QCOMPARE(std::signbit(alike::atan2(y, x)), std::signbit(std::atan2(y, x)));
+            }
+        }
+        for (const double none :
+             {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+            QVERIFY(std::isnan(alike::atan2(none, 1.0)));
+            QVERIFY(std::isnan(alike::atan2(1.0, none)));
+        }
+    }
+
+    void remainderIsTheLibrarysToTheLastBit()
+    {
+        for (int i = 0; i < 200'000; ++i) {
+            const double x = between(-1, 1) * std::exp(between(-20, 30));
+            QCOMPARE(alike::remainder(x, 360.0), std::remainder(x, 360.0));
+        }
+        for (int half = -3001; half <= 3001; ++half) { // at and beside where it jumps
+            const double x = 180.0 * half;
+            for (const double at : {std::nextafter(x, -1e9), x, std::nextafter(x, 1e9)})
+                QCOMPARE(alike::remainder(at, 360.0), std::remainder(at, 360.0));
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(TestAlike)
+#include "tst_portable_math.moc"

@@ -1,0 +1,113 @@
+// Where springs and sticks say that they rest, they do: nothing pulls there, and nothing is moved.
+
+#include "support.h"
+
+#include "sim/effects/constraints/soft_sticks.h"
+#include "sim/effects/constraints/sticks.h"
+#include "sim/effects/springs/leg_spring.h"
+#include "sim/effects/springs/offset_spring.h"
+#include "sim/effects/springs/radial_spring.h"
+#include "sim/effects/springs/springs.h"
+
+#include <QTest>
+
+using namespace sim;
+using support::Dice;
+
+namespace {
+
+constexpr int points = 4;
+constexpr double k = 0.3;
+
+State scattered(Dice &dice)
+{
+    State state = State::ofPoints(points);
+    for (int i = 0; i < points; ++i)
+        state.place(i, {dice.real(-300, 300), dice.real(-300, 300)});
+    state.gait = Eigen::ArrayXd::Constant(1, dice.real(-3, 3));
+    return state;
+}
+
+using EffectOf = std::function<EffectPtr(Dice &)>;
+
+}
+
+Q_DECLARE_METATYPE(EffectOf)
+
+class RestingTest : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void nothingHappensToWhatIsWhereItRests_data()
+    {
+        QTest::addColumn<EffectOf>("make");
+        QTest::newRow("radial spring") << EffectOf([](Dice &dice) {
+            return std::make_shared<RadialSpring>(std::vector<Link>{{0, 3}}, k, dice.real(1, 90));
+        });
+        QTest::newRow("offset spring") << EffectOf([](Dice &dice) {
+            return std::make_shared<OffsetSpring>(std::vector<Link>{{1, 3}}, k, dice.real(1, 90));
+        });
+        QTest::newRow("spring of its own") << EffectOf([](Dice &dice) {
+            return std::make_shared<Springs>(std::vector<Spring>{{0, 2, k, dice.real(1, 90)}}, points);
+        });
+        for (const Aim aim : {Aim::bone, Aim::below, Aim::swing})
+            QTest::addRow("leg %d", int(aim)) << EffectOf([aim](Dice &dice) {
+                LegRule rule;
+                rule.k = k;
+                rule.leg = dice.real(10, 90);
+                rule.drop = dice.real(0, 90);
+                rule.aim = aim;
+                return std::make_shared<LegSpring>(std::vector<Leg>{{0, 3, dice.real(0, 6)}}, rule);
+            });
+        QTest::newRow("stick") << EffectOf([](Dice &dice) {
+            Stick stick;
+            stick.a = 1;
+            stick.b = 2;
+            stick.length = dice.real(1, 90);
+            return std::make_shared<Sticks>(std::vector<Stick>{stick}, points);
+        });
+        QTest::newRow("soft stick") << EffectOf([](Dice &dice) {
+            const double rest = dice.real(30, 60);
+            return std::make_shared<SoftSticks>(std::vector<SoftStick>{{0, 1, rest - 20, rest, rest + 20}},
+                                                Strengths{0.1, 0.8});
+        });
+    }
+
+    void nothingHappensToWhatIsWhereItRests()
+    {
+        QFETCH(EffectOf, make);
+        Dice dice(7);
+        for (int i = 0; i < 50; ++i) {
+            const EffectPtr effect = make(dice);
+            const State state = scattered(dice);
+            std::vector<RestEnd> rests;
+            effect->rests(state, rests);
+            QVERIFY(!rests.empty());
+            for (const RestEnd &rest : rests) {
+                State there = state;
+                there.place(rest.mover, rest.place);
+                QVERIFY2(changeOf(*effect, state, rest.mover) > 1e-6, "it would be at rest anywhere");
+                const double change = changeOf(*effect, there, rest.mover);
+                QVERIFY2(change < 1e-9, qPrintable(QString::number(change)));
+            }
+        }
+    }
+
+private:
+    /// By how much the effect pulls a point, or moves it, in px.
+    static double changeOf(const Effect &effect, State state, int point)
+    {
+        if (const auto *force = dynamic_cast<const Force *>(&effect)) {
+            Eigen::ArrayX2d into = Eigen::ArrayX2d::Zero(points, 2);
+            force->add(state, {0, points}, 1.0, Directions::apart, into);
+            return length(Vec2{into(point, 0), into(point, 1)});
+        }
+        const Vec2 before = state.at(point);
+        dynamic_cast<const Constraint &>(effect).enforce(state, {0, points}, Directions::apart, 1.0);
+        return length(state.at(point) - before);
+    }
+};
+
+QTEST_APPLESS_MAIN(RestingTest)
+#include "tst_rest_targets.moc"

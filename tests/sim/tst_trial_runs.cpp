@@ -1,0 +1,244 @@
+// What mends a run that stopped: the mildest of each kind that holds, known from the eigenvalues of the scenes.
+
+#include "support.h"
+
+#include "sim/analysis/stability/remedies/trial_runs.h"
+#include "sim/effects/constraints/sticks.h"
+#include "sim/effects/drags/damping.h"
+#include "sim/methods/methods.h"
+
+#include <QTest>
+
+using namespace sim;
+
+namespace {
+
+const GoesOn patient = [] { return true; };
+const DampRange drag = {"damp", 0.0, 0.01};
+
+/// A body with `feet` feet on springs without length, linear: against each other they swing with (feet + 1) k.
+Script star(int feet, const char *method = "semi_implicit_euler")
+{
+    support::Sample sample;
+    sample.values.set("k", 0.2);
+    sample.values.set("damp", 0.85);
+    sample.build = [feet](const Values &values) {
+        Scene scene = scenes::linearCreature(feet, values["k"]);
+        support::scatter(scene.start, 3, 200.0);
+        scenes::add<Damping>(scene, values["damp"]);
+        return scene;
+    };
+    return support::script(sample, method);
+}
+
+/// Whether semi-implicit Euler holds there: v' = d (v - h w^2 x), x' = x + h v' has |eigenvalues| < 1 exactly if
+/// h^2 w^2 < 2 (1 + 1/d), with d = damp^h.
+bool holds(double squared, double h, double damping)
+{
+    return h * h * squared < 2.0 * (1.0 + std::pow(damping, -h));
+}
+
+Stop stopOf(const Script &script)
+{
+    Track track(script, 1 << 20);
+    track.seek({100'000, 0});
+    return track.stop().value();
+}
+
+const Remedy *find(const std::vector<Remedy> &all, Remedy::Kind kind)
+{
+    for (const Remedy &one : all) {
+        if (one.kind == kind)
+            return &one;
+    }
+    return nullptr;
+}
+
+}
+
+class TestTrials : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void theMildestThatHoldsIsFound_data()
+    {
+        QTest::addColumn<int>("feet");
+        for (const int feet : {25, 60, 200, 500})
+            QTest::addRow("%d feet", feet) << feet;
+    }
+    void theMildestThatHoldsIsFound()
+    {
+        QFETCH(int, feet);
+        const Script script = star(feet);
+        const double squared = 0.2 * (feet + 1);
+        QVERIFY(!holds(squared, 1.0, 0.85));
+        const std::vector<Remedy> found = remediesAfter(script, stopOf(script), &drag, patient);
+        double h = 0.5;
+        while (!holds(squared, h, 0.85))
+            h /= 2.0;
+        const Remedy *smaller = find(found, Remedy::Kind::smallerStep);
+        QVERIFY(smaller && smaller->heldFor > 0);
+        QCOMPARE(smaller->step.h, h);
+        double kept = 0.85;
+        do {
+            kept = std::max(0.01, std::floor(100.0 * kept * kept) / 100.0);
+        } while (!holds(squared, 1.0, kept) && kept > 0.01);
+        const Remedy *damped = find(found, Remedy::Kind::moreDamping);
+        QCOMPARE(damped != nullptr, holds(squared, 1.0, kept));
+        if (damped)
+            QCOMPARE(damped->value, kept);
+    }
+
+    void everyRemedyBringsTheRunToRest_data()
+    {
+        QTest::addColumn<QString>("method");
+        for (const char *method : {"published", "semi_implicit_euler", "velocity_verlet", "rk4"})
+            QTest::newRow(method) << method;
+    }
+    void everyRemedyBringsTheRunToRest()
+    {
+        QFETCH(QString, method);
+        const Script script = star(60, method.toUtf8());
+        const std::vector<Remedy> found = remediesAfter(script, stopOf(script), &drag, patient);
+        QVERIFY(find(found, Remedy::Kind::smallerStep));
+        const Remedy *other = find(found, Remedy::Kind::boundlessMethod);
+        QVERIFY(other && other->method->stepLimit() == StepLimit::none);
+        for (const Remedy &remedy : found) {
+            Track track(mended(script, remedy), 0);
+            track.seek({5 * remedy.heldFor, 0});
+            QVERIFY(!track.stop());
+            const State &end = track.now(); // springs without length: all in one place, at rest
+            for (int i = 0; i < end.points(); ++i)
+                QVERIFY(length(end.at(i) - end.at(0)) < 1e-6 && length(end.speed(i)) < 1e-6);
+        }
+    }
+
+    void whatOnlyKeepsStiffLegsTumblingIsNotOffered()
+    {
+        // Legs with a length: at 1/32 they stay within some hundred px, and never rest.
+        Script script = star(3);
+        script.build = [](const Values &values) {
+            Scene scene = scenes::springCreature(3, 1000.0, 50.0);
+            scenes::placeFeet(scene, {{322, 154}, {210, 170}, {265, 272}});
+            scenes::add<Damping>(scene, values["damp"]);
+            return scene;
+        };
+        const std::vector<Remedy> found = remediesAfter(script, stopOf(script), &drag, patient);
+        QVERIFY(find(found, Remedy::Kind::smallerStep));
+        for (const Remedy &remedy : found) {
+            Track track(mended(script, remedy), 0);
+            track.seek({2000, 0});
+            QVERIFY(!track.stop());
+            QVERIFY2(track.now().velocity.abs().maxCoeff() < 1e-3, remedy.method->id().c_str());
+        }
+    }
+
+    void whereARunBeginsOnThePageDoesNotMatter()
+    {
+        Script script = star(1);
+        script.build = [](const Values &values) {
+            return scenes::oscillator({0, 0}, {270, 200}, values["k"], values["damp"]);
+        };
+        script.values.set("k", 20.0);
+        const std::vector<Remedy> found = remediesAfter(script, stopOf(script), &drag, patient);
+        const Remedy *smaller = find(found, Remedy::Kind::smallerStep);
+        QVERIFY(smaller && smaller->heldFor > 0);
+        QCOMPARE(smaller->step.h, 0.25); // 20 / 4 is past the limit, 20 / 16 is not
+        QVERIFY(find(found, Remedy::Kind::boundlessMethod));
+    }
+
+    void allElseStaysAsItWas()
+    {
+        Script script = star(60);
+        script.bodies["foot3"] = {{111, 222}, {}};
+        script.effectsOff = {"wind"};
+        script.input = {{3, Grab{"foot1"}}, {3, Move{{300, 310}}}, {9, Release{}}, {12, Set{"damp", 0.9}}};
+        for (const Remedy &remedy : remediesAfter(script, stopOf(script), &drag, patient)) {
+            const Script other = mended(script, remedy);
+            QVERIFY(other.bodies == script.bodies);
+            QCOMPARE(other.effectsOff, script.effectsOff);
+            QCOMPARE(other.values["k"], 0.2);
+            const bool isDamped = remedy.kind == Remedy::Kind::moreDamping;
+            QCOMPARE(other.values == script.values, !isDamped);
+            QCOMPARE(other.input == script.input, !isDamped);
+            QCOMPARE(other.input.size(), script.input.size());
+            QCOMPARE(other.method->id() == script.method->id(), remedy.kind != Remedy::Kind::boundlessMethod);
+            QCOMPARE(other.step == script.step, remedy.kind != Remedy::Kind::smallerStep);
+            if (isDamped) // what was set on the way damps more, too
+                QVERIFY(std::get<Set>(other.input.back().what).value < 0.9);
+        }
+    }
+
+    void aRunOfTooManyStepsGetsALargerTolerance()
+    {
+        support::Sample sample;
+        sample.build = [](const Values &) {
+            Scene scene = scenes::linearCreature(1, 8e6);
+            scene.start.place(0, {300, 200});
+            return scene;
+        };
+        Script script = support::script(sample, "dormand_prince");
+        script.step = StepSize::within(1e-13);
+        const Stop stop = stopOf(script);
+        QVERIFY(stop.reason == StopReason::tooManySteps);
+        const std::vector<Remedy> found = remediesAfter(script, stop, nullptr, patient);
+        const Remedy *larger = find(found, Remedy::Kind::largerTolerance);
+        QVERIFY(larger && !find(found, Remedy::Kind::smallerStep) && !find(found, Remedy::Kind::moreDamping));
+        QVERIFY(find(found, Remedy::Kind::boundlessMethod));
+        // A tenth of it is not enough.
+        const Script failing = script;
+        script.step = StepSize::within(larger->step.tolerance / 10.0);
+        QVERIFY(stopOf(script).reason == StopReason::tooManySteps);
+        Track track(mended(failing, *larger), 0);
+        track.seek({larger->heldFor + 20, 0});
+        QVERIFY(!track.stop());
+    }
+
+    void whatDoesNotFitIsNotOffered()
+    {
+        Script script = star(60);
+        const auto build = script.build;
+        script.build = [build](const Values &values) {
+            Scene scene = build(values);
+            scene.effects.push_back(std::make_shared<Sticks>(std::vector<Stick>{{0, 1, 60.0}}, 61));
+            return scene;
+        };
+        const std::vector<Remedy> found = remediesAfter(script, stopOf(script), &drag, patient);
+        QVERIFY(find(found, Remedy::Kind::smallerStep));
+        QVERIFY(!find(found, Remedy::Kind::boundlessMethod));
+    }
+
+    void whereNothingHoldsNothingIsOffered()
+    {
+        Script script = star(60, "explicit_euler");
+        script.values.set("k",
+                          1e9); // no step of 1/64 is short enough, no damping of explicit Euler strong enough
+        const std::vector<Remedy> found = remediesAfter(script, stopOf(script), &drag, patient);
+        QVERIFY(!find(found, Remedy::Kind::smallerStep) && !find(found, Remedy::Kind::moreDamping));
+    }
+
+    void aTrialThatWouldTakeLongIsNotClaimed()
+    {
+        Script script = star(60);
+        script.values.set("damp", 1.0); // what is damped comes to rest, and then no time is long
+        Stop stop = stopOf(script);
+        stop.frame = 1'000'000'000;
+        const std::vector<Remedy> found = remediesAfter(script, stop, &drag, patient);
+        const Remedy *smaller = find(found, Remedy::Kind::smallerStep);
+        QVERIFY(smaller);
+        QCOMPARE(smaller->heldFor, std::int64_t(0));
+    }
+
+    void nobodyWaitsForASearchThatIsLeft()
+    {
+        const Script script = star(60);
+        int asked = 0;
+        const auto found = remediesAfter(script, stopOf(script), &drag, [&] { return ++asked < 50; });
+        QVERIFY(found.empty());
+        QVERIFY(asked < 60);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestTrials)
+#include "tst_trial_runs.moc"
